@@ -1,0 +1,70 @@
+# The modules _core and _occt, for the Python and the OpenCASCADE that FreeCAD itself runs on, and the addon's layout.
+
+find_program(FREECADCMD NAMES freecadcmd FreeCADCmd)
+if(NOT FREECADCMD)
+  message(FATAL_ERROR "FreeCAD's console program was not found: name it with -DFREECADCMD=/path/to/freecadcmd, "
+    "or build the core alone with -DEVENLOAD_PYTHON=OFF.")
+endif()
+
+# FreeCAD is asked in a home of its own, so that the question leaves nothing in the user's.
+set(scratch ${CMAKE_BINARY_DIR}/ask_freecad)
+file(MAKE_DIRECTORY ${scratch})
+execute_process(
+  COMMAND ${CMAKE_COMMAND} -E env --unset=PYTHONPATH --unset=PYTHONHOME HOME=${scratch} FREECAD_USER_HOME=${scratch}
+    ${FREECADCMD} ${CMAKE_CURRENT_LIST_DIR}/ask_freecad.py
+  INPUT_FILE /dev/null OUTPUT_VARIABLE answers ERROR_VARIABLE errors TIMEOUT 120)
+file(REMOVE_RECURSE ${scratch})
+if(NOT answers MATCHES "EVENLOAD occt=")
+  message(FATAL_ERROR "${FREECADCMD} did not answer which Python and OpenCASCADE it uses:\n${answers}\n${errors}")
+endif()
+file(REAL_PATH ${FREECADCMD} freecad_program)
+set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${freecad_program})
+foreach(name suffix python occt)
+  string(REGEX MATCH "EVENLOAD ${name}=([^\r\n]*)" line "${answers}")
+  set(freecad_${name} "${CMAKE_MATCH_1}")
+endforeach()
+
+# Another python3 may come first on PATH: FreeCAD's own is the default.
+if(NOT Python3_EXECUTABLE)
+  set(Python3_EXECUTABLE ${freecad_python})
+endif()
+find_package(Python3 REQUIRED COMPONENTS Interpreter Development.Module)
+execute_process(
+  COMMAND ${Python3_EXECUTABLE} -c "import sysconfig; print(sysconfig.get_config_var('EXT_SUFFIX'))"
+  OUTPUT_VARIABLE PYTHON_SUFFIX OUTPUT_STRIP_TRAILING_WHITESPACE)
+if(NOT PYTHON_SUFFIX STREQUAL freecad_suffix)
+  message(FATAL_ERROR "FreeCAD loads modules named *${freecad_suffix}, but ${Python3_EXECUTABLE} makes *${PYTHON_SUFFIX}: "
+    "name FreeCAD's own Python with -DPython3_EXECUTABLE=${freecad_python}.")
+endif()
+find_package(pybind11 REQUIRED)
+
+find_package(OpenCASCADE REQUIRED)
+if(NOT OpenCASCADE_VERSION STREQUAL freecad_occt)
+  message(FATAL_ERROR "FreeCAD runs on OpenCASCADE ${freecad_occt}, but the one found to build with is ${OpenCASCADE_VERSION}: "
+    "name FreeCAD's own with -DOpenCASCADE_DIR=/path/to/its/cmake/folder.")
+endif()
+
+file(GLOB binding_sources CONFIGURE_DEPENDS src/python/*.cpp)
+if(binding_sources)
+  pybind11_add_module(_core MODULE NO_EXTRAS ${binding_sources})
+  target_link_libraries(_core PRIVATE evenload_core)
+endif()
+
+file(GLOB occt_sources CONFIGURE_DEPENDS src/occt/*.cpp)
+if(occt_sources)
+  pybind11_add_module(_occt MODULE NO_EXTRAS ${occt_sources})
+  target_include_directories(_occt SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
+  target_link_libraries(_occt PRIVATE evenload_core TKernel TKMath TKG3d TKGeomBase TKBRep TKTopAlgo)
+endif()
+
+configure_file(${CMAKE_CURRENT_LIST_DIR}/_build.py.in _build.py @ONLY)
+
+# What FreeCAD loads, and nothing else.
+install(FILES package.xml Init.py InitGui.py LICENSE README.md DESTINATION .)
+install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE PATTERN _build.py EXCLUDE)
+foreach(module _core _occt)
+  if(TARGET ${module})
+    install(TARGETS ${module} LIBRARY DESTINATION Mod/evenload)
+  endif()
+endforeach()
+install(FILES ${CMAKE_BINARY_DIR}/_build.py DESTINATION Mod/evenload)
