@@ -1,0 +1,49 @@
+# freecadcmd bench/run.py: runs every bench/bench_*.py and collects its figures by name.
+#
+# A benchmark is a module with `figures()`, which yields (name, value, unit). Names are words joined by dots, from the
+# broad to the narrow ("core.star.compute"), and stay the same over time, so that files of different days compare.
+# EVENLOAD_BENCH_JSON names a file that gets {name: {"value": ..., "unit": ...}}.
+import importlib
+import json
+import os
+import sys
+import traceback
+from pathlib import Path
+
+
+def collect(folder):
+    """Returns the figures of all benchmarks in `folder`, by name, and the names of the benchmarks that failed."""
+    sys.path.insert(0, str(folder))
+    figures, failed = {}, []
+    for path in sorted(folder.glob("bench_*.py")):
+        try:
+            for name, value, unit in importlib.import_module(path.stem).figures():
+                if name in figures:
+                    raise ValueError("two figures are named %s" % name)
+                figures[name] = {"value": value, "unit": unit}
+                print("%-48s %12.6g %s" % (name, value, unit), flush=True)
+        except Exception:
+            traceback.print_exc()
+            failed.append(path.stem)
+    return figures, failed
+
+
+def main():
+    figures, failed = collect(Path(__file__).resolve().parent)
+    target = os.environ.get("EVENLOAD_BENCH_JSON")
+    if target:
+        Path(target).write_text(json.dumps(figures, indent=1) + "\n")
+    if failed:
+        print("failed: " + ", ".join(failed))
+    return 1 if failed or not figures else 0
+
+
+# FreeCAD answers an uncaught exception with exit code 0, and its __name__ is not "__main__".
+code = 1
+try:
+    code = main()
+except BaseException:
+    traceback.print_exc()
+sys.stdout.flush()
+sys.stderr.flush()
+os._exit(code)
