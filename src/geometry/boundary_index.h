@@ -1,4 +1,5 @@
-// Nearest-boundary queries on many curves, by an R-tree.
+// Nearest-boundary queries on many curves, by a tree of boxes that a grid of first guesses shortens. Read by any number of
+// threads at once. Laws: nearest() is exact up to rounding; contains() is, off the curves.
 #pragma once
 
 #include <memory>

@@ -11,6 +11,10 @@
 
 namespace evenload {
 
+struct Bounds {
+  Vec2 low, high;
+};
+
 struct Vertex {
   Vec2 p;
   double bulge = 0;
@@ -41,7 +45,16 @@ struct Segment {
   Segment part(double t0, double t1) const;  // 0 <= t0 < t1 <= 1
   double nearest(Vec2 q) const;     // t of the point nearest to q
   double distance_to(Vec2 q) const; // mm
+  Bounds bounds() const;            // the smallest box with sides along the axes
 };
+
+// Arcs flatter than this bulge, or with less sagitta than kStraightSagitta mm, are read as lines: their centre lies so far
+// away that rounding there would outweigh what the arc adds.
+inline constexpr double kStraightBulge = 1e-8;
+inline constexpr double kStraightSagitta = 1e-9;
+
+// What a piece adds to the winding number around q. Over the pieces of closed chains the sum is exact off the chains.
+int winding_of(const Segment& s, Vec2 q);
 
 class Curve {
  public:
@@ -61,7 +74,7 @@ class Curve {
   double signed_area() const;  // mm^2, counter-clockwise positive; closed curves only
   bool contains(Vec2 q) const; // closed curves only, by winding; points on the curve: either answer
   Curve reversed() const;
-  // Points along the curve so that chords deviate at most `tolerance` mm.
+  // Points along the curve so that chords deviate at most `tolerance` mm. A closed curve's first point is not repeated.
   std::vector<Vec2> flattened(double tolerance) const;
 
  private:

@@ -19,13 +19,14 @@ struct Region {
   std::vector<Curve> curves() const;  // outer first
 };
 
-// Checks and normalises: drops zero-length pieces, sets the sense of rotation.
+// Checks and normalises: drops pieces shorter than kZeroLength, closes gaps up to kClosingGap, sets the sense of rotation.
 // Throws GeometryError (kNotFinite, kTooFewPoints, kOpen, kSelfCrossing, kIslandOutside) with the place.
 Region make_region(Curve outer, std::vector<Curve> islands = {});
+inline constexpr double kZeroLength = 1e-7;  // mm: modellers take points this near for one
+inline constexpr double kClosingGap = 1e-6;  // mm: gaps left by rounding in files, far under any drawn gap
+inline constexpr double kTouch = 1e-9;       // mm: curves this near touch; rounding at 1e4 mm is a hundred times less
 
-struct Bounds {
-  Vec2 low, high;
-};
+// The smallest box around all of them; two zero points for no regions.
 Bounds bounds_of(const std::vector<Region>& regions);
 
 // The points at signed distance `d` mm from the regions' boundary (d > 0 grows, d < 0 shrinks), arcs kept as arcs; growing
