@@ -15,36 +15,40 @@ enum class FeedControl { kConstantFeed, kConstantRemovalRate };
 enum class EntryKind { kAutomatic, kHelix, kRamp, kPredrilledHole };
 
 struct ClearingParams {
-  double tool_diameter = 6;             // mm, > 0
-  double engagement_angle = kPi / 3;    // rad, 0 < angle < pi: target and limit
+  double tool_diameter = 6;           // mm, > 0
+  double engagement_angle = kPi / 3;  // rad, 0 < angle < pi: target and limit
   CutMode cut_mode = CutMode::kClimb;
   FeedControl feed_control = FeedControl::kConstantFeed;
-  double feed = 255;                    // mm/min, > 0: feed at the engagement angle
-  double plunge_feed = 255;             // mm/min, > 0: entries descend with it
-  double link_feed = 1500;              // mm/min, > 0
-  double maximum_feed = 510;            // mm/min, >= feed: cap of the feed control
-  double rapid_feed = 5000;             // mm/min, > 0: only for the report's times
-  double roll_radius = 0.9;             // mm, > 0: a wish
-  double minimum_radius = 0.9;          // mm, > 0: a wish
+  double feed = 255;            // mm/min, > 0: feed at the engagement angle
+  double plunge_feed = 255;     // mm/min, > 0: entries descend with it
+  double link_feed = 1500;      // mm/min, > 0
+  double maximum_feed = 510;    // mm/min, >= feed: cap of the feed control
+  double rapid_feed = 5000;     // mm/min, > 0: only for the report's times
+  double roll_radius = 0.9;     // mm, > 0: a wish
+  double minimum_radius = 0.9;  // mm, > 0: a wish
   EntryKind entry = EntryKind::kAutomatic;
-  double helix_angle = 3 * kPi / 180;   // rad, 0 < angle < pi/2
-  double helix_diameter = 5.4;          // mm, of the tool centre's helix, > 0: shrinks where it does not fit
-  std::optional<Vec2> entry_point;      // of the pre-drilled hole
-  double hole_diameter = 0;             // mm
-  double stock_to_leave = 0;            // mm, >= 0, radially
+  double helix_angle = 3 * kPi / 180;  // rad, 0 < angle < pi/2
+  double helix_diameter =
+      5.4;  // mm, of the tool centre's helix, > 0: shrinks where it does not fit
+  std::optional<Vec2> entry_point;  // of the pre-drilled hole
+  double hole_diameter = 0;         // mm
+  double stock_to_leave = 0;        // mm, >= 0, radially
   bool wall_pass = true;
   double tolerance = 0.005;             // mm, > 0
   bool arcs = true;                     // false: lines only
   double link_lift = 0;                 // mm, >= 0, stays below the level's top
   double top = 0;                       // mm: z of the stock's top
-  std::vector<double> levels = {-3.0};  // mm: z of each level, strictly descending, all below top; the last is the final depth
+  std::vector<double> levels = {-3.0};  // mm: z of each level, strictly descending, all below top;
+                                        // the last is the final depth
   double safe_height = 5;               // mm: rapids down to here are free
   double clearance_height = 10;         // mm: rapids from region to region
 };
 
-// The toolpath that clears `regions` (pocket floors: vertices' `open` marks pieces without a wall) level by level.
-// Throws std::invalid_argument for parameters out of range, GeometryError for regions that the tool does not fit (the sentence
-// names the largest tool that would fit) and for entries that cannot be used.
-Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params, Progress& progress);
+// The toolpath that clears `regions` (pocket floors: vertices' `open` marks pieces without a wall)
+// level by level. Throws std::invalid_argument for parameters out of range, GeometryError for
+// regions that the tool does not fit (the sentence names the largest tool that would fit) and for
+// entries that cannot be used.
+Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
+                      Progress& progress);
 
 }  // namespace evenload

@@ -1,0 +1,310 @@
+#include "cutting/cleared_ground.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+// Buckets are not made finer than this many in all, so that memory stays bounded for large, sparse
+// work.
+constexpr double kMaximumBuckets = 4e6;
+
+// A few break angles at most arise per move: two circles and two lines, two crossings each.
+struct Breaks {
+  std::array<double, 12> angle;
+  int count = 0;
+  void push(double a) { angle[count++] = a; }
+};
+
+// Removes [low, high] from the ordered set.
+void cut(std::vector<AngularInterval>& set, double low, double high) {
+  std::size_t keep = 0;
+  const std::size_t n = set.size();
+  AngularInterval extra;
+  bool has_extra = false;
+  std::size_t extra_at = 0;
+  for (std::size_t i = 0; i < n; ++i) {
+    const AngularInterval piece = set[i];
+    if (high <= piece.low || low >= piece.high) {
+      set[keep++] = piece;
+    } else {
+      const bool left = low > piece.low, right = high < piece.high;
+      if (left) set[keep++] = {piece.low, low};
+      if (right) {
+        if (left) {
+          extra = {high, piece.high};
+          extra_at = keep;
+          has_extra = true;
+          for (std::size_t j = i + 1; j < n; ++j) set[keep++] = set[j];
+          break;
+        }
+        set[keep++] = {high, piece.high};
+      }
+    }
+  }
+  set.resize(keep);
+  if (has_extra) set.insert(set.begin() + static_cast<std::ptrdiff_t>(extra_at), extra);
+}
+
+// Removes the arc [low, high], given in any turn, from a set that lies within [set_low, set_low + 2
+// pi].
+void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
+  if (set.empty()) return;
+  const double width = high - low;
+  const double base = set.front().low;
+  double start = base + wrap_positive(low - base);
+  cut(set, start, start + width);
+  if (!set.empty() && start + width > base + 2 * kPi)
+    cut(set, start - 2 * kPi, start - 2 * kPi + width);
+}
+
+}  // namespace
+
+ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
+                             const std::vector<Region>* material)
+    : tool_radius_(tool_radius) {
+  const double margin = 0.5 * tool_radius;
+  origin_ = bounds.low - Vec2{margin, margin};
+  const double width = bounds.high.x - bounds.low.x + 2 * margin;
+  const double height = bounds.high.y - bounds.low.y + 2 * margin;
+  cell_ = std::max(0.5 * tool_radius, std::sqrt(width * height / kMaximumBuckets));
+  columns_ = static_cast<int>(std::ceil(width / cell_)) + 1;
+  rows_ = static_cast<int>(std::ceil(height / cell_)) + 1;
+  buckets_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  if (material) {
+    limited_ = true;
+    material_ = *material;
+    for (const Region& region : material_)
+      for (const Curve& curve : region.curves())
+        for (const Segment& segment : curve.segments())
+          if (segment.open) material_edges_.push_back(segment);
+  }
+}
+
+template <typename Visit>
+void ClearedGround::visit_buckets(const Primitive& primitive, Visit visit) {
+  // A query at any point of a bucket must find every move that can reach the tool's circle there.
+  const double reach = primitive.radius + tool_radius_;
+  const Segment& s = primitive.segment;
+  Vec2 low{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)};
+  Vec2 high{std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)};
+  if (s.is_arc()) {
+    for (int quarter = 1; quarter < 4; ++quarter) {
+      // The arc bulges out of its chord's box by at most what these points show plus a quarter's
+      // sagitta.
+      const Vec2 q = s.point(quarter / 4.0);
+      low = {std::min(low.x, q.x), std::min(low.y, q.y)};
+      high = {std::max(high.x, q.x), std::max(high.y, q.y)};
+    }
+    const double sagitta = s.radius * (1 - std::cos(std::abs(s.sweep) / 8));
+    low = low - Vec2{sagitta, sagitta};
+    high = high + Vec2{sagitta, sagitta};
+  }
+  const int i0 = std::max(0, static_cast<int>(std::floor((low.x - reach - origin_.x) / cell_)));
+  const int j0 = std::max(0, static_cast<int>(std::floor((low.y - reach - origin_.y) / cell_)));
+  const int i1 =
+      std::min(columns_ - 1, static_cast<int>(std::floor((high.x + reach - origin_.x) / cell_)));
+  const int j1 =
+      std::min(rows_ - 1, static_cast<int>(std::floor((high.y + reach - origin_.y) / cell_)));
+  const double half_diagonal = cell_ * 0.70710678118654757;
+  for (int j = j0; j <= j1; ++j)
+    for (int i = i0; i <= i1; ++i) {
+      const Vec2 centre = origin_ + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_};
+      if (distance(primitive, centre) <= reach + half_diagonal)
+        visit(buckets_[static_cast<std::size_t>(j) * columns_ + i]);
+    }
+}
+
+void ClearedGround::add(const Segment& move, double swept_radius) {
+  EVENLOAD_ASSERT(std::isfinite(move.a.x + move.a.y + move.b.x + move.b.y));
+  Primitive primitive;
+  primitive.segment = move;
+  primitive.radius = swept_radius;
+  primitive.length = evenload::distance(move.a, move.b);
+  primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
+  const auto id = static_cast<std::int32_t>(primitives_.size());
+  primitives_.push_back(primitive);
+  visit_buckets(primitive, [id](std::vector<std::int32_t>& bucket) { bucket.push_back(id); });
+}
+
+void ClearedGround::remove_last() {
+  EVENLOAD_ASSERT(!primitives_.empty());
+  const Primitive primitive = primitives_.back();
+  primitives_.pop_back();
+  visit_buckets(primitive, [](std::vector<std::int32_t>& bucket) { bucket.pop_back(); });
+}
+
+const std::vector<std::int32_t>& ClearedGround::bucket(Vec2 p) const {
+  const int i = static_cast<int>(std::floor((p.x - origin_.x) / cell_));
+  const int j = static_cast<int>(std::floor((p.y - origin_.y) / cell_));
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return nothing_;
+  return buckets_[static_cast<std::size_t>(j) * columns_ + i];
+}
+
+double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
+  const Segment& s = primitive.segment;
+  if (!s.is_arc()) {
+    const Vec2 v = x - s.a;
+    const double along = dot(v, primitive.direction);
+    if (along <= 0) return norm(v);
+    if (along >= primitive.length) return evenload::distance(x, s.b);
+    return std::abs(cross(primitive.direction, v));
+  }
+  const Vec2 v = x - s.centre;
+  const double from_start = s.sweep > 0 ? wrap_positive(angle_of(v) - s.start_angle)
+                                        : wrap_positive(s.start_angle - angle_of(v));
+  if (from_start <= std::abs(s.sweep)) return std::abs(norm(v) - s.radius);
+  return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
+}
+
+void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
+                             std::vector<AngularInterval>& set) const {
+  const Segment& s = primitive.segment;
+  const double reach = primitive.radius;
+  Breaks breaks;
+  const auto add_circle = [&](Vec2 centre, double r) {
+    const Vec2 v = centre - p;
+    const double d2 = squared_norm(v), d = std::sqrt(d2);
+    if (d < 1e-12) return;
+    const double c = (d2 + radius * radius - r * r) / (2 * d * radius);
+    if (c <= -1 || c >= 1) return;
+    const double half = std::acos(c), middle = angle_of(v);
+    breaks.push(middle - half);
+    breaks.push(middle + half);
+  };
+  add_circle(s.a, reach);
+  if (s.is_arc()) {
+    add_circle(s.b, reach);
+    add_circle(s.centre, s.radius + reach);
+    if (s.radius > reach) add_circle(s.centre, s.radius - reach);
+  } else if (primitive.length > 0) {
+    add_circle(s.b, reach);
+    const double aside = cross(primitive.direction, p - s.a), turn = angle_of(primitive.direction);
+    for (const double side : {reach, -reach}) {
+      const double v = (side - aside) / radius;
+      if (v <= -1 || v >= 1) continue;
+      const double angle = std::asin(v);
+      breaks.push(turn + angle);
+      breaks.push(turn + kPi - angle);
+    }
+  }
+  // Only crossings that lie on the swept area's border split it; keeping the others is harmless but
+  // slower.
+  int count = 0;
+  for (int i = 0; i < breaks.count; ++i) {
+    const Vec2 x = p + radius * unit(breaks.angle[i]);
+    if (std::abs(distance(primitive, x) - reach) < 1e-7 * reach + 1e-9)
+      breaks.angle[count++] = wrap_positive(breaks.angle[i]);
+  }
+  if (count == 0) {
+    if (distance(primitive, p + Vec2{radius, 0}) <= reach) set.clear();
+    return;
+  }
+  std::sort(breaks.angle.begin(), breaks.angle.begin() + count);
+  for (int i = 0; i < count; ++i) {
+    const double low = breaks.angle[i];
+    const double high = i + 1 < count ? breaks.angle[i + 1] : breaks.angle[0] + 2 * kPi;
+    if (high - low < 1e-12) continue;
+    if (distance(primitive, p + radius * unit(0.5 * (low + high))) <= reach)
+      cut_wrapped(set, low, high);
+  }
+}
+
+void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
+                              double shrink) const {
+  const double radius = tool_radius_ - shrink;
+  out.clear();
+  out.push_back({low, high});
+  const std::vector<std::int32_t>& ids = bucket(p);
+  for (auto id = ids.rbegin(); id != ids.rend() && !out.empty(); ++id) {
+    const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
+    const double d = distance(primitive, p);
+    if (d >= primitive.radius + radius) continue;
+    // Far from every remaining arc: nothing to take away.
+    bool near = false;
+    for (const AngularInterval& piece : out) {
+      const double half = 0.5 * piece.width();
+      if (half >= 0.5 * kPi) {
+        near = true;
+        break;
+      }
+      const Vec2 middle = p + radius * unit(piece.low + half);
+      if (distance(primitive, middle) < primitive.radius + 2 * radius * std::sin(0.5 * half)) {
+        near = true;
+        break;
+      }
+    }
+    if (near) subtract(primitive, p, radius, out);
+  }
+  if (limited_ && !out.empty()) remove_outside_material(p, radius, out);
+}
+
+void ClearedGround::remove_outside_material(Vec2 p, double radius,
+                                            std::vector<AngularInterval>& set) const {
+  std::vector<double> breaks;
+  for (const Segment& s : material_edges_) {
+    if (s.distance_to(p) > radius) continue;
+    const auto keep = [&](double angle) {
+      if (s.distance_to(p + radius * unit(angle)) < 1e-7) breaks.push_back(wrap_positive(angle));
+    };
+    if (s.is_arc()) {
+      const Vec2 v = s.centre - p;
+      const double d = norm(v);
+      if (d < 1e-12) continue;
+      const double c = (d * d + radius * radius - s.radius * s.radius) / (2 * d * radius);
+      if (std::abs(c) >= 1) continue;
+      keep(angle_of(v) - std::acos(c));
+      keep(angle_of(v) + std::acos(c));
+    } else {
+      const Vec2 direction = normalized(s.b - s.a);
+      const double v = -cross(direction, p - s.a) / radius;
+      if (std::abs(v) >= 1) continue;
+      keep(angle_of(direction) + std::asin(v));
+      keep(angle_of(direction) + kPi - std::asin(v));
+    }
+  }
+  std::sort(breaks.begin(), breaks.end());
+  const auto inside = [&](Vec2 x) {
+    return std::any_of(material_.begin(), material_.end(),
+                       [x](const Region& region) { return region.contains(x); });
+  };
+  if (breaks.empty()) {
+    const AngularInterval& piece = set.front();
+    if (!inside(p + radius * unit(0.5 * (piece.low + piece.high)))) set.clear();
+    return;
+  }
+  for (std::size_t i = 0; i < breaks.size(); ++i) {
+    const double low = breaks[i];
+    const double high = i + 1 < breaks.size() ? breaks[i + 1] : breaks[0] + 2 * kPi;
+    if (high - low > 1e-12 && !inside(p + radius * unit(0.5 * (low + high))))
+      cut_wrapped(set, low, high);
+  }
+}
+
+bool ClearedGround::is_clear(Vec2 p, double shrink) const {
+  thread_local std::vector<AngularInterval> scratch;
+  uncovered(p, 0, 2 * kPi, scratch, shrink);
+  return scratch.empty();
+}
+
+bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
+  const std::vector<std::int32_t>& ids = bucket(x);
+  for (auto id = ids.rbegin(); id != ids.rend() && static_cast<std::size_t>(*id) >= first; ++id) {
+    const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
+    if (distance(primitive, x) <= primitive.radius) return true;
+  }
+  return false;
+}
+
+bool ClearedGround::is_cleared_point(Vec2 x) const {
+  if (limited_ && std::none_of(material_.begin(), material_.end(),
+                               [x](const Region& region) { return region.contains(x); }))
+    return true;
+  return is_cleared_since(x, 0);
+}
+
+}  // namespace evenload

@@ -1,0 +1,110 @@
+#include "feed/feed_control.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace evenload {
+namespace {
+
+// s: what one more block must save.
+constexpr double kBlockPrice = 0.02;
+// Above the nominal removal rate by this share at the single sample that decides; the mean over 0.1
+// mm stays below it.
+constexpr double kRateMargin = 1.02;
+// mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
+// second.
+constexpr double kShortestPiece = 0.3;
+// A piece of one feed holds at most this many samples: bounds the search.
+constexpr std::size_t kLongestPiece = 400;
+
+struct Piece {
+  std::size_t first, last;  // samples, last excluded
+  double feed;
+};
+
+// The best division of samples [first, last) into pieces of one feed.
+std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t first,
+                          std::size_t last, const FeedParams& params) {
+  const std::size_t n = last - first;
+  const auto allowed = [&](const LoadSample& sample) {
+    const double limit = kRateMargin * params.feed * params.nominal_width;
+    return sample.width * params.maximum_feed <= limit ? params.maximum_feed : limit / sample.width;
+  };
+  std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
+  std::vector<std::size_t> from(n + 1, 0);
+  cost[0] = 0;
+  for (std::size_t j = 1; j <= n; ++j) {
+    double slowest = params.maximum_feed, length = 0;
+    const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
+    const double price = move_ends ? 0.25 * kBlockPrice : kBlockPrice;
+    for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
+      slowest = std::min(slowest, allowed(profile[first + i]));
+      length += profile[first + i].length;
+      const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
+      if (length < kShortestPiece && !(move_begins && move_ends)) continue;
+      const double total = cost[i] + length / slowest * 60 + price;
+      if (total < cost[j]) {
+        cost[j] = total;
+        feed[j] = slowest;
+        from[j] = i;
+      }
+    }
+  }
+  std::vector<Piece> pieces;
+  for (std::size_t j = n; j > 0; j = from[j])
+    pieces.push_back({first + from[j], first + j, feed[j]});
+  std::reverse(pieces.begin(), pieces.end());
+  return pieces;
+}
+
+}  // namespace
+
+void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params) {
+  for (PlanarRun& run : runs)
+    for (PlanarMove& move : run.moves)
+      move.feed = move.kind == MoveKind::kLink ? params.link_feed : params.feed;
+}
+
+void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
+                               const FeedParams& params) {
+  const auto is_cut = [&](const LoadSample& s) {
+    return runs[s.run].moves[s.move].kind == MoveKind::kCut;
+  };
+  std::vector<PlanarRun> result;
+  for (const PlanarRun& run : runs) result.push_back({run.descent, {}});
+  std::size_t i = 0;
+  while (i < profile.size()) {
+    const std::size_t run = profile[i].run;
+    if (!is_cut(profile[i])) {
+      PlanarMove link = runs[run].moves[profile[i].move];
+      link.feed = params.link_feed;
+      result[run].moves.push_back(link);
+      const std::size_t move = profile[i].move;
+      while (i < profile.size() && profile[i].run == run && profile[i].move == move) ++i;
+      continue;
+    }
+    std::size_t end = i;
+    while (end < profile.size() && profile[end].run == run && is_cut(profile[end])) ++end;
+    for (const Piece& piece : divide(profile, i, end, params)) {
+      // The piece's samples, move by move.
+      std::size_t a = piece.first;
+      while (a < piece.last) {
+        std::size_t b = a;
+        while (b < piece.last && profile[b].move == profile[a].move) ++b;
+        const Segment& segment = runs[run].moves[profile[a].move].segment;
+        const double half = 0.5 * profile[a].length / segment.length();
+        const double t0 = std::max(0.0, profile[a].t - half);
+        const double t1 = std::min(1.0, profile[b - 1].t + half);
+        const bool whole = t0 < 1e-9 && t1 > 1 - 1e-9;
+        result[run].moves.push_back(
+            {MoveKind::kCut, whole ? segment : segment.part(t0, t1), piece.feed});
+        a = b;
+      }
+    }
+    i = end;
+  }
+  runs = std::move(result);
+}
+
+}  // namespace evenload

@@ -1,0 +1,258 @@
+#include "strategy/constant_engagement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+#include <stdexcept>
+
+#include "cutting/engagement.h"
+#include "feed/feed_control.h"
+#include "geometry/medial_axis.h"
+#include "strategy/region_clearing.h"
+#include "support/errors.h"
+#include "toolpath/assemble.h"
+
+namespace evenload {
+namespace {
+
+// mm: the tool stays this far from the wall, so that rounding in the G-code never takes it in.
+constexpr double kWallGap = 2e-4;
+// mm of path between two looks at the load.
+constexpr double kLoadSpacing = 0.08;
+// mm of path over which the reported engagement is a mean.
+constexpr double kEngagementWindow = 0.1;
+// Outside open edges the tool may go this many of its diameters from the stock.
+constexpr double kOutsideRoom = 1.5;
+
+void require(bool condition, const char* sentence) {
+  if (!condition) throw std::invalid_argument(sentence);
+}
+
+void check(const ClearingParams& p) {
+  // Comparisons written so that NaN fails them.
+  require(p.tool_diameter > 0 && p.tool_diameter < 1e4, "The tool's diameter must be positive.");
+  require(p.engagement_angle > 0 && p.engagement_angle < kPi,
+          "The engagement angle must lie between 0 and 180 degrees.");
+  require(p.feed > 0, "The feed must be positive: set the tool controller's horizontal feed.");
+  require(p.plunge_feed > 0,
+          "The plunge feed must be positive: set the tool controller's vertical feed.");
+  require(p.link_feed > 0, "The link feed must be positive.");
+  require(p.rapid_feed > 0, "The rapid feed must be positive.");
+  require(p.maximum_feed >= p.feed, "The maximum feed must not be below the feed.");
+  require(p.roll_radius > 0, "The roll radius must be positive.");
+  require(p.minimum_radius > 0, "The minimum radius must be positive.");
+  require(p.helix_angle > 0 && p.helix_angle < kPi / 2,
+          "The helix angle must lie between 0 and 90 degrees.");
+  require(p.helix_diameter > 0, "The helix diameter must be positive.");
+  require(p.stock_to_leave >= 0, "The stock to leave must not be negative.");
+  require(p.tolerance > 0, "The tolerance must be positive.");
+  require(p.link_lift >= 0, "The link lift must not be negative.");
+  require(!p.levels.empty(), "There must be at least one level.");
+  double above = p.top;
+  for (const double level : p.levels) {
+    require(level < above, "The levels must descend from the top.");
+    above = level;
+  }
+  require(p.safe_height >= p.top, "The safe height must not lie below the start depth.");
+  require(p.clearance_height >= p.safe_height,
+          "The clearance height must not lie below the safe height.");
+  if (p.entry == EntryKind::kPredrilledHole) {
+    require(p.entry_point.has_value(), "A pre-drilled hole needs its centre: set EntryPoint.");
+    require(
+        p.hole_diameter >= p.tool_diameter,
+        "The pre-drilled hole is smaller than the tool: set HoleDiameter to at least the tool's "
+        "diameter, or choose another entry.");
+  }
+}
+
+Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
+
+Curve mirrored(const Curve& curve) {
+  // Reversed as well, so that the sense of rotation stays.
+  std::vector<Vertex> vertices;
+  const std::vector<Vertex>& in = curve.vertices();
+  const std::size_t n = in.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vertex& at = in[(n - i) % n];
+    const Vertex& piece = in[(2 * n - i - 1) % n];
+    // Reversing turns a left arc into a right one, and mirroring turns it back.
+    vertices.push_back({mirrored(at.p), piece.bulge, piece.open});
+  }
+  return Curve(std::move(vertices), true);
+}
+
+std::vector<Region> mirrored(const std::vector<Region>& regions) {
+  std::vector<Region> result;
+  for (const Region& region : regions) {
+    Region r;
+    r.outer = mirrored(region.outer);
+    for (const Curve& island : region.islands) r.islands.push_back(mirrored(island));
+    result.push_back(std::move(r));
+  }
+  return result;
+}
+
+bool has_open_edges(const std::vector<Region>& regions) {
+  for (const Region& region : regions)
+    for (const Curve& curve : region.curves())
+      for (const Vertex& v : curve.vertices())
+        if (v.open) return true;
+  return false;
+}
+
+// The regions within which the tool's whole disc must stay: the pocket, and room outside its open
+// edges.
+std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter) {
+  std::vector<Region> result;
+  for (const Region& region : regions) {
+    const std::vector<Vertex>& v = region.outer.vertices();
+    const bool all_open = std::all_of(v.begin(), v.end(), [](const Vertex& x) { return x.open; });
+    if (!all_open) {
+      result.push_back(region);
+      continue;
+    }
+    Region outline;
+    outline.outer = region.outer;
+    for (Region& grown : offset({outline}, (1 + kOutsideRoom) * tool_diameter)) {
+      grown.islands = region.islands;
+      result.push_back(std::move(grown));
+    }
+  }
+  return result;
+}
+
+std::string too_large(const std::vector<Region>& regions, const ClearingParams& params) {
+  std::ostringstream sentence;
+  sentence.precision(4);
+  sentence << "The tool of " << params.tool_diameter
+           << " mm does not fit into the pocket: the largest tool that fits has "
+           << std::floor((largest_tool(regions) - 2 * params.stock_to_leave) * 1000) / 1000
+           << " mm.";
+  return sentence.str();
+}
+
+// The place in the regions of tool centres from which a pre-drilled hole is entered: its centre, or
+// the nearest to it.
+std::optional<Vec2> hole_place(const std::vector<Region>& centres, Vec2 hole, std::size_t* which) {
+  for (std::size_t i = 0; i < centres.size(); ++i)
+    if (centres[i].contains(hole)) {
+      *which = i;
+      return hole;
+    }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& given,
+                      Progress& progress) {
+  check(given);
+  const bool mirror = given.cut_mode == CutMode::kConventional;
+  const std::vector<Region> regions = mirror ? mirrored(input) : input;
+  ClearingParams params = given;
+  if (mirror && params.entry_point) params.entry_point = mirrored(*params.entry_point);
+
+  const double radius = 0.5 * params.tool_diameter;
+  const std::vector<Region> allowed = allowed_ground(regions, params.tool_diameter);
+  const std::vector<Region> centres = offset(allowed, -(radius + params.stock_to_leave + kWallGap));
+  if (centres.empty())
+    throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
+
+  std::size_t hole_region = centres.size();
+  std::optional<Vec2> hole;
+  if (params.entry == EntryKind::kPredrilledHole ||
+      (params.entry == EntryKind::kAutomatic && params.entry_point &&
+       params.hole_diameter >= params.tool_diameter)) {
+    hole = hole_place(centres, *params.entry_point, &hole_region);
+    if (!hole && params.entry == EntryKind::kPredrilledHole)
+      throw GeometryError(
+          GeometryErrorCode::kEntryOutside, *given.entry_point,
+          "The pre-drilled hole's centre lies outside the ground that the tool can reach: "
+          "move EntryPoint into the pocket, at least a tool's radius from its walls.");
+  }
+
+  const bool open = has_open_edges(regions);
+  Toolpath path;
+  std::vector<PlanarRun> runs;
+  for (std::size_t i = 0; i < centres.size() && !progress.cancelled(); ++i) {
+    RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt};
+    Progress share([&](double done) {
+      return progress.report((static_cast<double>(i) + done) / static_cast<double>(centres.size()));
+    });
+    RegionResult result = clear_region(task, params, share);
+    path.report.uncut_area += result.uncut_area;
+    path.report.passes += result.passes;
+    path.report.links += result.links;
+    path.report.retracts += result.retracts;
+    for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
+    for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
+  }
+
+  Bounds bounds = bounds_of(centres);
+  ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
+                       radius, open ? &regions : nullptr);
+  if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
+  const std::vector<LoadSample> profile = load_profile(runs, ground, kLoadSpacing);
+  path.report.max_engagement = worst_engagement(runs, profile, kEngagementWindow);
+  double removed = 0;
+  for (const LoadSample& sample : profile) removed += sample.width * sample.length;
+
+  const double width = side_step(params.engagement_angle, radius);
+  const FeedParams feed{params.feed, width, params.maximum_feed, params.link_feed};
+  if (params.feed_control == FeedControl::kConstantRemovalRate)
+    set_constant_removal_rate(runs, profile, feed);
+  else
+    set_constant_feed(runs, feed);
+
+  const double depth = params.top - params.levels.back();
+  const double levels = static_cast<double>(params.levels.size());
+  for (const PlanarRun& run : runs) {
+    if (run.descent.kind == DescentKind::kHelix)
+      removed += kPi * std::pow(run.descent.radius + radius, 2);
+    if (run.descent.kind == DescentKind::kRamp)
+      removed +=
+          kPi * radius * radius + 2 * radius * distance(run.descent.at, run.descent.ramp_end);
+    for (const PlanarMove& move : run.moves)
+      (move.kind == MoveKind::kLink ? path.report.link_length : path.report.cut_length) +=
+          move.segment.length() * levels;
+  }
+  path.report.removed_volume = removed * depth;
+  path.report.ideal_time = levels * removed / (width * params.feed) * 60;
+
+  if (mirror) {
+    for (PlanarRun& run : runs) {
+      run.descent.at = mirrored(run.descent.at);
+      run.descent.centre = mirrored(run.descent.centre);
+      run.descent.ramp_end = mirrored(run.descent.ramp_end);
+      for (PlanarMove& move : run.moves) {
+        const Segment& s = move.segment;
+        move.segment =
+            s.is_arc() ? Segment::arc(mirrored(s.centre), s.radius, kPi - s.start_angle, -s.sweep)
+                       : Segment::line(mirrored(s.a), mirrored(s.b));
+      }
+    }
+  }
+  AssemblyParams assembly;
+  assembly.top = params.top;
+  assembly.levels = params.levels;
+  assembly.safe_height = params.safe_height;
+  assembly.clearance_height = params.clearance_height;
+  assembly.plunge_feed = params.plunge_feed;
+  assembly.rapid_feed = params.rapid_feed;
+  assembly.helix_angle = params.helix_angle;
+  assembly.link_lift = params.link_lift;
+  assembly.tool_radius = radius;
+  assembly.tolerance = params.tolerance;
+  assembly.arcs = params.arcs;
+  assembly.wall_on_left = mirror;
+  path.moves = assemble(runs, assembly);
+  path.report.cutting_time = duration(path.moves, params.rapid_feed);
+  path.report.retracts *= static_cast<int>(params.levels.size());
+  if (progress.cancelled()) {
+    path.report.termination = Termination::kCancelled;
+    path.report.notes.push_back("Cancelled before everything was cut.");
+  }
+  return path;
+}
+
+}  // namespace evenload

@@ -1,0 +1,108 @@
+#include "strategy/links.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evenload {
+namespace {
+
+// mm: material thinner than this may be brushed by a link; just above what rounding the G-code can
+// bring about.
+constexpr double kLinkTolerance = 3e-4;
+// mm: how far beyond the wall's offset a link may stand by rounding.
+constexpr double kWallTolerance = 1e-6;
+// Shares of the tool's radius: between two looks for material, and for the wall.
+constexpr double kLook = 0.04;
+// A turn of just under a full circle is a turn of nothing with a rounding error.
+constexpr double kFullTurn = 2 * kPi - 1e-6;
+
+double turn_angle(double side, double from, double to) {
+  const double angle = wrap_positive(side * (to - from));
+  return angle > kFullTurn ? 0 : angle;
+}
+
+void push_turn(std::vector<Segment>& moves, Vec2 centre, double radius, double side, double heading,
+               double angle) {
+  if (angle > 1e-7)
+    moves.push_back(Segment::arc(centre, radius, heading - side * kPi / 2, side * angle));
+}
+
+// Turn to `side_a`, straight on, turn to `side_b` (+1 left, -1 right). False when there is no such
+// path.
+bool turn_straight_turn(const Pose& a, const Pose& b, double radius, double side_a, double side_b,
+                        std::vector<Segment>& moves) {
+  const Vec2 ca = a.p + side_a * radius * left_normal(unit(a.heading));
+  const Vec2 cb = b.p + side_b * radius * left_normal(unit(b.heading));
+  const Vec2 d = cb - ca;
+  const double length = norm(d);
+  double heading = 0;
+  if (side_a == side_b) {
+    heading = length > 1e-9 ? angle_of(d) : a.heading;
+  } else {
+    if (length < 2 * radius) return false;
+    heading = angle_of(d) + side_a * std::asin(2 * radius / length);
+  }
+  moves.clear();
+  push_turn(moves, ca, radius, side_a, a.heading, turn_angle(side_a, a.heading, heading));
+  const Vec2 from = ca - side_a * radius * left_normal(unit(heading));
+  const Vec2 to = cb - side_b * radius * left_normal(unit(heading));
+  if (distance(from, to) > 1e-7) moves.push_back(Segment::line(from, to));
+  push_turn(moves, cb, radius, side_b, heading, turn_angle(side_b, heading, b.heading));
+  return true;
+}
+
+}  // namespace
+
+double length_of(const std::vector<Segment>& moves) {
+  double length = 0;
+  for (const Segment& move : moves) length += move.length();
+  return length;
+}
+
+bool is_free(const ClearedGround& ground, const Area& centres, const std::vector<Segment>& moves) {
+  const double look = kLook * ground.tool_radius();
+  std::vector<AngularInterval> scratch;
+  for (const Segment& move : moves) {
+    const double length = move.length();
+    const int n = std::max(1, static_cast<int>(std::ceil(length / look)));
+    double wall_free = 0;  // mm along the move that is known to be inside
+    for (int i = 0; i <= n; ++i) {
+      const double t = static_cast<double>(i) / n;
+      const Vec2 p = move.point(t);
+      if (t * length >= wall_free) {
+        const double inside = centres.signed_distance(p);
+        if (inside < -kWallTolerance) return false;
+        wall_free = t * length + inside;
+      }
+      const double right = angle_of(move.tangent(t)) - kPi / 2;
+      ground.uncovered(p, right, right + kPi, scratch, kLinkTolerance);
+      if (!scratch.empty()) return false;
+    }
+  }
+  return true;
+}
+
+std::vector<Segment> shortest_link(const ClearedGround& ground, const Area& centres,
+                                   const Pose& from, const Pose& to, double turn_radius,
+                                   double longest) {
+  struct Candidate {
+    std::vector<Segment> moves;
+    double length;
+  };
+  std::vector<Candidate> candidates;
+  for (const double radius : {turn_radius, 0.5 * turn_radius})
+    for (const double side_a : {1.0, -1.0})
+      for (const double side_b : {1.0, -1.0}) {
+        Candidate candidate;
+        if (!turn_straight_turn(from, to, radius, side_a, side_b, candidate.moves)) continue;
+        candidate.length = length_of(candidate.moves);
+        if (candidate.length <= longest) candidates.push_back(std::move(candidate));
+      }
+  std::stable_sort(candidates.begin(), candidates.end(),
+                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+  for (const Candidate& candidate : candidates)
+    if (is_free(ground, centres, candidate.moves)) return candidate.moves;
+  return {};
+}
+
+}  // namespace evenload

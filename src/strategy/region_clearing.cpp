@@ -1,0 +1,318 @@
+#include "strategy/region_clearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "geometry/medial_axis.h"
+#include "strategy/leftover.h"
+#include "strategy/links.h"
+#include "strategy/steering.h"
+#include "strategy/wall_samples.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+// Left turns are never tighter than this share of the tool's radius, but at the exact border's
+// corners: what the last turn leaves in a right angle is then so short that the mean engagement
+// over 0.1 mm stays within the limit.
+constexpr double kTightestTurn = 0.01;
+// A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
+constexpr double kNarrowestHelix = 0.08;
+// A helix stays this share of its room away from the walls.
+constexpr double kHelixRoom = 0.98;
+// A ramp is no longer than this many tool diameters.
+constexpr double kLongestRamp = 1.5;
+// A pass that cuts along less than this share of the tool's radius is no progress.
+constexpr double kLeastCut = 0.01;
+
+Bounds grown(Bounds bounds, double d) {
+  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
+}
+
+class RegionClearing {
+ public:
+  RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
+      : task_(task),
+        params_(params),
+        progress_(progress),
+        radius_(0.5 * params.tool_diameter),
+        exact_({task.centres}),
+        ground_(grown(bounds_of({task.centres}), radius_), radius_,
+                task.has_open_edges ? &task.material : nullptr),
+        stages_(make_stages(task.centres, limits())),
+        samples_(stages_, ground_) {}
+
+  RegionResult run() {
+    enter();
+    clear_all();
+    if (!progress_.cancelled()) {
+      result_.uncut_area = leftover_.area(ground_);
+    }
+    return std::move(result_);
+  }
+
+ private:
+  StageLimits limits() const {
+    const double wish = std::max(params_.roll_radius, params_.minimum_radius);
+    const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
+    return {std::max(wish, tightest), tightest};
+  }
+
+  std::size_t widest_stage_at(const Pose& pose) const {
+    for (std::size_t k = 0; k + 1 < stages_.size(); ++k) {
+      const Vec2 q = pose.p + stages_[k].turn_radius * left_normal(unit(pose.heading));
+      if (stages_[k].turns.signed_distance(q) > -1e-6) return k;
+    }
+    return stages_.size();
+  }
+
+  void begin_run(const Descent& descent) {
+    result_.runs.push_back({descent, {}});
+    here_ = {descent.at, 0};
+  }
+
+  void add_moves(MoveKind kind, const std::vector<Segment>& moves) {
+    for (const Segment& move : moves) result_.runs.back().moves.push_back({kind, move, 0});
+    if (!moves.empty()) here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
+  }
+
+  void look_again(std::size_t first, const std::vector<Segment>& moves) {
+    Vec2 low = here_.p, high = here_.p;
+    for (const Segment& move : moves)
+      for (int i = 0; i <= 4; ++i) {
+        const Vec2 p = move.point(i / 4.0);
+        low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+        high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+      }
+    samples_.update(first, low, high);
+  }
+
+  // Comes down and cuts the first pass, a spiral, as far as it goes.
+  void enter() {
+    Descent descent;
+    std::optional<Pose> start;
+    std::vector<Segment> way;
+    const double hole_radius = 0.5 * params_.hole_diameter;
+    if (task_.hole) {
+      descent.at = *task_.hole;
+      ground_.add_disc(*task_.hole, hole_radius);
+      const double room = hole_radius - radius_;
+      start = Pose{*task_.hole + Vec2{room, 0}, kPi / 2};
+      if (room > 1e-6)
+        way.push_back(Segment::arc(*task_.hole + Vec2{room / 2, 0}, room / 2, kPi, kPi));
+    } else if (task_.has_open_edges && (start = outside_start())) {
+      descent.at = start->p;
+    } else {
+      start = choose_entry(descent);
+    }
+    begin_run(descent);
+    samples_.update(0, bounds_of({task_.centres}).low, bounds_of({task_.centres}).high);
+    if (!start) return;
+    if (!way.empty() && is_free(ground_, exact_, way)) {
+      add_moves(MoveKind::kLink, way);
+    } else {
+      here_ = *start;
+      result_.runs.back().descent.at = start->p;
+    }
+    cut_from(*start);
+  }
+
+  // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
+  std::optional<Pose> choose_entry(Descent& descent) {
+    const Circle circle = largest_circle(task_.centres, 1e-3);
+    const double room = kHelixRoom * circle.radius;
+    const bool ramp_wanted = params_.entry == EntryKind::kRamp;
+    if (room >= kNarrowestHelix * radius_ && !ramp_wanted) {
+      descent.kind = DescentKind::kHelix;
+      descent.centre = circle.centre;
+      // Wider than the tool's radius a helix would leave a post in its middle.
+      descent.radius = std::min({0.5 * params_.helix_diameter, room, 0.98 * radius_});
+      descent.at = circle.centre + Vec2{descent.radius, 0};
+      ground_.add_disc(circle.centre, descent.radius + radius_);
+      return Pose{descent.at, kPi / 2};
+    }
+    descent.kind = DescentKind::kRamp;
+    double longest = -1;
+    const double limit = kLongestRamp * params_.tool_diameter;
+    for (int i = 0; i < 90; ++i) {
+      const Vec2 direction = unit(kPi * i / 90);
+      const double ahead = free_length(circle.centre, direction, limit / 2);
+      const double behind = free_length(circle.centre, -direction, limit / 2);
+      if (ahead + behind > longest + 1e-9) {
+        longest = ahead + behind;
+        descent.at = circle.centre - behind * direction;
+        descent.ramp_end = circle.centre + ahead * direction;
+      }
+    }
+    if (longest < 1e-3)
+      throw GeometryError(GeometryErrorCode::kToolTooLarge, circle.centre,
+                          "The tool has no room to descend in this pocket: drill a hole first and "
+                          "choose the entry 'Predrilled hole', or take a smaller tool.");
+    ground_.add(Segment::line(descent.at, descent.ramp_end));
+    const Vec2 along = normalized(descent.ramp_end - descent.at);
+    return Pose{descent.at, angle_of(along)};
+  }
+
+  double free_length(Vec2 from, Vec2 direction, double limit) const {
+    double length = 0;
+    while (length < limit) {
+      const double inside = exact_.signed_distance(from + length * direction);
+      if (inside < 1e-5) break;
+      length += inside;
+    }
+    return std::min(length, limit);
+  }
+
+  // From outside the stock, over an open edge, straight towards the material until the tool touches
+  // it.
+  std::optional<Pose> outside_start() const {
+    const Segment* best = nullptr;
+    std::vector<Segment> edges;
+    for (const Region& region : task_.material)
+      for (const Curve& curve : region.curves())
+        for (const Segment& segment : curve.segments())
+          if (segment.open) edges.push_back(segment);
+    for (const Segment& edge : edges) {
+      const Vec2 outwards = -left_normal(edge.tangent(0.5));
+      const Vec2 p = edge.point(0.5) + 1.02 * radius_ * outwards;
+      if (exact_.signed_distance(p) < 0 || !ground_.is_clear(p)) continue;
+      if (!best || edge.length() > best->length() + 1e-9) best = &edge;
+    }
+    if (!best) return std::nullopt;
+    const Vec2 outwards = -left_normal(best->tangent(0.5));
+    return Pose{best->point(0.5) + 1.02 * radius_ * outwards, angle_of(-outwards) + kPi / 2};
+  }
+
+  bool cut_from(const Pose& start) {
+    const std::size_t k = widest_stage_at(start);
+    if (k == stages_.size()) return false;
+    const std::size_t first = ground_.size();
+    Steering steering(ground_, stages_[k], params_.engagement_angle);
+    return take(steering.from_pose(start), first);
+  }
+
+  // Takes a pass into the result. False when it cuts next to nothing.
+  bool take(Pass pass, std::size_t first) {
+    if (pass.empty()) return false;
+    add_moves(MoveKind::kCut, pass.moves);
+    look_again(first, pass.moves);
+    ++result_.passes;
+    return pass.cut_length > kLeastCut * radius_;
+  }
+
+  // Goes to `to` over cleared ground, or up and down where that is quicker or the only way.
+  void go_to(const Pose& to, double turn_radius) {
+    const double gap = distance(here_.p, to.p);
+    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return;
+    const double rise = params_.safe_height - params_.levels.front();
+    const double retract_minutes = (2 * rise + gap) / params_.rapid_feed;
+    const std::vector<Segment> link =
+        shortest_link(ground_, exact_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
+                      retract_minutes * params_.link_feed);
+    if (!link.empty()) {
+      add_moves(MoveKind::kLink, link);
+      ++result_.links;
+      return;
+    }
+    begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
+    here_ = to;
+    ++result_.retracts;
+  }
+
+  double link_turn() const { return stages_.size() > 1 ? stages_.front().turn_radius : radius_; }
+
+  void clear_all() {
+    const double area = task_.centres.area();
+    std::optional<Vec2> last_start;
+    while (!progress_.cancelled()) {
+      const std::vector<PassStart> starts = samples_.starts();
+      if (starts.empty()) {
+        if (!cut_leftover()) return;
+        continue;
+      }
+      const PassStart start = choose(starts, last_start);
+      const Pose before = here_;
+      const std::size_t runs = result_.runs.size();
+      const std::size_t moves = result_.runs.back().moves.size();
+      const int links = result_.links, retracts = result_.retracts;
+      go_to(start.pose, stages_[start.stage].turn_radius);
+      const std::size_t first = ground_.size();
+      Steering steering(ground_, stages_[start.stage], params_.engagement_angle);
+      if (!take(steering.from_wall(start.place), first)) {
+        samples_.give_up(start.sample);
+        if (ground_.size() == first) {  // no pass: the way to it is not needed
+          result_.runs.resize(runs);
+          result_.runs.back().moves.resize(moves);
+          result_.links = links;
+          result_.retracts = retracts;
+          here_ = before;
+        }
+        continue;
+      }
+      last_start = start.pose.p;
+      const double done = 1 - leftover_share(area);
+      progress_.report(done);
+    }
+  }
+
+  double leftover_share(double) const { return 0.5; }
+
+  PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
+    const PassStart* best = nullptr;
+    double best_cost = std::numeric_limits<double>::infinity();
+    for (const PassStart& start : starts) {
+      double cost = distance(here_.p, start.pose.p);
+      // The front that the last pass was cut from comes first: one branch is finished before the
+      // next.
+      if (last_start && distance(*last_start, start.pose.p) < radius_)
+        cost = distance(*last_start, start.pose.p) - 2 * radius_;
+      if (cost < best_cost) {
+        best_cost = cost;
+        best = &start;
+      }
+    }
+    return *best;
+  }
+
+  // Material that no wall leads to: approached from the nearest place where the tool has been.
+  bool cut_leftover() {
+    if (!leftover_.prepared())
+      leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+    while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
+      const std::size_t k = widest_stage_at(*start);
+      if (k == stages_.size()) continue;
+      const Pose before = here_;
+      const std::size_t runs = result_.runs.size();
+      const std::size_t moves = result_.runs.back().moves.size();
+      go_to(*start, stages_[k].turn_radius);
+      if (cut_from(*start)) return true;
+      result_.runs.resize(runs);
+      result_.runs.back().moves.resize(moves);
+      here_ = before;
+    }
+    return false;
+  }
+
+  const RegionTask& task_;
+  const ClearingParams& params_;
+  Progress& progress_;
+  double radius_;
+  Area exact_;
+  ClearedGround ground_;
+  std::vector<Stage> stages_;
+  WallSamples samples_;
+  Leftover leftover_;
+  RegionResult result_;
+  Pose here_;
+};
+
+}  // namespace
+
+RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
+                          Progress& progress) {
+  return RegionClearing(task, params, progress).run();
+}
+
+}  // namespace evenload

@@ -1,0 +1,36 @@
+// Clears one connected region of tool centres at one level: spiral, then passes from wall to wall,
+// stage by stage.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "geometry/region.h"
+#include "strategy/constant_engagement.h"
+#include "support/progress.h"
+#include "toolpath/planar.h"
+
+namespace evenload {
+
+struct RegionTask {
+  Region centres;                // where the tool's centre may be, climb milling to the right
+  std::vector<Region> material;  // the pocket's floor; used where pieces of its border are open
+  bool has_open_edges = false;
+  std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region
+};
+
+struct RegionResult {
+  std::vector<PlanarRun> runs;
+  double uncut_area = 0;  // mm^2
+  int passes = 0;
+  int links = 0;
+  int retracts = 0;  // from the first run to the next ones
+  std::vector<std::string> notes;
+};
+
+// Condition: `params` checked; climb milling (the caller mirrors for conventional). Stops early
+// when `progress` is cancelled.
+RegionResult clear_region(const RegionTask& task, const ClearingParams& params, Progress& progress);
+
+}  // namespace evenload

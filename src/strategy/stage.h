@@ -1,0 +1,31 @@
+// Where the tool's centre may be, and how tightly it may turn there.
+//
+// The region of the tool's centres is cleared in stages. Stage 0 takes all that can be reached with
+// the wished turn radius: the region's opening by it, so that every concave corner of its border is
+// an arc that the tool can follow. Each later stage turns more tightly and takes what the one
+// before could not enter, narrow channels and corners; the last follows the exact border.
+#pragma once
+
+#include <vector>
+
+#include "strategy/area.h"
+
+namespace evenload {
+
+struct Stage {
+  double turn_radius = 0;  // mm, of left turns; 0: the exact border, sharp corners and all
+  Area centres;            // where the tool's centre may be; its border is the wall to follow
+  Area turns;              // where the centre of a left turn may be
+};
+
+struct StageLimits {
+  double widest = 0.9;     // mm, the turn radius of the first stage
+  double tightest = 0.03;  // mm, the turn radius of the last stage but one
+};
+
+// The stages of one connected region of tool centres, from the widest turn radius to the exact
+// border. Stages in which nothing could be turned in are left out. Condition: 0 < tightest <=
+// widest.
+std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits);
+
+}  // namespace evenload

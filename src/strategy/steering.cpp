@@ -1,0 +1,453 @@
+#include "strategy/steering.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+
+// Lengths as shares of the tool's radius.
+constexpr double kWallStep = 0.1;    // between two looks at the engagement along a wall
+constexpr double kFirstStep = 0.05;  // of free steering; adapted from there
+constexpr double kSmallestStep = 0.004;
+constexpr double kLargestStep = 0.4;
+constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
+constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
+constexpr double kProgress =
+    0.01;  // less than this between two overloads: the place cannot be entered
+
+constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
+constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of a step
+constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
+constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
+constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
+// mm by which the circle that is looked at is larger than the one that clears: the tool's own last
+// move, which ends here, must not hide what lies ahead.
+constexpr double kAhead = 1e-8;
+constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
+constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
+
+Segment move_of(const Pose& from, double curvature, double length) {
+  if (std::abs(curvature) * length < 1e-9)
+    return Segment::line(from.p, from.p + length * unit(from.heading));
+  const double radius = 1 / std::abs(curvature), side = curvature > 0 ? 1 : -1;
+  const Vec2 centre = from.p + side * radius * left_normal(unit(from.heading));
+  return Segment::arc(centre, radius, from.heading - side * kPi / 2, curvature * length);
+}
+
+Pose end_of(const Segment& move) { return {move.b, angle_of(move.tangent(1))}; }
+
+bool continues(const Segment& a, const Segment& b) {
+  if (a.is_arc() != b.is_arc()) return false;
+  if (!a.is_arc()) return norm(a.tangent(1) - b.tangent(0)) < 1e-9;
+  return distance(a.centre, b.centre) < 1e-9 && std::abs(a.radius - b.radius) < 1e-9 &&
+         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < 1.9 * kPi;
+}
+
+Segment joined(const Segment& a, const Segment& b) {
+  return a.is_arc() ? Segment::arc(a.centre, a.radius, a.start_angle, a.sweep + b.sweep)
+                    : Segment::line(a.a, b.b);
+}
+
+}  // namespace
+
+Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement)
+    : ground_(ground),
+      stage_(stage),
+      theta_(engagement),
+      radius_(ground.tool_radius()),
+      turn_(stage.turn_radius) {}
+
+Steering::Contact Steering::contact(const Pose& at) const {
+  const double right = at.heading - kPi / 2;
+  ground_.uncovered(at.p, right, right + kPi, scratch_, -kAhead);
+  Contact result;
+  double widest = 0;
+  for (const AngularInterval& piece : scratch_) {
+    result.total += piece.width();
+    if (piece.width() > widest) {
+      widest = piece.width();
+      result.steer = piece.high - right;
+    }
+  }
+  result.steer = std::max(result.steer, result.total);
+  return result;
+}
+
+Pose Steering::pose() const { return pass_.moves.empty() ? start_ : end_of(pass_.moves.back()); }
+
+void Steering::append(const Segment& move) {
+  const double length = move.length();
+  if (length < 1e-9) return;
+  travelled_ += length;
+  if (!pass_.moves.empty() && continues(pass_.moves.back(), move)) {
+    pass_.moves.back() = joined(pass_.moves.back(), move);
+    ground_.remove_last();
+  } else {
+    pass_.moves.push_back(move);
+  }
+  ground_.add(pass_.moves.back());
+}
+
+void Steering::cut_back(double length) {
+  while (length > 1e-12 && !pass_.moves.empty()) {
+    const Segment last = pass_.moves.back();
+    const double whole = last.length();
+    pass_.moves.pop_back();
+    ground_.remove_last();
+    if (whole <= length + 1e-9) {
+      travelled_ -= whole;
+      length -= whole;
+    } else {
+      pass_.moves.push_back(last.part(0, 1 - length / whole));
+      ground_.add(pass_.moves.back());
+      travelled_ -= length;
+      length = 0;
+    }
+  }
+  if (pass_.moves.empty()) travelled_ = 0;
+}
+
+void Steering::note_contact(double total, double length) {
+  if (total > kInContact) {
+    has_cut_ = true;
+    idle_ = 0;
+    pass_.cut_length += length;
+  } else {
+    idle_ += length;
+  }
+}
+
+// The highest engagement on the left turn from `from` up to where it has passed its first peak;
+// `angle`: turned there.
+double Steering::peak_of_left_turn(const Pose& from, double* angle) const {
+  const Vec2 centre = from.p + turn_ * left_normal(unit(from.heading));
+  const auto at = [&](double turned) {
+    const double heading = from.heading + turned;
+    return contact({centre - turn_ * left_normal(unit(heading)), heading}).total;
+  };
+  double best = at(0), best_turned = 0, last = best;
+  int falling = 0;
+  for (double turned = kTurnStep; turned < kPi; turned += kTurnStep) {
+    const double value = at(turned);
+    if (value > best) {
+      best = value;
+      best_turned = turned;
+    }
+    falling = value < last ? falling + 1 : 0;
+    last = value;
+    if (best > theta_ + 5 * kDegree) break;          // too much anyway
+    if (falling >= 2 && best > 10 * kDegree) break;  // past the peak
+    if (best > kInContact && value <= kInContact) break;
+  }
+  // Refine the peak where it decides.
+  if (best > theta_ - 5 * kDegree && best < theta_ + 5 * kDegree) {
+    for (double width = kTurnStep / 2; width > 0.5 * kDegree; width /= 2)
+      for (const double turned : {best_turned - width, best_turned + width}) {
+        if (turned < 0) continue;
+        const double value = at(turned);
+        if (value > best) {
+          best = value;
+          best_turned = turned;
+        }
+      }
+  }
+  if (angle) *angle = best_turned;
+  return best;
+}
+
+// Takes the path back to where a left turn can still stay within the limit, and makes that turn up
+// to its peak.
+bool Steering::roll_in(double maximum_back) {
+  if (turn_ <= 0) return false;
+  double turned = 0, peak = peak_of_left_turn(pose(), &turned);
+  double back = 0, delta = 0.05 * turn_;
+  Segment piece;
+  bool cut = false;
+  while (peak > theta_ + kOverload) {
+    if (travelled_ <= 1e-9 || back > maximum_back) return false;
+    const Segment last = pass_.moves.back();
+    const double whole = last.length(), take = std::min(delta, whole);
+    piece = last.part(std::max(0.0, 1 - take / whole), 1);
+    cut_back(take);
+    cut = true;
+    back += take;
+    delta *= 1.6;
+    peak = peak_of_left_turn(pose(), &turned);
+  }
+  if (cut) {
+    double low = 0, high = 1;
+    const double length = piece.length();
+    while ((high - low) * length > 2e-3 * turn_) {
+      const double middle = 0.5 * (low + high);
+      const double share = middle - low;
+      const Segment part = piece.part(low, low + share);
+      append(part);
+      double angle = 0;
+      const double value = peak_of_left_turn(pose(), &angle);
+      if (value <= theta_ + kOverload) {
+        low = middle;
+        turned = angle;
+        peak = value;
+      } else {
+        cut_back(part.length());
+        high = middle;
+      }
+    }
+  }
+  if (turned > 1e-6) {
+    append(move_of(pose(), 1 / turn_, turned * turn_));
+    note_contact(peak, turned * turn_);
+  }
+  mode_ = Mode::kFree;
+  step_ = kFirstStep * radius_;
+  curvature_ = 1 / turn_;
+  return true;
+}
+
+// Ends the pass by a left turn out of the material, from the last place where that is possible
+// within the limit.
+void Steering::escape() {
+  if (roll_in(travelled_)) {
+    double turned = 0;
+    while (turned < kPi && contact(pose()).total > kInContact) {
+      append(move_of(pose(), 1 / turn_, kTurnStep * turn_));
+      turned += kTurnStep;
+    }
+  } else if (turn_ > 0) {
+    cut_back(travelled_);
+    has_cut_ = false;
+  }
+  mode_ = Mode::kEnd;
+}
+
+void Steering::step_on_wall() {
+  const Curve& curve = stage_.centres.curves()[wall_.curve];
+  const Segment wall = curve.segment(wall_.segment);
+  const double length = wall.length();
+  double step = kWallStep * radius_;
+  if (wall.is_arc()) step = std::min(step, kTurnStep * wall.radius);
+  const double left = (1 - wall_.t) * length;
+  if (left < 1e-9) {
+    wall_ = {wall_.curve, (wall_.segment + 1) % curve.segment_count(), 0};
+    return;
+  }
+  step = std::min(step, left);
+  const double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
+  const auto engagement_at = [&](double t) {
+    return contact({wall.point(t), angle_of(wall.tangent(t))}).total;
+  };
+  const double total = engagement_at(t1);
+  if (turn_ > 0 && total > theta_ + 0.2 * kOverload) {
+    double low = wall_.t, high = t1;
+    while ((high - low) * length > 1e-3 * radius_) {
+      const double middle = 0.5 * (low + high);
+      (engagement_at(middle) > theta_ ? high : low) = middle;
+    }
+    if (low > wall_.t) {
+      append(wall.part(wall_.t, low));
+      note_contact(theta_, (low - wall_.t) * length);
+    }
+    wall_.t = low;
+    overload();
+    return;
+  }
+  append(wall.part(wall_.t, t1));
+  wall_.t = t1;
+  note_contact(total, step);
+  if (idle_ > (has_cut_ ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+}
+
+// The share of `move` that can be made before the centre of the left turn meets the border of its
+// place.
+double Steering::reach_of(const Segment& move) const {
+  const double length = move.length();
+  const auto turn_centre = [&](double t) {
+    return move.point(t) + turn_ * left_normal(move.tangent(t));
+  };
+  // The centre moves at most this much faster than the tool, so that a step as long as the distance
+  // is safe.
+  const double speed = std::max(1e-9, std::abs(1 - move.curvature() * turn_));
+  const auto outside = [&](Vec2 q) { return stage_.turns.signed_distance(q) < -kOutside; };
+  double t = 0;
+  while (t < 1) {
+    const BoundaryIndex::Hit hit = stage_.turns.nearest(turn_centre(t));
+    const double next =
+        std::min(1.0, t + std::max(hit.distance - kOutside, kNearBorder) / (speed * length));
+    const Vec2 q = turn_centre(next);
+    if (outside(q)) {
+      double low = t, high = next;
+      while ((high - low) * length > 1e-7) {
+        const double middle = 0.5 * (low + high);
+        (outside(turn_centre(middle)) ? high : low) = middle;
+      }
+      return low;
+    }
+    t = next;
+  }
+  return 1;
+}
+
+void Steering::overload() {
+  // No way on since the last overload: whatever lies here is left to a tighter turn.
+  if (trouble_at_ >= 0 && travelled_ - trouble_at_ < kProgress * radius_) {
+    if (++troubles_ > 3) {
+      escape();
+      return;
+    }
+  } else {
+    troubles_ = 0;
+  }
+  trouble_at_ = travelled_;
+  if (!roll_in(travelled_)) escape();
+}
+
+void Steering::step_free() {
+  const Pose from = pose();
+  const double sharpest = 1 / turn_;
+  for (;;) {
+    const double length = step_;
+    const auto excess = [&](double curvature) {
+      return contact(end_of(move_of(from, curvature, length))).steer - theta_;
+    };
+    // excess falls as the curvature grows: bracket and solve.
+    double low = -sharpest, high = sharpest, curvature = std::clamp(curvature_, low, high);
+    double value = excess(curvature);
+    double low_value = 1, high_value = -1;  // signs only, until known
+    bool low_known = false, high_known = false;
+    const double slope = -(length + length * length / (2 * radius_ * std::sin(theta_)));
+    for (int i = 0; i < 40 && std::abs(value) > kSolved; ++i) {
+      if (value > 0) {
+        low = curvature;
+        low_value = value;
+        low_known = true;
+      } else {
+        high = curvature;
+        high_value = value;
+        high_known = true;
+      }
+      if ((low_known && low >= sharpest) || (high_known && high <= -sharpest)) break;
+      if (low_known && high_known && high - low < 1e-7) break;
+      double next = curvature - value / slope;
+      if (low_known && high_known) {
+        if (i > 4)
+          next = 0.5 * (low + high);
+        else if (i > 1)
+          next = low + (high - low) * low_value / (low_value - high_value);
+      }
+      if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : sharpest;
+      if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : -sharpest;
+      curvature = std::clamp(next, -sharpest, sharpest);
+      value = excess(curvature);
+    }
+    if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less
+      curvature = high;
+      value = high_value;
+    }
+    const bool smallest = length <= kSmallestStep * radius_ * 1.001;
+    if (value > kOverload) {
+      if (!smallest) {
+        step_ = std::max(kSmallestStep * radius_, 0.5 * length);
+        continue;
+      }
+      overload();
+      return;
+    }
+    const Segment move = move_of(from, curvature, length);
+    const Pose middle = end_of(move.part(0, 0.5));
+    const double in_middle = contact(middle).steer - theta_;
+    const bool steady = value > -kSolved * 2;
+    const double error = steady ? std::abs(in_middle) : std::max(0.0, in_middle);
+    if (error > kSmooth && !smallest) {
+      step_ = std::max(kSmallestStep * radius_, 0.5 * length);
+      continue;
+    }
+    const double share = reach_of(move);
+    if (share < 1) {
+      const Segment part = share * length > 1e-7 ? move.part(0, share) : Segment();
+      if (share * length > 1e-7) {
+        append(part);
+        note_contact(contact(pose()).total, part.length());
+      }
+      roll_out();
+      return;
+    }
+    append(move);
+    note_contact(contact(end_of(move)).total, length);
+    curvature_ = curvature;
+    if (error < 0.25 * kSmooth) step_ = std::min(kLargestStep * radius_, 1.5 * length);
+    if (idle_ > (has_cut_ ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+    return;
+  }
+}
+
+// Turns left about the present turn centre, which stands on its border, until the tool runs along
+// the wall.
+void Steering::roll_out() {
+  const Pose from = pose();
+  const Vec2 centre = from.p + turn_ * left_normal(unit(from.heading));
+  const BoundaryIndex::Hit hit = stage_.turns.nearest(centre);
+  const Vec2 along = stage_.turns.segment_at(hit).tangent(hit.t);
+  double turned = wrap_signed(angle_of(along) - from.heading);
+  if (turned < 0) turned = turned < -kPi / 2 ? turned + 2 * kPi : 0;
+  const int looks = static_cast<int>(std::ceil(turned / kTurnStep));
+  for (int i = 1; i <= looks; ++i) {
+    const double heading = from.heading + turned * i / looks;
+    if (contact({centre - turn_ * left_normal(unit(heading)), heading}).total >
+        theta_ + kOverload) {
+      overload();
+      return;
+    }
+  }
+  if (turned > 1e-9) {
+    append(move_of(from, 1 / turn_, turned * turn_));
+    note_contact(contact(pose()).total, turned * turn_);
+  }
+  const BoundaryIndex::Hit wall = stage_.centres.nearest(pose().p);
+  EVENLOAD_ASSERT(wall.distance < 1e-3);
+  wall_ = {wall.curve, wall.segment, wall.t};
+  mode_ = Mode::kWall;
+}
+
+Pass Steering::run() {
+  while (mode_ != Mode::kEnd) {
+    if (mode_ == Mode::kWall)
+      step_on_wall();
+    else
+      step_free();
+  }
+  if (!has_cut_) cut_back(travelled_);
+  return std::move(pass_);
+}
+
+void Steering::reset(const Pose& start) {
+  pass_ = {};
+  start_ = start;
+  travelled_ = idle_ = 0;
+  has_cut_ = false;
+  trouble_at_ = -1;
+  troubles_ = 0;
+  step_ = kFirstStep * radius_;
+  curvature_ = 0;
+}
+
+Pass Steering::from_wall(const WallPlace& start) {
+  const Segment wall = stage_.centres.curves()[start.curve].segment(start.segment);
+  reset({wall.point(start.t), angle_of(wall.tangent(start.t))});
+  wall_ = start;
+  mode_ = Mode::kWall;
+  return run();
+}
+
+Pass Steering::from_pose(const Pose& start) {
+  EVENLOAD_ASSERT(turn_ > 0);
+  reset(start);
+  mode_ = Mode::kFree;
+  return run();
+}
+
+}  // namespace evenload

@@ -1,0 +1,97 @@
+// Steering: one pass of the tool at constant engagement [Jacsó 2021, Theses II and III].
+//
+// The material lies to the right of the feed (climb milling with a clockwise spindle; conventional
+// milling is its mirror image). Thesis II makes the direction of feed a function of place: the
+// vector from the tool's centre P to the point C where the tool's circle leaves the material,
+// turned counter-clockwise by pi/2 - theta. A step here is an arc, tangent to the last one, whose
+// curvature is solved for so that the engagement at its end is theta again: the implicit midpoint
+// rule on Thesis II's field in place of Thesis III's explicit one; the steps are the output, and no
+// fitting follows.
+//
+// Two things bend the path: it never turns left more tightly than the stage's turn radius, and it
+// never touches a wall. Both are one condition on the centre Q of the left turn that the tool could
+// make at once. Q stays where a full turn fits; when Q meets the border of that place the tool
+// turns about Q until it runs along the wall (roll-out) and follows the wall; where following it
+// would exceed theta the tool leaves the wall by a left turn begun just early enough (roll-in).
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/stage.h"
+
+namespace evenload {
+
+struct Pose {
+  Vec2 p;
+  double heading = 0;  // rad
+};
+
+struct WallPlace {
+  std::size_t curve = 0, segment = 0;  // of Stage::centres
+  double t = 0;
+};
+
+struct Pass {
+  std::vector<Segment> moves;  // tangent to each other but for sharp corners of the exact border
+  double cut_length = 0;       // mm with material in contact
+  bool empty() const { return moves.empty(); }
+};
+
+class Steering {
+ public:
+  // `engagement` rad: the limit and target. Both references must outlive this object.
+  Steering(ClearedGround& ground, const Stage& stage, double engagement);
+
+  // A pass that starts at a place of the wall, where the tool is clear of material, and follows the
+  // wall into the material. Moves are added to the ground as they are made. Empty when no material
+  // is met, or when none can be entered within the limit.
+  Pass from_wall(const WallPlace& start);
+  // The same from a free pose that just touches material on its right.
+  Pass from_pose(const Pose& start);
+
+ private:
+  enum class Mode { kWall, kFree, kEnd };
+  struct Contact {
+    double total = 0;  // rad engaged in the leading half circle
+    double steer =
+        0;  // rad from the right to the far end of the main engaged arc, or total if that is more
+  };
+
+  Contact contact(const Pose& pose) const;
+  Pose pose() const;
+  void append(const Segment& move);
+  void cut_back(double length);
+  double peak_of_left_turn(const Pose& from, double* angle) const;
+  void step_on_wall();
+  void step_free();
+  bool roll_in(double maximum_back);
+  void escape();
+  void roll_out();
+  void overload();
+  double reach_of(const Segment& move) const;
+  void note_contact(double total, double length);
+  void reset(const Pose& start);
+  Pass run();
+
+  ClearedGround& ground_;
+  const Stage& stage_;
+  double theta_;
+  double radius_;
+  double turn_;
+  Pass pass_;
+  Pose start_;
+  Mode mode_ = Mode::kEnd;
+  WallPlace wall_;
+  double travelled_ = 0;  // mm
+  double idle_ = 0;       // mm since the last contact
+  bool has_cut_ = false;
+  double step_ = 0;         // mm, adaptive
+  double curvature_ = 0;    // of the last free step
+  double trouble_at_ = -1;  // mm travelled where the last overload was met
+  int troubles_ = 0;
+  mutable std::vector<AngularInterval> scratch_;
+};
+
+}  // namespace evenload

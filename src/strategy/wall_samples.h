@@ -1,0 +1,66 @@
+// Which stretches of the walls are cleared: the one-dimensional picture of where material is left.
+//
+// Every front between cleared ground and material ends on walls. So along each wall, in the
+// direction of climb milling, cleared and uncleared stretches alternate, and each change from
+// cleared to uncleared is where a pass can start. Samples are taken along the walls of every stage;
+// what a stage shares with the one before is sampled once.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/stage.h"
+#include "strategy/steering.h"
+
+namespace evenload {
+
+struct PassStart {
+  std::size_t stage = 0;
+  WallPlace place;         // the last cleared sample
+  Pose pose;               // there
+  std::size_t sample = 0;  // the first uncleared sample
+};
+
+class WallSamples {
+ public:
+  // Both references must outlive this object.
+  WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground);
+
+  // Looks again at the samples that the moves numbered from `first` on may have cleared. `low`,
+  // `high`: the box of those moves.
+  void update(std::size_t first, Vec2 low, Vec2 high);
+  // Every place where a pass can start now.
+  std::vector<PassStart> starts() const;
+  bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
+  // Says that a pass from `start` came to nothing; after a few times it is not offered again until
+  // its surroundings change.
+  void give_up(std::size_t sample) { ++samples_[sample].failures; }
+  std::size_t uncleared_count() const;
+
+ private:
+  struct Sample {
+    WallPlace place;
+    Vec2 p;
+    Vec2 witness;  // a point of the tool's circle that is not cleared
+    bool has_witness = false;
+    bool shared = false;  // belongs to the stage before as well
+    bool clear = false;
+    int failures = 0;
+    std::vector<std::size_t> earlier;  // samples of earlier stages nearby, which come first
+  };
+  struct Track {
+    std::size_t stage = 0;
+    std::size_t first = 0, count = 0;  // in samples_
+  };
+  void look(Sample& sample);
+  bool waits(const Sample& sample) const;
+
+  const std::vector<Stage>& stages_;
+  const ClearedGround& ground_;
+  std::vector<Sample> samples_;
+  std::vector<Track> tracks_;
+  mutable std::vector<AngularInterval> scratch_;
+};
+
+}  // namespace evenload

@@ -1,0 +1,228 @@
+#include "toolpath/assemble.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evenload {
+namespace {
+
+// mm above a level's top to which rapids go down before a descent.
+constexpr double kApproach = 0.5;
+// Share of a link over which it rises, and sinks, when links are lifted.
+constexpr double kLiftShare = 0.25;
+
+double helical_length(double dx, double dy, double dz, double sweep, double cx, double cy, double x,
+                      double y) {
+  const double flat =
+      sweep != 0 ? std::abs(sweep) * std::hypot(x - cx, y - cy) : std::hypot(dx, dy);
+  return std::hypot(flat, dz);
+}
+
+class Assembler {
+ public:
+  explicit Assembler(const AssemblyParams& params) : params_(params) {}
+
+  std::vector<Move> build(const std::vector<PlanarRun>& runs) {
+    double top = params_.top;
+    for (const double level : params_.levels) {
+      for (const PlanarRun& run : runs) {
+        begin(run.descent, top, level);
+        for (std::size_t i = 0; i < run.moves.size();) {
+          std::size_t end = i;
+          while (end < run.moves.size() && run.moves[end].kind == run.moves[i].kind) ++end;
+          if (run.moves[i].kind == MoveKind::kLink)
+            link(run.moves, i, end, level, top);
+          else
+            for (std::size_t j = i; j < end; ++j)
+              go(run.moves[j].segment, MoveKind::kCut, level, run.moves[j].feed);
+          i = end;
+        }
+        rapid_z(params_.safe_height);
+      }
+      top = level;
+    }
+    rapid_z(params_.clearance_height);
+    return std::move(moves_);
+  }
+
+ private:
+  void rapid_z(double z) {
+    Move move = at_;
+    move.kind = MoveKind::kRapid;
+    move.z = z;
+    move.sweep = 0;
+    move.feed = 0;
+    push(move);
+  }
+  void rapid_xy(Vec2 p) {
+    Move move = at_;
+    move.kind = MoveKind::kRapid;
+    move.x = p.x;
+    move.y = p.y;
+    move.sweep = 0;
+    move.feed = 0;
+    push(move);
+  }
+  void push(const Move& move) {
+    moves_.push_back(move);
+    at_ = move;
+  }
+
+  void line(Vec2 p, double z, MoveKind kind, double feed) {
+    Move move;
+    move.kind = kind;
+    move.x = p.x;
+    move.y = p.y;
+    move.z = z;
+    move.feed = feed;
+    push(move);
+  }
+
+  // Along `segment` from the present height to `z`.
+  void go(const Segment& segment, MoveKind kind, double z, double feed) {
+    if (!segment.is_arc()) {
+      line(segment.b, z, kind, feed);
+      return;
+    }
+    const double z0 = at_.z;
+    if (params_.arcs) {
+      const int parts = std::abs(segment.sweep) > kPi * 1.0001 ? 2 : 1;
+      for (int i = 1; i <= parts; ++i) {
+        const Vec2 p = i == parts ? segment.b : segment.point(static_cast<double>(i) / parts);
+        Move move;
+        move.kind = kind;
+        move.x = p.x;
+        move.y = p.y;
+        move.z = z0 + (z - z0) * i / parts;
+        move.sweep = segment.sweep / parts;
+        move.cx = segment.centre.x;
+        move.cy = segment.centre.y;
+        move.feed = feed;
+        push(move);
+      }
+      return;
+    }
+    // A wall, if there is one, lies to the right in climb milling: left turns by chords, right
+    // turns by tangents.
+    const double ratio = 1 - std::min(0.5, params_.tolerance / segment.radius);
+    const int n =
+        std::max(1, static_cast<int>(std::ceil(std::abs(segment.sweep) / (2 * std::acos(ratio)))));
+    const double half = segment.sweep / n / 2;
+    if ((segment.sweep > 0) != params_.wall_on_left) {
+      for (int i = 1; i < n; ++i)
+        line(segment.point(static_cast<double>(i) / n), z0 + (z - z0) * i / n, kind, feed);
+    } else {
+      for (int i = 0; i < n; ++i)
+        line(segment.centre +
+                 segment.radius / std::cos(half) * unit(segment.start_angle + (2 * i + 1) * half),
+             z0 + (z - z0) * (i + 0.5) / n, kind, feed);
+    }
+    line(segment.b, z, kind, feed);
+  }
+
+  void link(const std::vector<PlanarMove>& moves, std::size_t first, std::size_t last, double level,
+            double top) {
+    const double lift = std::min(params_.link_lift, std::max(0.0, top - level));
+    if (lift <= 0) {
+      for (std::size_t i = first; i < last; ++i)
+        go(moves[i].segment, MoveKind::kLink, level, moves[i].feed);
+      return;
+    }
+    double whole = 0;
+    for (std::size_t i = first; i < last; ++i) whole += moves[i].segment.length();
+    const double slope = kLiftShare * whole;
+    const auto height = [&](double s) {
+      return level + lift * std::clamp(std::min(s, whole - s) / slope, 0.0, 1.0);
+    };
+    double done = 0;
+    for (std::size_t i = first; i < last; ++i) {
+      const Segment& segment = moves[i].segment;
+      const double length = segment.length();
+      double t0 = 0;
+      for (const double stop : {slope, whole - slope, done + length}) {
+        const double t1 = std::min(1.0, (stop - done) / length);
+        if (t1 <= t0 + 1e-9) continue;
+        go(segment.part(t0, t1), MoveKind::kLink, height(done + t1 * length), moves[i].feed);
+        t0 = t1;
+      }
+      done += length;
+    }
+  }
+
+  void begin(const Descent& descent, double top, double level) {
+    if (moves_.empty()) {
+      Move move;
+      move.kind = MoveKind::kRapid;
+      move.x = descent.at.x;
+      move.y = descent.at.y;
+      move.z = params_.clearance_height;
+      push(move);
+    } else {
+      rapid_xy(descent.at);
+    }
+    const double from = std::min(params_.safe_height, top + kApproach);
+    switch (descent.kind) {
+      case DescentKind::kPlunge:
+        if (descent.over_cleared_ground) {
+          rapid_z(level);
+        } else {
+          rapid_z(from);
+          line(descent.at, level, MoveKind::kEntry, params_.plunge_feed);
+        }
+        break;
+      case DescentKind::kHelix:
+        rapid_z(from);
+        helix(descent, from, level);
+        break;
+      case DescentKind::kRamp:
+        rapid_z(from);
+        ramp(descent, from, level);
+        break;
+    }
+  }
+
+  void helix(const Descent& descent, double from, double level) {
+    const double start = angle_of(descent.at - descent.centre);
+    const double per_turn = std::tan(params_.helix_angle) * 2 * kPi * descent.radius;
+    const int turns = std::max(1, static_cast<int>(std::ceil((from - level) / per_turn)));
+    // The last turn is level: it takes the floor that the slope left.
+    for (int i = 0; i < turns + 1; ++i) {
+      const double z = level + (from - level) * std::max(0, turns - i - 1) / turns;
+      go(Segment::arc(descent.centre, descent.radius, start, 2 * kPi), MoveKind::kEntry, z,
+         params_.plunge_feed);
+    }
+  }
+
+  void ramp(const Descent& descent, double from, double level) {
+    const double length = distance(descent.at, descent.ramp_end);
+    const double per_leg = std::tan(params_.helix_angle) * length;
+    const int legs = 2 * std::max(1, static_cast<int>(std::ceil((from - level) / per_leg / 2)));
+    for (int i = 1; i <= legs + 2; ++i) {
+      const double z = level + (from - level) * std::max(0, legs - i) / legs;
+      line(i % 2 ? descent.ramp_end : descent.at, z, MoveKind::kEntry, params_.plunge_feed);
+    }
+  }
+
+  const AssemblyParams& params_;
+  std::vector<Move> moves_;
+  Move at_;
+};
+
+}  // namespace
+
+std::vector<Move> assemble(const std::vector<PlanarRun>& runs, const AssemblyParams& params) {
+  return Assembler(params).build(runs);
+}
+
+double duration(const std::vector<Move>& moves, double rapid_feed) {
+  double minutes = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    const Move &a = moves[i - 1], &b = moves[i];
+    const double length =
+        helical_length(b.x - a.x, b.y - a.y, b.z - a.z, b.sweep, b.cx, b.cy, b.x, b.y);
+    minutes += length / (b.kind == MoveKind::kRapid ? rapid_feed : b.feed);
+  }
+  return 60 * minutes;
+}
+
+}  // namespace evenload

@@ -1,0 +1,34 @@
+// Planar runs to moves in space: descents, levels, retracts.
+#pragma once
+
+#include <vector>
+
+#include "toolpath/planar.h"
+#include "toolpath/toolpath.h"
+
+namespace evenload {
+
+struct AssemblyParams {
+  double top = 0;                // mm
+  std::vector<double> levels;    // mm, descending
+  double safe_height = 5;        // mm: rapids below it only over cleared ground
+  double clearance_height = 10;  // mm: rapids to the first descent
+  double plunge_feed = 255;      // mm/min
+  double rapid_feed = 5000;      // mm/min, for the time only
+  double helix_angle = 0.05;     // rad
+  double link_lift = 0;          // mm
+  double tool_radius = 3;        // mm
+  double tolerance = 0.005;      // mm, of lines in place of arcs
+  bool arcs = true;
+  bool wall_on_left = false;  // conventional milling
+};
+
+// The moves of `runs` at every level, region by region in the order given, each level after the one
+// above it. Arcs turn by at most half a circle. Without arcs the lines stay on the side of each arc
+// that the tool may touch.
+std::vector<Move> assemble(const std::vector<PlanarRun>& runs, const AssemblyParams& params);
+
+// s, of all moves; rapids at `rapid_feed` mm/min.
+double duration(const std::vector<Move>& moves, double rapid_feed);
+
+}  // namespace evenload

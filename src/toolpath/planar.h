@@ -1,0 +1,39 @@
+// A path in the plane of one level, before it is given depths and feeds.
+#pragma once
+
+#include <vector>
+
+#include "geometry/curve.h"
+#include "toolpath/toolpath.h"
+
+namespace evenload {
+
+struct PlanarMove {
+  MoveKind kind = MoveKind::kCut;  // kLink or kCut
+  Segment segment;
+  double feed = 0;  // mm/min, set by feed control
+};
+
+enum class DescentKind {
+  kPlunge,  // straight down, in ground that holds no material
+  kHelix,
+  kRamp,
+};
+
+// How the tool comes down to the level.
+struct Descent {
+  DescentKind kind = DescentKind::kPlunge;
+  Vec2 at;  // where it arrives; a helix's circle starts and ends here, a ramp starts and ends here
+  Vec2 centre;                       // helix
+  double radius = 0;                 // mm, helix; it turns counter-clockwise
+  Vec2 ramp_end;                     // ramp: the tool goes to and fro between `at` and here
+  bool over_cleared_ground = false;  // plunge where this level is already cleared by our own moves
+};
+
+// What is cut between coming down and going up. The moves follow each other without gaps.
+struct PlanarRun {
+  Descent descent;
+  std::vector<PlanarMove> moves;
+};
+
+}  // namespace evenload
