@@ -13,11 +13,18 @@ namespace {
 // work.
 constexpr double kMaximumBuckets = 4e6;
 
-// A few break angles at most arise per move: two circles and two lines, two crossings each.
-struct Breaks {
-  std::array<double, 12> angle;
+// A place where the border of a swept area crosses the circle: unit vector from the circle's
+// centre.
+struct Crossing {
+  Vec2 direction;
+  double angle = 0;
+};
+
+// A few arise per move at most: four circles or two circles and two lines, two crossings each.
+struct Crossings {
+  std::array<Crossing, 8> at;
   int count = 0;
-  void push(double a) { angle[count++] = a; }
+  void push(Vec2 direction) { at[static_cast<std::size_t>(count++)].direction = direction; }
 };
 
 // Removes [low, high] from the ordered set.
@@ -56,10 +63,17 @@ void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
   if (set.empty()) return;
   const double width = high - low;
   const double base = set.front().low;
-  double start = base + wrap_positive(low - base);
+  const double start = base + wrap_positive(low - base);
   cut(set, start, start + width);
   if (!set.empty() && start + width > base + 2 * kPi)
     cut(set, start - 2 * kPi, start - 2 * kPi + width);
+}
+
+// The middle of the arc that runs counter-clockwise from unit vector `from` to unit vector `to`.
+Vec2 between(Vec2 from, Vec2 to) {
+  const Vec2 chord = to - from;
+  const double length = norm(chord);
+  return length > 1e-12 ? Vec2{chord.y / length, -chord.x / length} : from;
 }
 
 }  // namespace
@@ -124,8 +138,25 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
   Primitive primitive;
   primitive.segment = move;
   primitive.radius = swept_radius;
-  primitive.length = evenload::distance(move.a, move.b);
-  primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
+  if (move.is_arc()) {
+    const Vec2 start = (move.a - move.centre) / move.radius,
+               end = (move.b - move.centre) / move.radius;
+    primitive.first = move.sweep > 0 ? start : end;
+    primitive.last = move.sweep > 0 ? end : start;
+    primitive.reflex = std::abs(move.sweep) > kPi;
+    if (std::abs(move.sweep) < kPi) {
+      primitive.middle = 0.5 * (move.a + move.b);
+      primitive.half = 0.5 * evenload::distance(move.a, move.b);
+    } else {
+      primitive.middle = move.centre;
+      primitive.half = move.radius;
+    }
+  } else {
+    primitive.length = evenload::distance(move.a, move.b);
+    primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
+    primitive.middle = 0.5 * (move.a + move.b);
+    primitive.half = 0.5 * primitive.length;
+  }
   const auto id = static_cast<std::int32_t>(primitives_.size());
   primitives_.push_back(primitive);
   visit_buckets(primitive, [id](std::vector<std::int32_t>& bucket) { bucket.push_back(id); });
@@ -155,9 +186,10 @@ double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
     return std::abs(cross(primitive.direction, v));
   }
   const Vec2 v = x - s.centre;
-  const double from_start = s.sweep > 0 ? wrap_positive(angle_of(v) - s.start_angle)
-                                        : wrap_positive(s.start_angle - angle_of(v));
-  if (from_start <= std::abs(s.sweep)) return std::abs(norm(v) - s.radius);
+  const bool after_first = cross(primitive.first, v) >= 0,
+             before_last = cross(v, primitive.last) >= 0;
+  if (primitive.reflex ? after_first || before_last : after_first && before_last)
+    return std::abs(norm(v) - s.radius);
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
 }
 
@@ -165,52 +197,57 @@ void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
                              std::vector<AngularInterval>& set) const {
   const Segment& s = primitive.segment;
   const double reach = primitive.radius;
-  Breaks breaks;
-  const auto add_circle = [&](Vec2 centre, double r) {
-    const Vec2 v = centre - p;
-    const double d2 = squared_norm(v), d = std::sqrt(d2);
-    if (d < 1e-12) return;
-    const double c = (d2 + radius * radius - r * r) / (2 * d * radius);
-    if (c <= -1 || c >= 1) return;
-    const double half = std::acos(c), middle = angle_of(v);
-    breaks.push(middle - half);
-    breaks.push(middle + half);
+  // Only crossings that lie on the swept area's border split it.
+  Crossings crossings;
+  const auto keep = [&](Vec2 direction) {
+    if (std::abs(distance(primitive, p + radius * direction) - reach) < 1e-7 * reach + 1e-9)
+      crossings.push(direction);
   };
-  add_circle(s.a, reach);
+  const auto cross_circle = [&](Vec2 centre, double r) {
+    const Vec2 v = centre - p;
+    const double d = norm(v);
+    if (d < 1e-12) return;
+    const double c = (d * d + radius * radius - r * r) / (2 * d * radius);
+    if (c <= -1 || c >= 1) return;
+    const double h = std::sqrt(1 - c * c);
+    const Vec2 towards = v / d, aside = left_normal(towards);
+    keep(c * towards - h * aside);
+    keep(c * towards + h * aside);
+  };
+  cross_circle(s.a, reach);
   if (s.is_arc()) {
-    add_circle(s.b, reach);
-    add_circle(s.centre, s.radius + reach);
-    if (s.radius > reach) add_circle(s.centre, s.radius - reach);
+    cross_circle(s.b, reach);
+    cross_circle(s.centre, s.radius + reach);
+    if (s.radius > reach) cross_circle(s.centre, s.radius - reach);
   } else if (primitive.length > 0) {
-    add_circle(s.b, reach);
-    const double aside = cross(primitive.direction, p - s.a), turn = angle_of(primitive.direction);
+    cross_circle(s.b, reach);
+    const double aside = cross(primitive.direction, p - s.a);
+    const Vec2 normal = left_normal(primitive.direction);
     for (const double side : {reach, -reach}) {
       const double v = (side - aside) / radius;
       if (v <= -1 || v >= 1) continue;
-      const double angle = std::asin(v);
-      breaks.push(turn + angle);
-      breaks.push(turn + kPi - angle);
+      const double h = std::sqrt(1 - v * v);
+      keep(v * normal + h * primitive.direction);
+      keep(v * normal - h * primitive.direction);
     }
   }
-  // Only crossings that lie on the swept area's border split it; keeping the others is harmless but
-  // slower.
-  int count = 0;
-  for (int i = 0; i < breaks.count; ++i) {
-    const Vec2 x = p + radius * unit(breaks.angle[i]);
-    if (std::abs(distance(primitive, x) - reach) < 1e-7 * reach + 1e-9)
-      breaks.angle[count++] = wrap_positive(breaks.angle[i]);
-  }
+  const int count = crossings.count;
   if (count == 0) {
     if (distance(primitive, p + Vec2{radius, 0}) <= reach) set.clear();
     return;
   }
-  std::sort(breaks.angle.begin(), breaks.angle.begin() + count);
+  for (int i = 0; i < count; ++i)
+    crossings.at[static_cast<std::size_t>(i)].angle =
+        wrap_positive(angle_of(crossings.at[static_cast<std::size_t>(i)].direction));
+  std::sort(crossings.at.begin(), crossings.at.begin() + count,
+            [](const Crossing& a, const Crossing& b) { return a.angle < b.angle; });
   for (int i = 0; i < count; ++i) {
-    const double low = breaks.angle[i];
-    const double high = i + 1 < count ? breaks.angle[i + 1] : breaks.angle[0] + 2 * kPi;
-    if (high - low < 1e-12) continue;
-    if (distance(primitive, p + radius * unit(0.5 * (low + high))) <= reach)
-      cut_wrapped(set, low, high);
+    const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
+    const Crossing& to = crossings.at[static_cast<std::size_t>((i + 1) % count)];
+    const double high = i + 1 < count ? to.angle : to.angle + 2 * kPi;
+    if (high - from.angle < 1e-12) continue;
+    const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
+    if (distance(primitive, p + radius * middle) <= reach) cut_wrapped(set, from.angle, high);
   }
 }
 
@@ -219,26 +256,35 @@ void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<Angul
   const double radius = tool_radius_ - shrink;
   out.clear();
   out.push_back({low, high});
+  // The discs that hold the remaining arcs: moves that do not reach them take nothing away.
+  thread_local std::vector<Piece> pieces;
+  const auto describe = [&] {
+    pieces.clear();
+    for (const AngularInterval& interval : out) {
+      const double half = 0.5 * interval.width();
+      if (half >= 0.5 * kPi)
+        pieces.push_back({interval, p, radius});
+      else
+        pieces.push_back({interval, p + radius * std::cos(half) * unit(interval.low + half),
+                          radius * std::sin(half)});
+    }
+  };
+  describe();
   const std::vector<std::int32_t>& ids = bucket(p);
   for (auto id = ids.rbegin(); id != ids.rend() && !out.empty(); ++id) {
     const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
-    const double d = distance(primitive, p);
-    if (d >= primitive.radius + radius) continue;
-    // Far from every remaining arc: nothing to take away.
     bool near = false;
-    for (const AngularInterval& piece : out) {
-      const double half = 0.5 * piece.width();
-      if (half >= 0.5 * kPi) {
-        near = true;
-        break;
-      }
-      const Vec2 middle = p + radius * unit(piece.low + half);
-      if (distance(primitive, middle) < primitive.radius + 2 * radius * std::sin(0.5 * half)) {
-        near = true;
-        break;
-      }
+    for (const Piece& piece : pieces) {
+      const double reach = primitive.radius + piece.half;
+      const double far = reach + primitive.half;
+      if (squared_norm(piece.middle - primitive.middle) >= far * far) continue;
+      if (distance(primitive, piece.middle) >= reach) continue;
+      near = true;
+      break;
     }
-    if (near) subtract(primitive, p, radius, out);
+    if (!near) continue;
+    subtract(primitive, p, radius, out);
+    describe();
   }
   if (limited_ && !out.empty()) remove_outside_material(p, radius, out);
 }

@@ -57,9 +57,19 @@ class ClearedGround {
  private:
   struct Primitive {
     Segment segment;
-    Vec2 direction;  // lines
-    double length = 0;
-    double radius = 0;
+    Vec2 direction;       // lines
+    double length = 0;    // lines
+    double radius = 0;    // mm, swept
+    Vec2 first, last;     // arcs: unit vectors from the centre to the ends, counter-clockwise
+    bool reflex = false;  // arcs: the sector is wider than half a turn
+    Vec2 middle;          // of a disc that holds the segment,
+    double half = 0;      // and its radius
+  };
+  // One arc of the circle that is still uncovered, with the disc that holds it.
+  struct Piece {
+    AngularInterval interval;
+    Vec2 middle;
+    double half = 0;
   };
   void subtract(const Primitive& primitive, Vec2 p, double radius,
                 std::vector<AngularInterval>& set) const;

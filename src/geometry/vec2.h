@@ -37,8 +37,9 @@ inline Vec2 rotated(Vec2 a, double angle) {
 
 // The angle brought into [0, 2 pi).
 inline double wrap_positive(double angle) {
-  angle = std::fmod(angle, 2 * kPi);
+  if (angle < -2 * kPi || angle >= 4 * kPi) angle = std::fmod(angle, 2 * kPi);
   if (angle < 0) angle += 2 * kPi;
+  if (angle >= 2 * kPi) angle -= 2 * kPi;
   return angle < 2 * kPi ? angle : 0.0;
 }
 // The angle brought into [-pi, pi).

@@ -98,6 +98,11 @@ bool WallSamples::waits(const Sample& sample) const {
 }
 
 std::vector<PassStart> WallSamples::starts() const {
+  std::vector<PassStart> result = starts(true);
+  return result.empty() ? starts(false) : result;
+}
+
+std::vector<PassStart> WallSamples::starts(bool in_order) const {
   std::vector<PassStart> result;
   for (const Track& track : tracks_) {
     const std::vector<Curve>& curves = stages_[track.stage].centres.curves();
@@ -108,7 +113,7 @@ std::vector<PassStart> WallSamples::starts() const {
       const Sample& before = samples_[track.first + (i + track.count - 1) % track.count];
       if (!before.shared && !before.clear) continue;
       if (before.shared && !ground_.is_clear(before.p)) continue;
-      if (waits(sample)) continue;
+      if (in_order && waits(sample)) continue;
       const Segment wall = curves[before.place.curve].segment(before.place.segment);
       result.push_back(
           {track.stage, before.place, {before.p, angle_of(wall.tangent(before.place.t))}, index});

@@ -30,7 +30,8 @@ class WallSamples {
   // Looks again at the samples that the moves numbered from `first` on may have cleared. `low`,
   // `high`: the box of those moves.
   void update(std::size_t first, Vec2 low, Vec2 high);
-  // Every place where a pass can start now.
+  // Every place where a pass can start now; those of later stages only where no earlier stage has
+  // work left nearby, unless there are no others.
   std::vector<PassStart> starts() const;
   bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
   // Says that a pass from `start` came to nothing; after a few times it is not offered again until
@@ -53,6 +54,7 @@ class WallSamples {
     std::size_t stage = 0;
     std::size_t first = 0, count = 0;  // in samples_
   };
+  std::vector<PassStart> starts(bool in_order) const;
   void look(Sample& sample);
   bool waits(const Sample& sample) const;
 
