@@ -1,0 +1,97 @@
+// The Python module evenload._occt: the only one that is linked to OpenCASCADE.
+#include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
+
+#include <Standard_Version.hxx>
+#include <exception>
+#include <tuple>
+
+#include "occt/regions.h"
+#include "occt/shape_error.h"
+
+namespace py = pybind11;
+
+namespace evenload {
+namespace {
+
+using VertexTuple = std::tuple<double, double, double, bool>;
+using Chain = std::vector<VertexTuple>;
+
+Chain chain_of(const Curve& curve) {
+  Chain chain;
+  for (const Vertex& v : curve.vertices()) chain.emplace_back(v.p.x, v.p.y, v.bulge, v.open);
+  return chain;
+}
+
+std::vector<std::tuple<double, Chain, std::vector<Chain>>> regions_as_tuples(
+    const std::string& text, double tolerance) {
+  std::vector<std::tuple<double, Chain, std::vector<Chain>>> result;
+  for (const LevelRegion& region : regions_from_brep(text, tolerance)) {
+    std::vector<Chain> islands;
+    for (const Curve& island : region.islands) islands.push_back(chain_of(island));
+    result.emplace_back(region.z, chain_of(region.outer), std::move(islands));
+  }
+  return result;
+}
+
+const char* reason(ShapeFault fault) {
+  switch (fault) {
+    case ShapeFault::kUnreadable:
+      return "unreadable";
+    case ShapeFault::kEmpty:
+      return "empty";
+    case ShapeFault::kNotPlanar:
+      return "not planar";
+    case ShapeFault::kTilted:
+      return "tilted";
+    case ShapeFault::kNotFinite:
+      return "not finite";
+    case ShapeFault::kOpen:
+      return "open";
+    case ShapeFault::kBranching:
+      return "branching";
+    case ShapeFault::kCrossing:
+      return "crossing";
+    case ShapeFault::kKernel:
+      return "kernel";
+  }
+  return "";
+}
+
+}  // namespace
+}  // namespace evenload
+
+PYBIND11_MODULE(_occt, module) {
+  using namespace evenload;
+  module.doc() = "Regions from FreeCAD's shapes.";
+  module.attr("OCC_VERSION") = OCC_VERSION_COMPLETE;
+
+  // Kept for as long as the process runs: the translator may be asked until the very end.
+  static PyObject* const shape_error = PyErr_NewExceptionWithDoc(
+      "evenload._occt.ShapeError",
+      "A shape that gives no region. `reason` is one word or two ('tilted', 'not planar', "
+      "'open', 'branching', 'crossing', 'not finite', 'empty', 'unreadable', 'kernel'), `index` "
+      "counts the direct children of the compound that was read, from 0.",
+      PyExc_ValueError, nullptr);
+  module.attr("ShapeError") = py::reinterpret_borrow<py::object>(shape_error);
+  py::register_local_exception_translator([](std::exception_ptr pointer) {
+    try {
+      if (pointer) std::rethrow_exception(pointer);
+    } catch (const ShapeError& error) {
+      py::object instance = py::reinterpret_borrow<py::object>(shape_error)(error.what());
+      instance.attr("reason") = reason(error.fault());
+      instance.attr("index") = error.member();
+      PyErr_SetObject(shape_error, instance.ptr());
+    }
+  });
+
+  module.def("regions_from_brep", &regions_as_tuples, py::arg("text"), py::arg("tolerance"),
+             py::call_guard<py::gil_scoped_release>(),
+             "[(z, outer, islands), ...] of every face parallel to XY and of every closed outline "
+             "outside of faces.\n\n"
+             "Chains are lists of (x, y, bulge, open) in mm, closed, of either sense; bulge = "
+             "tan(included angle / 4) of the\n"
+             "piece that starts there, counter-clockwise positive. Curves other than lines and "
+             "circles are within\n"
+             "`tolerance` mm. Raises ShapeError.");
+}
