@@ -11,7 +11,7 @@ namespace {
 constexpr double kBlockPrice = 0.02;
 // Above the nominal removal rate by this share at the single sample that decides; the mean over 0.1
 // mm stays below it.
-constexpr double kRateMargin = 1.02;
+constexpr double kRateMargin = 1.03;
 // mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
 // second.
 constexpr double kShortestPiece = 0.3;
@@ -29,7 +29,8 @@ std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t fi
   const std::size_t n = last - first;
   const auto allowed = [&](const LoadSample& sample) {
     const double limit = kRateMargin * params.feed * params.nominal_width;
-    return sample.width * params.maximum_feed <= limit ? params.maximum_feed : limit / sample.width;
+    return sample.peak_width * params.maximum_feed <= limit ? params.maximum_feed
+                                                            : limit / sample.peak_width;
   };
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
@@ -93,9 +94,9 @@ void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<L
         std::size_t b = a;
         while (b < piece.last && profile[b].move == profile[a].move) ++b;
         const Segment& segment = runs[run].moves[profile[a].move].segment;
-        const double half = 0.5 * profile[a].length / segment.length();
-        const double t0 = std::max(0.0, profile[a].t - half);
-        const double t1 = std::min(1.0, profile[b - 1].t + half);
+        const double length = segment.length();
+        const double t0 = std::max(0.0, profile[a].t - 0.5 * profile[a].length / length);
+        const double t1 = std::min(1.0, profile[b - 1].t + 0.5 * profile[b - 1].length / length);
         const bool whole = t0 < 1e-9 && t1 > 1 - 1e-9;
         result[run].moves.push_back(
             {MoveKind::kCut, whole ? segment : segment.part(t0, t1), piece.feed});

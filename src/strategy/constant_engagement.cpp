@@ -17,8 +17,8 @@ namespace {
 
 // mm: the tool stays this far from the wall, so that rounding in the G-code never takes it in.
 constexpr double kWallGap = 2e-4;
-// mm of path between two looks at the load.
-constexpr double kLoadSpacing = 0.08;
+// mm of path between two looks at the load where it does not change.
+constexpr double kLoadSpacing = 0.5;
 // mm of path over which the reported engagement is a mean.
 constexpr double kEngagementWindow = 0.1;
 // Outside open edges the tool may go this many of its diameters from the stock.

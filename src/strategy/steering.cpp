@@ -122,9 +122,9 @@ void Steering::note_contact(double total, double length) {
   }
 }
 
-// The highest engagement on the left turn from `from` up to where it has passed its first peak;
-// `angle`: turned there.
-double Steering::peak_of_left_turn(const Pose& from, double* angle) const {
+// The highest engagement on the left turn from `from`, up to where it has passed its first peak, or
+// on the whole way out of the material; `angle`: turned at the peak.
+double Steering::peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const {
   const Vec2 centre = from.p + turn_ * left_normal(unit(from.heading));
   const auto at = [&](double turned) {
     const double heading = from.heading + turned;
@@ -140,8 +140,9 @@ double Steering::peak_of_left_turn(const Pose& from, double* angle) const {
     }
     falling = value < last ? falling + 1 : 0;
     last = value;
-    if (best > theta_ + 5 * kDegree) break;          // too much anyway
-    if (falling >= 2 && best > 10 * kDegree) break;  // past the peak
+    if (best > theta_ + 5 * kDegree) break;  // too much anyway
+    if (part == TurnPart::kFirstPeak && falling >= 2 && best > 10 * kDegree)
+      break;  // past the peak
     if (best > kInContact && value <= kInContact) break;
   }
   // Refine the peak where it decides.
@@ -162,22 +163,21 @@ double Steering::peak_of_left_turn(const Pose& from, double* angle) const {
 
 // Takes the path back to where a left turn can still stay within the limit, and makes that turn up
 // to its peak.
-bool Steering::roll_in(double maximum_back) {
+bool Steering::roll_in(TurnPart part) {
   if (turn_ <= 0) return false;
-  double turned = 0, peak = peak_of_left_turn(pose(), &turned);
-  double back = 0, delta = 0.05 * turn_;
+  double turned = 0, peak = peak_of_left_turn(pose(), part, &turned);
+  double delta = 0.05 * turn_;
   Segment piece;
   bool cut = false;
   while (peak > theta_ + kOverload) {
-    if (travelled_ <= 1e-9 || back > maximum_back) return false;
+    if (travelled_ <= 1e-9) return false;
     const Segment last = pass_.moves.back();
     const double whole = last.length(), take = std::min(delta, whole);
     piece = last.part(std::max(0.0, 1 - take / whole), 1);
     cut_back(take);
     cut = true;
-    back += take;
     delta *= 1.6;
-    peak = peak_of_left_turn(pose(), &turned);
+    peak = peak_of_left_turn(pose(), part, &turned);
   }
   if (cut) {
     double low = 0, high = 1;
@@ -185,16 +185,16 @@ bool Steering::roll_in(double maximum_back) {
     while ((high - low) * length > 2e-3 * turn_) {
       const double middle = 0.5 * (low + high);
       const double share = middle - low;
-      const Segment part = piece.part(low, low + share);
-      append(part);
+      const Segment more = piece.part(low, low + share);
+      append(more);
       double angle = 0;
-      const double value = peak_of_left_turn(pose(), &angle);
+      const double value = peak_of_left_turn(pose(), part, &angle);
       if (value <= theta_ + kOverload) {
         low = middle;
         turned = angle;
         peak = value;
       } else {
-        cut_back(part.length());
+        cut_back(more.length());
         high = middle;
       }
     }
@@ -212,7 +212,7 @@ bool Steering::roll_in(double maximum_back) {
 // Ends the pass by a left turn out of the material, from the last place where that is possible
 // within the limit.
 void Steering::escape() {
-  if (roll_in(travelled_)) {
+  if (roll_in(TurnPart::kWayOut)) {
     double turned = 0;
     while (turned < kPi && contact(pose()).total > kInContact) {
       append(move_of(pose(), 1 / turn_, kTurnStep * turn_));
@@ -303,7 +303,7 @@ void Steering::overload() {
     troubles_ = 0;
   }
   trouble_at_ = travelled_;
-  if (!roll_in(travelled_)) escape();
+  if (!roll_in(troubles_ > 0 ? TurnPart::kWayOut : TurnPart::kFirstPeak)) escape();
 }
 
 void Steering::step_free() {

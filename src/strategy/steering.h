@@ -53,6 +53,7 @@ class Steering {
 
  private:
   enum class Mode { kWall, kFree, kEnd };
+  enum class TurnPart { kFirstPeak, kWayOut };
   struct Contact {
     double total = 0;  // rad engaged in the leading half circle
     double steer =
@@ -63,10 +64,10 @@ class Steering {
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);
-  double peak_of_left_turn(const Pose& from, double* angle) const;
+  double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
   void step_on_wall();
   void step_free();
-  bool roll_in(double maximum_back);
+  bool roll_in(TurnPart part);
   void escape();
   void roll_out();
   void overload();
