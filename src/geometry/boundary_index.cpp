@@ -14,7 +14,8 @@ struct FastPiece {
   Vec2 a, b;
   Vec2 centre;         // arcs: the centre; lines: the vector from a to b
   Vec2 middle;         // arcs: unit vector from the centre to the arc's middle
-  double cosine = 0;   // arcs: of half the included angle
+  double sine = 0;     // arcs: of half the included angle
+  bool wide = false;   // arcs: more than half a circle
   double radius = 0;   // arcs; 0 marks a line
   double inverse = 0;  // lines: 1 / squared length
 
@@ -23,7 +24,8 @@ struct FastPiece {
       centre = s.centre;
       radius = s.radius;
       middle = unit(s.start_angle + 0.5 * s.sweep);
-      cosine = std::cos(0.5 * s.sweep);
+      sine = std::abs(std::sin(0.5 * s.sweep));
+      wide = std::abs(s.sweep) > kPi;
     } else {
       centre = s.b - s.a;
       const double squared = squared_norm(centre);
@@ -39,7 +41,10 @@ struct FastPiece {
     }
     const Vec2 from_centre = q - centre;
     const double r = norm(from_centre);
-    if (dot(from_centre, middle) >= r * cosine) return (r - radius) * (r - radius);
+    // By the sine, since the cosine of a flat arc's angle is 1 after rounding.
+    const bool narrow = std::abs(cross(middle, from_centre)) <= r * sine;
+    const bool ahead = dot(middle, from_centre) > 0;
+    if (wide ? ahead || !narrow : ahead && narrow) return (r - radius) * (r - radius);
     return std::min(squared_norm(q - a), squared_norm(q - b));
   }
 };

@@ -74,6 +74,7 @@ Meetings of_line_and_arc(const Segment& line, const Segment& arc, double toleran
   return found;
 }
 
+// Condition: a is not the larger.
 Meetings of_arcs(const Segment& a, const Segment& b, double tolerance) {
   Meetings found;
   const Vec2 between = b.centre - a.centre;
@@ -83,8 +84,10 @@ Meetings of_arcs(const Segment& a, const Segment& b, double tolerance) {
   const double inside = std::abs(a.radius - b.radius) - apart;
   if (outside > tolerance || inside > tolerance || apart == 0) return found;
   const Vec2 u = between / apart;
-  // From the centre of a along u to the common chord, and half that chord.
-  const double reach = 0.5 * (apart + (a.radius - b.radius) * (a.radius + b.radius) / apart);
+  // From the centre of a along u to the common chord, and half that chord. Seen from the smaller
+  // circle: from the larger one the chord may be lost in rounding.
+  const double reach =
+      0.5 * ((apart - b.radius) * (apart + b.radius) + a.radius * a.radius) / apart;
   if (outside >= 0 || inside >= 0) {  // a near miss: the touching point halves the gap
     const Vec2 on_a = a.centre + (reach >= 0 ? a.radius : -a.radius) * u;
     const Vec2 from_b = on_a - b.centre;
@@ -99,15 +102,19 @@ Meetings of_arcs(const Segment& a, const Segment& b, double tolerance) {
   return found;
 }
 
+Meetings swapped(Meetings found) {
+  for (std::size_t i = 0; i < found.count; ++i) std::swap(found.at[i].ta, found.at[i].tb);
+  return found;
+}
+
 }  // namespace
 
 Meetings meetings(const Segment& a, const Segment& b, double tolerance) {
-  if (a.is_arc() && b.is_arc()) return of_arcs(a, b, tolerance);
   if (!a.is_arc() && !b.is_arc()) return of_lines(a, b, tolerance);
-  if (b.is_arc()) return of_line_and_arc(a, b, tolerance);
-  Meetings found = of_line_and_arc(b, a, tolerance);
-  for (std::size_t i = 0; i < found.count; ++i) std::swap(found.at[i].ta, found.at[i].tb);
-  return found;
+  if (!a.is_arc()) return of_line_and_arc(a, b, tolerance);
+  if (!b.is_arc()) return swapped(of_line_and_arc(b, a, tolerance));
+  if (a.radius <= b.radius) return of_arcs(a, b, tolerance);
+  return swapped(of_arcs(b, a, tolerance));
 }
 
 }  // namespace evenload

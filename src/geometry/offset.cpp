@@ -5,8 +5,8 @@
 //  dropped (offset_graph);
 //  3. what is left is chained into loops; loops that turn counter-clockwise are outlines, the
 //  others islands.
-// A degenerate d, at which many pieces just touch, may leave a chain unclosed: then a d nearer by
-// than the tolerance is tried.
+// At a degenerate d, where fronts just touch, loops may touch too or stay unclosed: then others that
+// differ by less than the tolerance are tried.
 
 #include <algorithm>
 #include <stdexcept>
@@ -20,26 +20,37 @@ namespace evenload {
 
 namespace {
 
-// Other offsets to try, as shares of the tolerance; irregular, so that what coincides at one does
-// not at the next.
-constexpr double kDetours[] = {0.0, 0.37, -0.41, 0.83, -0.79};
+// Other offsets to try, as shares of kOffsetTolerance; irregular, so that what coincides at one
+// does not at the next, and large enough that two fronts which touch then part or meet by more than
+// kSame.
+constexpr double kDetours[] = {0.0, 0.43, -0.47, 0.91, -0.87};
+constexpr double kSame = 0.5;   // below this share of kOffsetTolerance points are one point
 
 OffsetTolerances tolerances_for(const Bounds& box, double d) {
   const double extent = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x),
                                   std::abs(box.high.y)}) +
                         std::abs(d);
   OffsetTolerances t;
-  t.same = std::max(kOffsetTolerance, 1e-11 * extent);  // rounding grows with the coordinates
-  t.depth = 0.1 * t.same;
-  t.sure = 0.001 * t.same;
+  t.whole = std::max(kOffsetTolerance, 1e-11 * extent);  // rounding grows with the coordinates
+  t.same = kSame * t.whole;
+  t.depth = 0.1 * t.whole;
+  t.sure = 0.001 * t.whole;
   return t;
 }
 
-Vec2 middle_of_longest_piece(const Curve& curve) {
+Segment longest_piece(const Curve& curve) {
   Segment longest = curve.segment(0);
   for (const Segment& s : curve.segments())
     if (s.length() > longest.length()) longest = s;
-  return longest.point(0.5);
+  return longest;
+}
+
+// Whether the piece of an island lies in the outline. They may touch in a point, so most of three
+// points decide.
+bool lies_in(const Curve& outline, const Segment& piece) {
+  int inside = 0;
+  for (const double t : {0.31, 0.5, 0.73}) inside += outline.contains(piece.point(t)) ? 1 : 0;
+  return inside >= 2;
 }
 
 std::vector<Region> nested(std::vector<Curve> loops) {
@@ -60,11 +71,11 @@ std::vector<Region> nested(std::vector<Curve> loops) {
     }
   }
   for (Curve& island : islands) {
-    const Vec2 p = middle_of_longest_piece(island);
+    const Segment piece = longest_piece(island);
     Outline* home = nullptr;
     for (Outline& o : outlines)
-      if (squared_distance(o.box, p) == 0 && (home == nullptr || o.area < home->area) &&
-          o.region.outer.contains(p))
+      if (squared_distance(o.box, piece.point(0.31)) == 0 &&
+          (home == nullptr || o.area < home->area) && lies_in(o.region.outer, piece))
         home = &o;
     if (home != nullptr) home->region.islands.push_back(std::move(island));
   }
@@ -81,18 +92,21 @@ std::vector<Region> offset(const std::vector<Region>& regions, double d) {
   for (const Region& region : regions)
     for (Curve& curve : region.curves()) curves.push_back(std::move(curve));
   const OffsetTolerances tolerances = tolerances_for(bounds_of(regions), d);
-  if (curves.empty() || std::abs(d) <= tolerances.same) return regions;
+  if (curves.empty() || std::abs(d) <= tolerances.whole) return regions;
 
   const BoundaryIndex boundary(curves);
   OffsetLoops best;
   for (const double detour : kDetours) {
-    const double tried = d + detour * tolerances.same;
+    const double tried = d + detour * tolerances.whole;
     OffsetNodes nodes;
     const std::vector<OffsetPiece> pieces =
         offset_pieces(curves, boundary, tried, tolerances, nodes);
     OffsetLoops found = offset_loops(pieces, nodes, boundary, tried, tolerances);
-    if (detour == 0 || found.lost < best.lost) best = std::move(found);
-    if (best.lost <= 100 * tolerances.same) break;
+    const bool better =
+        found.lost < best.lost - tolerances.whole ||
+        (found.lost <= best.lost + tolerances.whole && found.touches < best.touches);
+    if (detour == 0 || better) best = std::move(found);
+    if (best.lost <= 100 * tolerances.whole && best.touches == 0) break;
   }
   return nested(std::move(best.loops));
 }

@@ -273,6 +273,7 @@ OffsetLoops Graph::chain() {
   constexpr std::uint32_t kNowhere = ~0u;
   std::vector<std::uint32_t> place(nodes_.size(),
                                    kNowhere);  // of the path's edge that leaves the node
+  std::vector<std::uint8_t> passed(nodes_.size(), 0);
   std::vector<std::uint32_t> path;
   for (std::uint32_t seed = 0; seed < edges_.size(); ++seed) {
     if (edges_[seed].gone) continue;
@@ -289,8 +290,10 @@ OffsetLoops Graph::chain() {
           drop(i);
         }
         const Curve curve = curve_of(loop);
-        const bool sliver = std::abs(curve.signed_area()) <= tolerances_.same * curve.length();
-        if (!sliver && on_right_side(loop)) result.loops.push_back(curve);
+        const bool sliver = std::abs(curve.signed_area()) <= tolerances_.whole * curve.length();
+        if (sliver || !on_right_side(loop)) continue;
+        result.loops.push_back(curve);
+        for (const std::uint32_t i : loop) result.touches += passed[edges_[i].from]++ > 0 ? 1 : 0;
       } else if (leaving_[end].empty()) {
         place[edges_[path.back()].from] = kNowhere;
         drop(path.back());

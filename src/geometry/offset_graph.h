@@ -10,6 +10,7 @@ namespace evenload {
 
 struct OffsetLoops {
   std::vector<Curve> loops;  // closed; the inside lies left of travel
+  std::size_t touches = 0;   // points where loops touch themselves or each other
   double lost = 0;  // mm of pieces that belong to the offset beyond doubt and ended in no loop
 };
 

@@ -149,7 +149,7 @@ void Collector::settle_corner(const Segment& before, const Segment& after, Moved
   moved_before.to = nodes_.add(moved_before.segment.b);
   moved_after.from = nodes_.add(moved_after.segment.a);
   const double size = std::abs(d_);
-  if (size * std::abs(turn) <= tolerances_.same) {
+  if (size * std::abs(turn) <= tolerances_.whole) {
     nodes_.merge(moved_before.to, moved_after.from);
     return;
   }

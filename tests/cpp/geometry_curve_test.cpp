@@ -314,6 +314,14 @@ TEST(BoundaryIndex, AgreesWithASearchOfAllPieces) {
   }
 }
 
+TEST(BoundaryIndex, FindsTheEndsOfVeryFlatArcs) {
+  const Curve flat({{{0, 0}, 2e-8}, {{1, 0}}}, false);
+  ASSERT_TRUE(flat.segment(0).is_arc());
+  const BoundaryIndex index({flat});
+  EXPECT_NEAR(index.nearest({1.001, 0.5}).distance, std::hypot(0.001, 0.5), 1e-8);
+  EXPECT_NEAR(index.nearest({-0.03, 0}).distance, 0.03, 1e-8);
+}
+
 TEST(BoundaryIndex, KnowsItIsEmpty) {
   const BoundaryIndex index({});
   EXPECT_TRUE(index.empty());
