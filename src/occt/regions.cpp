@@ -17,6 +17,7 @@
 #include <cmath>
 #include <cstdio>
 #include <gp_Pln.hxx>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -33,6 +34,7 @@ constexpr double kLevel = 1e-3;
 // How finely curves are looked at to see which lies within which, in mm: only nearly touching ones
 // could fool it.
 constexpr double kNestingTolerance = 0.01;
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
 
 // OpenCASCADE's reader waits for ever for what a text cut short does not hold; a stream that throws
 // at its end ends that.
@@ -92,7 +94,7 @@ LevelRegion region_of_face(const TopoDS_Face& face, double tolerance, std::size_
     if (!once.Add(edge.Current())) twice.Add(edge.Current());
   }
   std::vector<Loop> loops;
-  double low_z = INFINITY, high_z = -INFINITY;
+  double low_z = kInfinity, high_z = -kInfinity;
   for (TopExp_Explorer wire(face, TopAbs_WIRE); wire.More(); wire.Next()) {
     std::vector<Piece> pieces;
     for (TopExp_Explorer explorer(wire.Current(), TopAbs_EDGE); explorer.More(); explorer.Next()) {
@@ -151,8 +153,8 @@ Outline outline_of(const Loop& loop) {
   Outline outline{&loop,
                   std::abs(loop.curve.signed_area()),
                   loop.curve.flattened(kNestingTolerance),
-                  {INFINITY, INFINITY},
-                  {-INFINITY, -INFINITY}};
+                  {kInfinity, kInfinity},
+                  {-kInfinity, -kInfinity}};
   for (const Vec2 p : outline.points) {
     outline.low = {std::min(outline.low.x, p.x), std::min(outline.low.y, p.y)};
     outline.high = {std::max(outline.high.x, p.x), std::max(outline.high.y, p.y)};
@@ -180,6 +182,7 @@ bool lies_within(const Outline& inner, const Outline& outer) {
 std::vector<LevelRegion> nested(const std::vector<Loop>& loops) {
   const std::size_t n = loops.size();
   std::vector<Outline> outlines;
+  outlines.reserve(n);
   for (const Loop& loop : loops) outlines.push_back(outline_of(loop));
 
   // How many loops lie round each, and which of them is the nearest.

@@ -1,0 +1,72 @@
+"""The include arrows of src/ go one way, and foreign headers stay where they belong."""
+import re
+from pathlib import Path
+
+import pytest
+
+SOURCE = Path(__file__).resolve().parents[2] / "src"
+
+# What each folder may include besides itself. Strategy and simulate never see each other: the simulator is the judge.
+ARROWS = {
+    "support": set(),
+    "geometry": {"support"},
+    "cutting": {"support", "geometry"},
+    "toolpath": {"support", "geometry", "cutting"},
+    "strategy": {"support", "geometry", "cutting", "toolpath"},
+    "feed": {"support", "geometry", "cutting", "toolpath"},
+    "simulate": {"support", "geometry", "cutting", "toolpath"},
+    "occt": {"support", "geometry"},
+    "python": {"support", "geometry", "cutting", "toolpath", "strategy", "feed", "simulate"},
+}
+# Plain values that any folder may include, errors of the support folder among them: a header of the standard library's
+# kind, which includes nothing of ours.
+PLAIN_VALUES = {"geometry/vec2.h"}
+
+FILES = sorted(path for path in SOURCE.rglob("*") if path.suffix in (".h", ".cpp"))
+
+
+def name(path):
+    return path.relative_to(SOURCE).as_posix()
+
+
+def own_includes(path):
+    return re.findall(r'^\s*#\s*include\s+"([^"]+)"', path.read_text(), re.MULTILINE)
+
+
+def foreign_includes(path):
+    return re.findall(r"^\s*#\s*include\s+<([^>]+)>", path.read_text(), re.MULTILINE)
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_includes_follow_the_arrows(path):
+    folder = name(path).split("/")[0]
+    assert folder in ARROWS, "a folder without an arrow: say what it may include"
+    for include in own_includes(path):
+        assert (SOURCE / include).is_file(), "%s is not written from src/ on" % include
+        allowed = ARROWS[folder] | {folder}
+        assert include in PLAIN_VALUES or include.split("/")[0] in allowed, "%s may not include %s" % (folder, include)
+
+
+@pytest.mark.parametrize("header", sorted(PLAIN_VALUES))
+def test_plain_values_include_nothing_of_ours(header):
+    assert own_includes(SOURCE / header) == []
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_foreign_headers_stay_where_they_belong(path):
+    folder = name(path).split("/")[0]
+    for include in foreign_includes(path):
+        if include.endswith(".hxx"):
+            assert folder == "occt", "OpenCASCADE belongs to occt/: %s" % include
+        if include.startswith(("pybind11/", "Python.h")):
+            assert folder in ("occt", "python"), "Python belongs to the bindings: %s" % include
+        if path.suffix == ".h":
+            assert not include.endswith(".hxx") and not include.startswith("boost/"), "keep %s out of headers" % include
+
+
+def test_the_arrows_have_no_circle():
+    done = set()
+    while len(done) < len(ARROWS):
+        ready = {folder for folder, sees in ARROWS.items() if folder not in done and sees <= done}
+        assert ready
+        done |= ready
