@@ -1,0 +1,179 @@
+"""Toolpath -> Path commands. The only place for mm/s and G-codes.
+
+Post-processors round to three decimals. So ends are rounded here first, and the arcs' centres are
+then chosen for the rounded ends: what is posted is what was computed, and no arc's two radii
+disagree by more than a controller accepts.
+"""
+
+from math import atan2, cos, hypot, isfinite, pi, sin, sqrt, tan
+
+import Path
+
+RAPID, LINK, ENTRY, CUT = range(4)  # the kinds of moves, as the core counts them
+
+DECIMALS = 3  # of a mm: what FreeCAD's post-processors write unless told otherwise
+GRID = 10.0**-DECIMALS
+# mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds them,
+# which would make full circles of them; inch posts round to 0.0001 in, and their roundings at both
+# ends add up to 0.0036 mm.
+SHORTEST_ARC = 0.005
+LARGEST_RADIUS = 1e4  # mm: flatter arcs become lines; at 50 mm of length they bend by 0.03 um
+SMALLEST_RADIUS = 0.01  # mm: tighter arcs become lines, which leave them by less than twice this
+# Controllers refuse arcs whose radii at start and end differ by more than about 0.005 mm.
+RADIUS_MISMATCH = 0.0005  # mm: a centre on the grid is found for every arc within twice this
+MOST_TURN_CHANGE = 0.5  # rad: by which rounding may change a sweep; only the tiniest arcs get there
+LARGEST_SWEEP = 1.5 * pi  # rad: longer arcs are split in two, full circles among them
+
+
+def from_moves(moves, start=None):
+    """The list of Path.Command for moves (kind, x, y, z, sweep, cx, cy, feed) as the core returns
+    them.
+
+    mm, rad, mm/min; feeds become mm/s. start: (x, y, z) where the tool is, None for anywhere above
+    everything, so that the first rapid rises before it travels. Raises ValueError for numbers that
+    are not finite and feeds that are not positive.
+    """
+    writer = _Writer(start)
+    for number, move in enumerate(moves):
+        kind, x, y, z, sweep, cx, cy, feed = move
+        if not isfinite(x + y + z + sweep + cx + cy + feed):
+            raise ValueError("Move %d of the toolpath is not finite: %r." % (number, move))
+        if kind == RAPID:
+            writer.rapid(round(x, DECIMALS), round(y, DECIMALS), round(z, 6))
+            continue
+        if not feed > 0:
+            raise ValueError("Move %d of the toolpath has no feed: %r." % (number, move))
+        if sweep:
+            writer.arc(x, y, z, sweep, cx, cy, feed / 60.0)
+        else:
+            writer.line(round(x, DECIMALS), round(y, DECIMALS), round(z, 6), feed / 60.0)
+    return writer.commands
+
+
+class _Writer:
+    """Collects commands; remembers where the rounded path is, so that no command repeats a
+    position.
+    """
+
+    def __init__(self, start):
+        self.commands = []
+        self.x, self.y, self.z = start or (None, None, None)
+
+    def rapid(self, x, y, z):
+        """Up before across before down: a rapid never cuts a corner."""
+        if self.z is None:
+            self.commands.append(Path.Command("G0", {"Z": z}))
+            self.z = z
+        if z > self.z:
+            self._rapid_z(z)
+        if x != self.x or y != self.y:
+            self.commands.append(Path.Command("G0", {"X": x, "Y": y}))
+            self.x, self.y = x, y
+        if z < self.z:
+            self._rapid_z(z)
+
+    def _rapid_z(self, z):
+        if abs(z - self.z) >= GRID / 2:
+            self.commands.append(Path.Command("G0", {"Z": z}))
+            self.z = z
+
+    def line(self, x, y, z, feed):
+        level = abs(z - self.z) < GRID / 2
+        if x == self.x and y == self.y:
+            if not level:
+                self.commands.append(Path.Command("G1", {"Z": z, "F": feed}))
+                self.z = z
+            return
+        parameters = {"X": x, "Y": y, "F": feed}
+        if not level:
+            parameters["Z"] = z
+            self.z = z
+        self.commands.append(Path.Command("G1", parameters))
+        self.x, self.y = x, y
+
+    def arc(self, x, y, z, sweep, cx, cy, feed):
+        """An arc, or a helix when z changes. It may go round more than once."""
+        pieces = 1
+        while abs(sweep) / pieces > LARGEST_SWEEP:
+            pieces += 1
+        if pieces > 1:
+            pieces = max(pieces, 2 * round(abs(sweep) / (2 * pi)))  # full turns as halves
+        radius, end = hypot(x - cx, y - cy), atan2(y - cy, x - cx)
+        z0, part = self.z, sweep / pieces
+        for i in range(1, pieces):
+            angle = end - (pieces - i) * part
+            self._piece(
+                cx + radius * cos(angle),
+                cy + radius * sin(angle),
+                z0 + (z - z0) * i / pieces,
+                part,
+                radius,
+                feed,
+            )
+        self._piece(x, y, z, part, radius, feed)
+
+    def _piece(self, x, y, z, sweep, radius, feed):
+        x, y, z = round(x, DECIMALS), round(y, DECIMALS), round(z, 6)
+        dx, dy = x - self.x, y - self.y
+        chord = hypot(dx, dy)
+        if chord < SHORTEST_ARC or radius > LARGEST_RADIUS or radius < SMALLEST_RADIUS:
+            self.line(x, y, z, feed)
+            return
+        centre = _centre(dx, dy, chord, sweep)
+        if centre is None:
+            self.line(x, y, z, feed)
+            return
+        parameters = {"X": x, "Y": y, "I": centre[0], "J": centre[1], "F": feed}
+        if abs(z - self.z) >= GRID / 2:
+            parameters["Z"] = z
+            self.z = z
+        self.commands.append(Path.Command("G3" if sweep > 0 else "G2", parameters))
+        self.x, self.y = x, y
+
+
+def _centre(dx, dy, chord, sweep):
+    """(I, J) on the grid for an arc over the chord (dx, dy); None where none turns that way."""
+    height = 0.5 / tan(0.5 * sweep)  # of the centre to the left of the chord, in chords
+    i, j = 0.5 * dx - height * dy, 0.5 * dy + height * dx
+    radius = hypot(i, j)
+    if radius > LARGEST_RADIUS:
+        return None
+    gi, gj = round(i, DECIMALS), round(j, DECIMALS)
+    if abs(hypot(gi, gj) - hypot(dx - gi, dy - gj)) > RADIUS_MISMATCH:
+        # Moving the centre along the chord makes the radii differ, moving it across bends the arc:
+        # both count.
+        bend = 1.0 - cos(min(0.5 * abs(sweep), pi))
+        best = None
+        for a in (-GRID, 0.0, GRID):
+            for b in (-GRID, 0.0, GRID):
+                u, v = gi + a, gj + b
+                mismatch = abs(hypot(u, v) - hypot(dx - u, dy - v))
+                across = abs((u - i) * -dy + (v - j) * dx) / chord
+                cost = mismatch + 0.5 * bend * across
+                if best is None or cost < best[0]:
+                    best = cost, u, v
+        gi, gj = round(best[1], DECIMALS), round(best[2], DECIMALS)
+    # On the grid the arc must still turn the same way by about the same angle.
+    turned = atan2(-gi * (dy - gj) + gj * (dx - gi), -gi * (dx - gi) - gj * (dy - gj))
+    turned = turned % (2 * pi) if sweep > 0 else -(-turned % (2 * pi))
+    return (gi, gj) if abs(turned - sweep) < MOST_TURN_CHANGE else None
+
+
+def length(commands):
+    """mm of feed moves in a list of commands, arcs and helices by their true length; for tests and
+    reports.
+    """
+    total, x, y, z = 0.0, None, None, None
+    for command in commands:
+        p = command.Parameters
+        nx, ny, nz = p.get("X", x), p.get("Y", y), p.get("Z", z)
+        if command.Name in ("G1", "G2", "G3") and None not in (x, y, z):
+            flat = hypot(nx - x, ny - y)
+            if command.Name != "G1":
+                radius = hypot(p["I"], p["J"])
+                turn = atan2(ny - y - p["J"], nx - x - p["I"]) - atan2(-p["J"], -p["I"])
+                sense = 1 if command.Name == "G3" else -1
+                flat = radius * ((sense * turn) % (2 * pi) or 2 * pi)
+            total += sqrt(flat**2 + (nz - z) ** 2)
+        x, y, z = nx, ny, nz
+    return total

@@ -1,0 +1,48 @@
+"""The commands in the Path / CAM workbench: light, so that FreeCAD starts as fast as without us."""
+
+import FreeCAD
+
+
+def _translated(text):
+    return FreeCAD.Qt.translate("EvenLoad", text)
+
+
+class CreateOperation:
+    """Creates an operation for the selected geometry and opens its panel."""
+
+    def __init__(self, panel, icon, menu_text, tool_tip):
+        self.panel = panel  # module in evenload.gui with a function `create`
+        self.resources = icon, menu_text, tool_tip
+
+    def GetResources(self):
+        icon, menu_text, tool_tip = self.resources
+        return {
+            "Pixmap": icon,
+            "MenuText": _translated(menu_text),
+            "ToolTip": _translated(tool_tip),
+        }
+
+    def IsActive(self):
+        doc = FreeCAD.ActiveDocument
+        return doc is not None and any(o.Name.startswith("Job") for o in doc.Objects)
+
+    def Activated(self):
+        from importlib import import_module
+
+        from evenload import compiled
+
+        missing = compiled.missing()
+        if missing:
+            FreeCAD.Console.PrintError(missing + "\n")
+            return
+        import_module("evenload.gui." + self.panel).create()
+
+
+COMMANDS = {
+    "EvenLoad_Adaptive": CreateOperation(
+        "adaptive",
+        "EvenLoad_Adaptive",
+        "EvenLoad Adaptive",
+        "Clears pockets at constant engagement of the tool",
+    ),
+}

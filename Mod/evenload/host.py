@@ -1,0 +1,301 @@
+"""The only file that knows FreeCAD's versions: 0.20 (PathScripts, workbench "Path") and 1.0
+(Path.Op, workbench "CAM").
+"""
+
+import contextlib
+import functools
+import os
+import tempfile
+from types import SimpleNamespace
+
+import FreeCAD
+
+_VERSION = tuple(int(number) for number in FreeCAD.Version()[:2])
+_MOVED = _VERSION >= (0, 21)  # PathScripts.PathOp has become Path.Op.Base, and so on
+_CAM = _VERSION >= (1, 0)  # the workbench Path has become CAM
+
+WORKBENCH = "CAMWorkbench" if _CAM else "PathWorkbench"
+MENU = "&CAM" if _CAM else "&Path"
+TOOLBAR = "New Operations"
+NEIGHBOUR = "CAM_Adaptive" if _CAM else "Path_Adaptive"  # our commands stand beside this one
+
+
+@functools.lru_cache(maxsize=None)
+def cam():
+    """FreeCAD's modules for operations and jobs, by short names. The first call takes 0.7 s."""
+    import PathScripts.PathUtils as utils
+
+    if _MOVED:
+        import Path.Base.SetupSheet as setup_sheet
+        import Path.Main.Job as job
+        import Path.Main.Stock as stock
+        import Path.Op.Base as op
+        import Path.Preferences as preferences
+        import Path.Tool.Bit as bit
+        import Path.Tool.Controller as controller
+    else:
+        import PathScripts.PathJob as job
+        import PathScripts.PathOp as op
+        import PathScripts.PathPreferences as preferences
+        import PathScripts.PathSetupSheet as setup_sheet
+        import PathScripts.PathStock as stock
+        import PathScripts.PathToolBit as bit
+        import PathScripts.PathToolController as controller
+    return SimpleNamespace(
+        utils=utils,
+        setup_sheet=setup_sheet,
+        job=job,
+        stock=stock,
+        op=op,
+        preferences=preferences,
+        bit=bit,
+        controller=controller,
+    )
+
+
+def operation_base():
+    """The class that FreeCAD's operations derive from."""
+    return cam().op.ObjectOp
+
+
+def features():
+    """What our operations share with FreeCAD's: tool, depths, heights, faces and edges, coolant."""
+    op = cam().op
+    return (
+        op.FeatureTool
+        | op.FeatureDepths
+        | op.FeatureHeights
+        | op.FeatureStepDown
+        | op.FeatureBaseFaces
+        | op.FeatureBaseEdges
+        | op.FeatureCoolant
+    )
+
+
+def register_operation(name, create, properties):
+    """Tells the SetupSheet of an operation, so that jobs and templates can keep defaults for it."""
+    cam().setup_sheet.RegisterOperation(name, create, properties)
+
+
+def parent_job(obj):
+    """The job that an operation belongs to, or None."""
+    return cam().utils.findParentJob(obj)
+
+
+def cutting_levels(top, step_down, final_depth):
+    """The z of each level in mm, descending; the last is final_depth itself. step_down > 0,
+    final_depth < top.
+    """
+    levels = [
+        float(z) for z in cam().utils.depth_params(top, top, top, step_down, 0.0, final_depth)
+    ]
+    between = [z for z in levels if final_depth + 1e-6 < z < top - 1e-6]
+    return between + [float(final_depth)]
+
+
+@contextlib.contextmanager
+def chosen_tool_controller(controller):
+    """While this lasts, FreeCAD takes `controller` where it would ask the user, or fail without one
+    to ask.
+    """
+
+    class Choice:
+        def selectedToolController(self):
+            return controller
+
+        def chooseToolController(self, controllers):
+            return controller
+
+        def __getattr__(self, name):
+            return getattr(before, name)
+
+    utils = cam().utils
+    before = utils.UserInput
+    if controller is not None:
+        utils.UserInput = Choice()
+    try:
+        yield
+    finally:
+        utils.UserInput = before
+
+
+def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
+    """A job with one flat end mill. Returns (job, tool controller).
+
+    models: list of document objects; tool_diameter mm; feed mm/min, horizontal and vertical;
+    spindle_speed rev/min; flutes: number of teeth. The stock is the models' bounding box.
+    """
+    for name, value in (
+        ("tool_diameter", tool_diameter),
+        ("feed", feed),
+        ("spindle_speed", spindle_speed),
+    ):
+        if not value > 0:
+            raise ValueError("%s must be positive, not %r." % (name, value))
+    if not models:
+        raise ValueError("A job needs at least one model.")
+    FreeCAD.setActiveDocument(doc.Name)
+    job = cam().job.Create("Job", list(models))
+    if FreeCAD.GuiUp:
+        show_job(job)
+    controller = job.Tools.Group[0] if job.Tools.Group else cam().controller.Create()
+    if not job.Tools.Group:
+        job.Proxy.addToolController(controller)
+    replaced = controller.Tool
+    controller.Tool = create_tool("endmill", {"Diameter": tool_diameter, "Flutes": int(flutes)})
+    if replaced is not None and hasattr(replaced, "Name") and replaced.Document is doc:
+        doc.removeObject(replaced.Name)
+    controller.SpindleSpeed = float(spindle_speed)
+    controller.HorizFeed = controller.VertFeed = "%.9g mm/min" % feed
+    controller.HorizRapid = controller.VertRapid = "5000 mm/min"
+    set_stock_margin(job, 0.0)
+    doc.recompute()
+    return job, controller
+
+
+def create_tool(shape, properties):
+    """A tool bit of one of FreeCAD's shapes ('endmill', 'bullnose', ...) in the active document;
+    lengths in mm.
+    """
+    tool = cam().bit.Factory.Create("Tool", shape + ".fcstd")
+    for name, value in properties.items():
+        if not hasattr(tool, name):
+            raise ValueError("A tool of the shape '%s' has no %s." % (shape, name))
+        setattr(tool, name, value)
+    if FreeCAD.GuiUp:
+        tool.ViewObject.Visibility = False
+    return tool
+
+
+def set_stock_margin(job, margin):
+    """Makes the job's stock the models' bounding box, larger by `margin` mm to all sides."""
+    before = job.Stock
+    extra = FreeCAD.Vector(margin, margin, margin)
+    job.Stock = cam().stock.CreateFromBase(job, neg=extra, pos=extra)
+    if before is not None and not before.InList:
+        job.Document.removeObject(before.Name)
+    if FreeCAD.GuiUp:
+        job.Stock.ViewObject.Visibility = False
+
+
+def post_processors():
+    """The names of the post-processors that this FreeCAD has."""
+    return cam().preferences.allAvailablePostProcessors()
+
+
+def post(job, processor, arguments):
+    """The G-code of the whole job, as text.
+
+    processor: a name such as 'linuxcnc' or 'grbl'; arguments: its command line, e.g.
+    '--no-show-editor --precision 4'. Raises ValueError for a processor that does not exist and for
+    arguments that it refuses.
+    """
+    known = post_processors()
+    if processor not in known:
+        raise ValueError(
+            "There is no post-processor '%s': this FreeCAD has %s."
+            % (processor, ", ".join(sorted(known)))
+        )
+    texts = (
+        _post_modern(job, processor, arguments) if _MOVED else _post_old(job, processor, arguments)
+    )
+    if not texts or any(text is None for text in texts):
+        raise ValueError(
+            "The post-processor '%s' refuses the arguments '%s'." % (processor, arguments)
+        )
+    return "".join(texts)
+
+
+def _post_modern(job, processor, arguments):
+    from Path.Post.Processor import PostProcessorFactory
+
+    before = job.PostProcessorArgs
+    job.PostProcessorArgs = arguments
+    try:
+        sections = PostProcessorFactory.get_post_processor(job, processor).export()
+    finally:
+        job.PostProcessorArgs = before
+    return [text for _, text in sections] if sections else []
+
+
+def _post_old(job, processor, arguments):
+    import FreeCADGui  # noqa: F401  PathPost needs it at import, without a GUI too
+    from PathScripts.PathPost import CommandPathPost
+    from PathScripts.PathPostProcessor import PostProcessor
+
+    texts = []
+    for objects in CommandPathPost().buildPostList(job):
+        handle, name = tempfile.mkstemp(suffix=".ngc")
+        os.close(handle)
+        try:
+            PostProcessor.load(processor).export(objects, name, arguments)
+            with open(name) as file:
+                texts.append(file.read() or None)
+        finally:
+            os.remove(name)
+    return texts
+
+
+# ---- GUI: imported by evenload.gui only ----
+
+
+def gui():
+    """FreeCAD's GUI modules under one roof: op (panels), util (spin boxes), selection."""
+    if _MOVED:
+        import Path.Base.Gui.Util as util
+        import Path.Op.Gui.Base as op
+        import Path.Op.Gui.Selection as selection
+    else:
+        import PathScripts.PathGui as util
+        import PathScripts.PathOpGui as op
+        import PathScripts.PathSelection as selection
+    return SimpleNamespace(op=op, util=util, selection=selection)
+
+
+def show_job(job):
+    """Gives a job that a script made its view provider, which FreeCAD itself gives only to jobs
+    made by its command.
+    """
+    if _MOVED:
+        import Path.Main.Gui.Job as job_gui
+    else:
+        import PathScripts.PathJobGui as job_gui
+    view = job.ViewObject
+    if view is not None and not view.Proxy:
+        view.addExtension("Gui::ViewProviderGroupExtensionPython")
+        view.Proxy = job_gui.ViewProvider(view)
+
+
+def add_to_workbench(commands):
+    """Puts commands beside FreeCAD's own in the Path / CAM workbench's menu and toolbar."""
+    import FreeCADGui
+
+    if hasattr(FreeCADGui, "addWorkbenchManipulator"):
+        FreeCADGui.addWorkbenchManipulator(_Manipulator(commands))
+        return
+    workbench = FreeCADGui.listWorkbenches().get(WORKBENCH)
+    if workbench is None:
+        return
+    initialize = workbench.Initialize
+
+    def initialize_with_ours():
+        initialize()
+        workbench.appendToolbar(TOOLBAR, list(commands))
+        workbench.appendMenu([MENU], list(commands))
+
+    workbench.Initialize = initialize_with_ours
+
+
+class _Manipulator:
+    """What FreeCAD 1.0 asks when it fills menus and toolbars; it answers for every workbench,
+    FreeCAD skips where the neighbour is missing.
+    """
+
+    def __init__(self, commands):
+        self.commands = list(commands)
+
+    def modifyMenuBar(self):
+        return [{"insert": c, "menuItem": NEIGHBOUR, "after": ""} for c in self.commands]
+
+    def modifyToolBars(self):
+        return [{"insert": c, "toolItem": NEIGHBOUR, "after": ""} for c in self.commands]

@@ -1,0 +1,25 @@
+"""Adaptive: clears any pocket at constant engagement."""
+
+from evenload import host
+from evenload.operations import base
+
+NAME = "EvenLoad Adaptive"
+
+
+class Adaptive(base.Operation):
+    """Proxy of the adaptive operation. Documents refer to this class by its module and name: both
+    stay.
+    """
+
+    name = NAME
+
+    def generate(self, obj, core, regions, parameters):
+        return core.clear_pocket(regions, **parameters)
+
+
+def Create(name, obj=None, parentJob=None, toolController=None):
+    """A new adaptive operation, as a document object; see base.create for the arguments."""
+    return base.create(Adaptive, name, obj, parentJob, toolController)
+
+
+host.register_operation(NAME, Create, base.setup_properties)

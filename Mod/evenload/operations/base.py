@@ -1,0 +1,637 @@
+"""What all operations have in common: properties, checks, and the data flow from base geometry to
+the path.
+"""
+
+import math
+from dataclasses import dataclass
+
+import FreeCAD
+import Path
+
+from evenload import commands, compiled, host, shape
+from evenload import tool as tools
+
+FORMAT = 1  # of the properties in a document: to be raised when their meaning changes
+GROUP = "EvenLoad"
+RESULTS = "EvenLoad results"
+
+
+@dataclass(frozen=True)
+class Setting:
+    """One property of an operation. `value` is its default; for an enumeration the list of choices,
+    the first is the default; None where it follows the tool and its controller.
+    """
+
+    name: str
+    type: str
+    value: object
+    doc: str
+    group: str = GROUP
+
+    def in_setup_sheet(self):
+        """Whether FreeCAD's SetupSheet can keep a default for it."""
+        return self.type in SETUP_SHEET_TYPES and self.value is not None and self.group == GROUP
+
+
+SETUP_SHEET_TYPES = (
+    "App::PropertyAngle",
+    "App::PropertyBool",
+    "App::PropertyEnumeration",
+    "App::PropertyLength",
+)
+
+SETTINGS = (
+    Setting(
+        "EngagementAngle",
+        "App::PropertyAngle",
+        60.0,
+        "Target and limit of the tool's engagement angle, between 0 and 180 degrees",
+    ),
+    Setting(
+        "SideStep",
+        "App::PropertyLength",
+        None,
+        "The engagement angle as the side step of a straight cut, r (1 - cos angle): "
+        "setting one sets the other",
+    ),
+    Setting(
+        "CutMode",
+        "App::PropertyEnumeration",
+        ["Climb", "Conventional"],
+        "Which way the cutting edges meet the material, for a spindle that turns clockwise",
+    ),
+    Setting(
+        "FeedControl",
+        "App::PropertyEnumeration",
+        ["Constant feed", "Constant removal rate"],
+        "What stays the same where the engagement is below its target",
+    ),
+    Setting(
+        "MaximumFeed",
+        "App::PropertySpeed",
+        None,
+        "Cap of the feed control; at first twice the tool controller's horizontal feed",
+    ),
+    Setting(
+        "LinkFeed",
+        "App::PropertySpeed",
+        None,
+        "Feed of links at depth over cleared ground; at first the tool controller's horizontal "
+        "rapid feed",
+    ),
+    Setting(
+        "LinkLift",
+        "App::PropertyLength",
+        0.0,
+        "How far links rise above the floor; never above the top",
+    ),
+    Setting(
+        "Entry",
+        "App::PropertyEnumeration",
+        ["Automatic", "Helix", "Ramp", "Predrilled hole"],
+        "How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, "
+        "else a ramp",
+    ),
+    Setting("HelixAngle", "App::PropertyAngle", 3.0, "Descent of helix and ramp against the level"),
+    Setting(
+        "HelixDiameter",
+        "App::PropertyLength",
+        None,
+        "Diameter of the tool centre's helix; at first 0.9 of the tool's, and less where that "
+        "does not fit",
+    ),
+    Setting(
+        "EntryPoint",
+        "App::PropertyVectorDistance",
+        FreeCAD.Vector(),
+        "Centre of the pre-drilled hole",
+    ),
+    Setting(
+        "HoleDiameter",
+        "App::PropertyLength",
+        0.0,
+        "Diameter of the pre-drilled hole; there is no hole until it is set",
+    ),
+    Setting(
+        "RollRadius",
+        "App::PropertyLength",
+        None,
+        "Wished radius of roll-in and roll-out; at first 0.15 of the tool's diameter",
+    ),
+    Setting(
+        "MinimumRadius",
+        "App::PropertyLength",
+        None,
+        "Wished smallest radius of the path; at first 0.15 of the tool's diameter",
+    ),
+    Setting("StockToLeave", "App::PropertyLength", 0.0, "What stays at the walls"),
+    Setting(
+        "WallPass", "App::PropertyBool", True, "A last pass along the walls takes what is left"
+    ),
+    Setting(
+        "Tolerance",
+        "App::PropertyLength",
+        0.005,
+        "Largest distance of the output from the exact path; never into a wall",
+    ),
+    Setting("Arcs", "App::PropertyBool", True, "Arcs in the output (G2, G3); without, lines only"),
+)
+
+RESULT_SETTINGS = (
+    Setting(
+        "MaxEngagement",
+        "App::PropertyAngle",
+        0.0,
+        "Largest engagement angle, mean over 0.1 mm",
+        RESULTS,
+    ),
+    Setting(
+        "CuttingTime",
+        "App::PropertyFloat",
+        0.0,
+        "Time for cuts, links, entries and retracts, in s",
+        RESULTS,
+    ),
+    Setting(
+        "IdealTime",
+        "App::PropertyFloat",
+        0.0,
+        "Area over side step and feed, in s: no path is faster",
+        RESULTS,
+    ),
+    Setting("RemovedVolume", "App::PropertyVolume", 0.0, "Volume that the path removes", RESULTS),
+    Setting(
+        "UncutArea",
+        "App::PropertyArea",
+        0.0,
+        "Area that the tool could reach and did not clear",
+        RESULTS,
+    ),
+    Setting(
+        "Retracts",
+        "App::PropertyInteger",
+        0,
+        "How often the tool rises and comes down again",
+        RESULTS,
+    ),
+    Setting(
+        "Report",
+        "App::PropertyString",
+        "",
+        "What was not done, where and why; the error of a failed operation",
+        RESULTS,
+    ),
+)
+
+HIDDEN_SETTINGS = (
+    Setting(
+        "OwnValues",
+        "App::PropertyStringList",
+        [],
+        "Names of the settings that no longer follow the tool",
+        RESULTS,
+    ),
+    Setting(
+        "FormatVersion",
+        "App::PropertyInteger",
+        FORMAT,
+        "Format of this operation's properties",
+        RESULTS,
+    ),
+)
+
+FOLLOWERS = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius")
+POSITIVE = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius", "Tolerance")
+
+
+@dataclass
+class Computation:
+    """What the last successful run worked on, for reports and pictures; it is not saved with the
+    document.
+    """
+
+    floors: list  # of shape.Floor
+    regions: list  # the core's
+    toolpath: object
+    tool: object  # tool.Tool
+    data: object  # tool.CuttingData
+    hole: tuple  # (x, y, diameter) in mm, or None
+
+
+class Operation(host.operation_base()):
+    """Proxy of an operation. A subclass says in `generate` which of the core's strategies it is."""
+
+    name = ""  # under which the SetupSheet knows the operation
+    settings = SETTINGS
+
+    # Restored proxies come into being without __init__.
+    last = None
+    progress = None  # callable(share) -> bool, asked while the core works; False stops it
+    _wished_controller = None
+    _changing = False
+
+    def __init__(self, obj, name, parentJob=None, toolController=None):
+        self._wished_controller = toolController
+        super().__init__(obj, self.name or name, parentJob)
+
+    # ---- properties ----
+
+    def opFeatures(self, obj):
+        return host.features()
+
+    def initOperation(self, obj):
+        if isinstance(obj, FreeCAD.DocumentObject):
+            for setting in (*self.settings, *RESULT_SETTINGS, *HIDDEN_SETTINGS):
+                self._add(obj, setting)
+            self._set_editor_modes(obj)
+            return
+        for (
+            setting
+        ) in self.settings:  # FreeCAD's stand-in for an operation, which the SetupSheet asks
+            if setting.in_setup_sheet():
+                obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
+                setattr(obj, setting.name, setting.value)
+
+    def _add(self, obj, setting):
+        if hasattr(obj, setting.name):
+            if isinstance(setting.value, list) and setting.type == "App::PropertyEnumeration":
+                value = getattr(obj, setting.name)
+                setattr(obj, setting.name, setting.value)
+                if value in setting.value:
+                    setattr(obj, setting.name, value)
+            return
+        # Results are outputs: they change without making the document's other objects out of date.
+        attribute = 0 if setting.group == GROUP else OUTPUT
+        obj.addProperty(setting.type, setting.name, setting.group, setting.doc, attribute)
+        if setting.value is not None:
+            setattr(obj, setting.name, setting.value)
+
+    def _set_editor_modes(self, obj):
+        for setting in RESULT_SETTINGS:
+            obj.setEditorMode(setting.name, 1)  # read-only
+        for setting in HIDDEN_SETTINGS:
+            obj.setEditorMode(setting.name, 2)
+
+    def opOnDocumentRestored(self, obj):
+        self._changing = True
+        try:
+            self.initOperation(obj)
+        finally:
+            self._changing = False
+
+    def setDefaultValues(self, obj):
+        with host.chosen_tool_controller(self._wished_controller):
+            return super().setDefaultValues(obj)
+
+    def opSetDefaultValues(self, obj, job):
+        if self._wished_controller is not None:
+            obj.ToolController = self._wished_controller
+        obj.OpToolDiameter = tools.diameter(obj.ToolController)
+        self.follow_tool(obj)
+
+    def opOnChanged(self, obj, prop):
+        if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
+            return
+        if prop in FOLLOWERS and hasattr(obj, "OwnValues"):
+            if prop not in obj.OwnValues:
+                obj.OwnValues = obj.OwnValues + [prop]
+        elif prop == "ToolController":
+            self.follow_tool(obj)
+        elif prop == "EngagementAngle":
+            self._set_side_step(obj)
+        elif prop == "SideStep":
+            self._set_angle(obj)
+
+    def follow_tool(self, obj, again=()):
+        """Sets what follows the tool and its controller. again: names of settings that shall follow
+        once more.
+        """
+        if not hasattr(obj, "OwnValues"):
+            return
+        if again:
+            obj.OwnValues = [name for name in obj.OwnValues if name not in again]
+        controller = obj.ToolController
+        diameter = tools.diameter(controller)
+        if not diameter > 0:
+            return
+        feed, rapid = controller.HorizFeed.Value, controller.HorizRapid.Value
+        values = {
+            "MaximumFeed": 2 * feed,
+            "LinkFeed": rapid or 2 * feed,
+            "HelixDiameter": 0.9 * diameter,
+            "RollRadius": 0.15 * diameter,
+            "MinimumRadius": 0.15 * diameter,
+        }
+        self._changing = True
+        try:
+            for name, value in values.items():
+                if name not in obj.OwnValues:
+                    _set(obj, name, value)
+        finally:
+            self._changing = False
+        self._set_side_step(obj)
+
+    def _set_side_step(self, obj):
+        radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value
+        if radius > 0 and 0 < angle < 180:
+            self._quietly(obj, "SideStep", radius * (1 - math.cos(math.radians(angle))))
+
+    def _set_angle(self, obj):
+        radius, step = tools.diameter(obj.ToolController) / 2, obj.SideStep.Value
+        if radius > 0 and 0 < step < 2 * radius:
+            self._quietly(obj, "EngagementAngle", math.degrees(math.acos(1 - step / radius)))
+
+    def _quietly(self, obj, name, value):
+        before, self._changing = self._changing, True
+        try:
+            _set(obj, name, value)
+        finally:
+            self._changing = before
+
+    # ---- base geometry and depths ----
+
+    def sanitizeBase(self, obj):
+        """FreeCAD would clear base geometry that is no longer there, and stumbles over whole
+        sketches; we keep it, and say in execute what is missing.
+        """
+        return False
+
+    def addBase(self, obj, base, sub):
+        """Adds a face, an edge or, with sub '', a whole sketch. Doubles are left out."""
+        entries = [(o, name) for o, names in obj.Base for name in (names or ("",))]
+        if self._setBaseAndStock(obj, True):
+            for model in self.job.Model.Group:
+                if base == self.job.Proxy.baseObject(self.job, model):
+                    base = model
+        if (base, sub) not in entries:
+            obj.Base = [*entries, (base, sub)]
+
+    def updateDepths(self, obj, ignoreErrors=False):
+        """OpStartDepth: the top of the stock. OpFinalDepth: the highest of the base geometry, or
+        the top of the model.
+        """
+        if not self._setBaseAndStock(obj, ignoreErrors):
+            return False
+        box = self.stock.Shape.BoundBox
+        _set(obj, "OpStockZMin", box.ZMin)
+        _set(obj, "OpStockZMax", box.ZMax)
+        levels = shape.heights(obj.Base)
+        tops = [m.Shape.BoundBox.ZMax for m in self.model if not m.Shape.isNull()]
+        final = max(levels) if levels else max(tops, default=box.ZMin)
+        start = max([box.ZMax, *tops])
+        if start <= final + 1e-4:
+            start = final + (obj.StepDown.Value or 1.0)
+        _set(obj, "OpFinalDepth", final)
+        _set(obj, "OpStartDepth", start)
+        return True
+
+    # ---- running ----
+
+    def execute(self, obj):
+        """Computes the path. On any error the path is emptied, Report says why, and the operation
+        becomes invalid.
+        """
+        self.last = None
+        try:
+            if obj.Active:
+                self._check_job(obj)
+                self.follow_tool(obj)
+            else:
+                self._clear_results(obj)
+            return super().execute(obj)
+        except Exception as error:
+            obj.Path = Path.Path()
+            obj.CycleTime = ""
+            self._clear_results(obj)
+            obj.Report = str(error)
+            if isinstance(error, (ValueError, ImportError)):
+                raise error.with_traceback(None) from None
+            raise
+
+    def opExecute(self, obj):
+        core = compiled.core()
+        tool, data = tools.read(obj.ToolController)
+        levels = self._check(obj, tool, data)
+        floors = shape.floors(
+            obj.Base,
+            [m.Shape for m in self.model],
+            self.stock.Shape,
+            tool.diameter,
+            obj.Tolerance.Value,
+        )
+        regions = [floor.region() for floor in floors]
+        hole = self._hole(obj, tool, floors)
+        toolpath = self.generate(
+            obj, core, regions, self._parameters(obj, tool, data, levels, hole)
+        )
+        self._check_entries(obj, tool, toolpath)
+        moves = toolpath.moves
+        while (
+            moves and moves[-1][0] == commands.RAPID and moves[-1][3] >= obj.ClearanceHeight.Value
+        ):
+            moves.pop()  # FreeCAD itself ends every operation there
+        self.commandlist.extend(commands.from_moves(moves))
+        self.last = Computation(floors, regions, toolpath, tool, data, hole)
+        self._set_results(obj, toolpath.report, [n for floor in floors for n in floor.notes])
+
+    def generate(self, obj, core, regions, parameters):
+        """The core's toolpath for the regions."""
+        raise NotImplementedError
+
+    def _check_job(self, obj):
+        job = host.parent_job(obj)
+        if job is None:
+            raise ValueError("'%s' belongs to no job: create it in one." % obj.Label)
+        if not job.Model.Group:
+            raise ValueError("The job '%s' has no model: add one to it." % job.Label)
+        if job.Stock is None:
+            raise ValueError("The job '%s' has no stock: give it one." % job.Label)
+        tools.read(obj.ToolController)
+
+    def _check(self, obj, tool, data):
+        """Raises ValueError for settings that cannot be used; returns the levels' heights."""
+        angle = obj.EngagementAngle.Value
+        if not 0 < angle < 180:
+            raise ValueError(
+                "EngagementAngle is %g degrees: it must lie between 0 and 180 degrees." % angle
+            )
+        if not 0 < obj.SideStep.Value < tool.diameter:
+            raise ValueError(
+                "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
+                % (obj.SideStep.Value, tool.diameter)
+            )
+        for name in POSITIVE:
+            if not getattr(obj, name).Value > 0:
+                raise ValueError("%s is %s: it must be positive." % (name, _text(obj, name)))
+        for name in ("LinkLift", "HoleDiameter", "StockToLeave"):
+            if getattr(obj, name).Value < 0:
+                raise ValueError("%s is %s: it must not be negative." % (name, _text(obj, name)))
+        if not 0 < obj.HelixAngle.Value < 90:
+            raise ValueError(
+                "HelixAngle is %g degrees: it must lie between 0 and 90 degrees."
+                % obj.HelixAngle.Value
+            )
+        if 60 * obj.MaximumFeed.Value < data.feed * (1 - 1e-9):
+            raise ValueError(
+                "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
+                "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
+            )
+        return self._levels(obj, tool)
+
+    def _levels(self, obj, tool):
+        start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
+        if not start > final:
+            raise ValueError(
+                "StartDepth (%g mm) does not lie above FinalDepth (%g mm): raise StartDepth or "
+                "lower FinalDepth." % (start, final)
+            )
+        if not step > 0:
+            raise ValueError("StepDown is %g mm: it must be positive." % step)
+        if tool.cutting_length and start - final > tool.cutting_length + 1e-6:
+            raise ValueError(
+                "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
+                "take a longer tool or raise FinalDepth."
+                % (start - final, tool.cutting_length, tool.name)
+            )
+        if obj.SafeHeight.Value < start:
+            raise ValueError(
+                "SafeHeight (%g mm) lies below StartDepth (%g mm): raise it."
+                % (obj.SafeHeight.Value, start)
+            )
+        if obj.ClearanceHeight.Value < obj.SafeHeight.Value:
+            raise ValueError(
+                "ClearanceHeight (%g mm) lies below SafeHeight (%g mm): raise it."
+                % (obj.ClearanceHeight.Value, obj.SafeHeight.Value)
+            )
+        return host.cutting_levels(start, step, final)
+
+    def _hole(self, obj, tool, floors):
+        """(x, y, diameter) of the pre-drilled hole, or None."""
+        diameter, at = obj.HoleDiameter.Value, obj.EntryPoint
+        if obj.Entry not in ("Automatic", "Predrilled hole"):
+            return None
+        if not diameter > 0:
+            if obj.Entry == "Predrilled hole":
+                raise ValueError(
+                    "Entry is 'Predrilled hole', but there is no hole: set EntryPoint and "
+                    "HoleDiameter."
+                )
+            return None
+        if diameter < tool.diameter - 1e-9:
+            raise ValueError(
+                "HoleDiameter (%g mm) is smaller than the tool's diameter of %g mm: drill a "
+                "larger hole or choose another Entry." % (diameter, tool.diameter)
+            )
+        if not any(floor.contains(at.x, at.y) for floor in floors):
+            raise ValueError(
+                "EntryPoint (%g, %g) lies outside %s: move it inside."
+                % (at.x, at.y, " and ".join(floor.name for floor in floors))
+            )
+        return at.x, at.y, diameter
+
+    def _parameters(self, obj, tool, data, levels, hole):
+        """Keyword arguments of the core's generators; mm, rad, mm/min."""
+        return {
+            "tool_diameter": tool.diameter,
+            "engagement_angle": math.radians(obj.EngagementAngle.Value),
+            "cut_mode": obj.CutMode.lower(),
+            "feed_control": obj.FeedControl.lower(),
+            "feed": data.feed,
+            "plunge_feed": data.plunge_feed,
+            "link_feed": 60 * obj.LinkFeed.Value,
+            "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
+            "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
+            "roll_radius": obj.RollRadius.Value,
+            "minimum_radius": obj.MinimumRadius.Value,
+            "entry": obj.Entry.lower(),
+            "helix_angle": math.radians(obj.HelixAngle.Value),
+            "helix_diameter": obj.HelixDiameter.Value,
+            "entry_point": hole[:2] if hole else None,
+            "hole_diameter": hole[2] if hole else 0.0,
+            "stock_to_leave": obj.StockToLeave.Value,
+            "wall_pass": obj.WallPass,
+            "tolerance": obj.Tolerance.Value,
+            "arcs": obj.Arcs,
+            "link_lift": obj.LinkLift.Value,
+            "top": obj.StartDepth.Value,
+            "levels": levels,
+            "safe_height": obj.SafeHeight.Value,
+            "clearance_height": obj.ClearanceHeight.Value,
+            "progress": self.progress,
+        }
+
+    def _check_entries(self, obj, tool, toolpath):
+        """A tool that does not cut at its centre can only go down in a helix or a hole, or beside
+        the material.
+        """
+        if tool.centre_cutting:
+            return
+        x = y = None
+        for kind, nx, ny, nz, sweep, *_ in toolpath.moves:
+            if kind == commands.ENTRY and not sweep and x is not None and (nx, ny) != (x, y):
+                raise ValueError(
+                    "The tool '%s' does not cut at its centre and cannot enter by a ramp near "
+                    "(%g, %g): set a pre-drilled hole, or take a tool that cuts at its centre."
+                    % (tool.name, nx, ny)
+                )
+            x, y = nx, ny
+
+    def _set_results(self, obj, report, notes):
+        _set(obj, "MaxEngagement", math.degrees(report.max_engagement))
+        obj.CuttingTime = report.cutting_time
+        obj.IdealTime = report.ideal_time
+        obj.RemovedVolume = report.removed_volume
+        obj.UncutArea = report.uncut_area
+        obj.Retracts = report.retracts
+        lines = [*notes, *report.notes]
+        if report.termination == "cancelled":
+            lines.insert(0, "Cancelled: the path is not complete.")
+        obj.Report = "\n".join(lines)
+
+    def _clear_results(self, obj):
+        for setting in RESULT_SETTINGS:
+            setattr(obj, setting.name, setting.value)
+
+
+OUTPUT = 8  # FreeCAD's property attribute for results
+
+
+def setup_properties():
+    """Names of the settings that a job's SetupSheet can keep defaults for."""
+    return [setting.name for setting in SETTINGS if setting.in_setup_sheet()]
+
+
+def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
+    """A new operation of a proxy class: what every operation's Create does.
+
+    name: of the new document object; obj: one to use instead; parentJob: the job, needed when there
+    are several; toolController: one of the job's, needed when there are several and nobody can be
+    asked. Nothing is left in the document when it fails.
+    """
+    made = obj is None
+    if made:
+        doc = parentJob.Document if parentJob else FreeCAD.ActiveDocument
+        FreeCAD.setActiveDocument(doc.Name)
+        obj = doc.addObject("Path::FeaturePython", name)
+    try:
+        obj.Proxy = proxy_class(obj, name, parentJob, toolController)
+    except Exception:
+        if made:
+            obj.Document.removeObject(obj.Name)
+        raise
+    return obj
+
+
+def _set(obj, name, value):
+    """Assigns only what differs, so that nothing is touched without need."""
+    before = getattr(obj, name)
+    before = getattr(before, "Value", before)
+    if abs(before - value) > 1e-9 * max(1.0, abs(value)):
+        setattr(obj, name, value)
+
+
+def _text(obj, name):
+    value = getattr(obj, name)
+    if obj.getTypeIdOfProperty(name) == "App::PropertySpeed":
+        return "%g mm/min" % (60 * value.Value)
+    return "%g mm" % value.Value

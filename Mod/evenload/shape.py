@@ -1,0 +1,386 @@
+"""Base geometry of an operation -> regions of the core.
+
+Faces parallel to XY, whole sketches and closed edges become regions. A face's edges that have no
+wall above them, and nothing of the stock beyond them, are marked open: there the tool may come in
+from outside.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import FreeCAD
+import numpy
+import Part
+
+from evenload import compiled
+
+UP = FreeCAD.Vector(0, 0, 1)
+SAME_HEIGHT = 1e-5  # mm: faces nearer than this are at one height
+ABOVE_FLOOR = (
+    0.01  # mm: walls are looked for this far above a face; finds the foot of a fillet, too
+)
+DEFLECTION = 0.005  # mm: of polygons that stand for the model's outline at a height
+BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
+REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
+MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
+ACROSS = 10  # rows of points on the ground up to there
+FAN = (-80, -50, -25, 0, 25, 50, 80)  # degrees from an edge's normal, at its ends
+
+
+@dataclass
+class Floor:
+    """One region and where it comes from."""
+
+    name: str  # such as 'Face7 of Model'
+    z: float  # mm
+    outer: list  # of (x, y, bulge, open)
+    islands: list
+    notes: list = field(default_factory=list)
+
+    def region(self):
+        """The core's Region. Raises ValueError, naming the geometry, for one that is crossed or
+        outside out.
+        """
+        try:
+            return compiled.core().Region(self.outer, self.islands)
+        except ValueError as error:
+            raise ValueError("%s: %s" % (self.name, error)) from None
+
+    def contains(self, x, y):
+        """True for points in mm inside of the outer boundary and of no island."""
+        polygons = [_flattened(chain) for chain in [self.outer, *self.islands]]
+        return bool(_inside(numpy.array([[x, y]]), polygons)[0])
+
+
+def floors(base, models, stock, tool_diameter, tolerance):
+    """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
+
+    models: shapes of the job's model, stock: shape of its stock or None, both in place;
+    tool_diameter and tolerance in mm. Raises ValueError with a sentence that names the geometry.
+    """
+    found = []
+    for item in _items(base):
+        found += _read(item, tolerance)
+    if not found:
+        raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
+    walls = _Walls(models, stock)
+    result = []
+    for floor, is_face in found:
+        if is_face:
+            _judge_edges(floor, walls, tool_diameter, tolerance)
+        result.append(floor)
+    return result
+
+
+def heights(base):
+    """The z in mm of everything in `base` that is there and parallel to XY."""
+    result = []
+    for obj, names in base:
+        shape = getattr(obj, "Shape", None)
+        if shape is None or shape.isNull():
+            continue
+        for name in names or ("",):
+            part = _element(shape, name)
+            if part is not None and part.Vertexes:
+                z = [v.Z for v in part.Vertexes]
+                if max(z) - min(z) < SAME_HEIGHT and part.BoundBox.ZLength < SAME_HEIGHT:
+                    result.append(z[0])
+    return result
+
+
+# ---- reading ----
+
+
+@dataclass
+class _Item:
+    name: str
+    shape: object
+    is_face: bool
+
+
+def _element(shape, name):
+    if not name:
+        return shape
+    try:
+        return shape.getElement(name)
+    except (ValueError, Part.OCCError, AttributeError):
+        return None
+
+
+def _items(base):
+    """What to read one by one: every face, what is left of each object's edges together, whole
+    objects.
+    """
+    result = []
+    for obj, names in base:
+        label = obj.Label
+        shape = getattr(obj, "Shape", None)
+        if shape is None or shape.isNull():
+            raise ValueError("'%s' has no shape: pick a face or a sketch." % label)
+        faces, edges = [], []
+        for name in names or ("",):
+            part = _element(shape, name)
+            if part is None:
+                raise ValueError("There is no %s on %s: pick the geometry anew." % (name, label))
+            if part.ShapeType == "Face":
+                faces.append(_Item("%s of %s" % (name, label) if name else label, part, True))
+            elif name and part.ShapeType in ("Edge", "Wire"):
+                edges.append((name, part))
+            elif name:
+                raise ValueError(
+                    "%s of %s is no face and no edge: pick a face or a sketch." % (name, label)
+                )
+            elif part.Solids or part.Shells:
+                raise ValueError("%s is a solid: pick faces of it, or a sketch." % label)
+            else:
+                result.append(_Item(label, part, bool(part.Faces)))
+        result += _merged(faces)
+        if edges:
+            name = "%s of %s" % (", ".join(n for n, _ in edges), label)
+            result.append(_Item(name, Part.Compound([e for _, e in edges]), False))
+    return result
+
+
+def _merged(faces):
+    """Faces at one height that have an edge in common, as one face."""
+    result = []
+    for item in faces:
+        for k, other in enumerate(result):
+            boxes = item.shape.BoundBox, other.shape.BoundBox
+            if abs(boxes[0].ZMax - boxes[1].ZMin) > SAME_HEIGHT or boxes[0].ZLength > SAME_HEIGHT:
+                continue
+            if not boxes[0].intersect(boxes[1]):
+                continue
+            both = other.shape.fuse(item.shape).removeSplitter()
+            if len(both.Faces) == 1:
+                names = other.name.split(" of ", 1)
+                name = "%s, %s" % (names[0], item.name) if len(names) == 2 else other.name
+                result[k] = _Item(name, both.Faces[0], True)
+                break
+        else:
+            result.append(item)
+    return result
+
+
+def _read(item, tolerance):
+    occt = compiled.occt()
+    try:
+        found = occt.regions_from_brep(item.shape.exportBrepToString(), tolerance)
+    except occt.ShapeError as error:
+        raise ValueError(_sentence(item, error)) from None
+    return [
+        (Floor(item.name, z, list(outer), [list(i) for i in islands]), item.is_face)
+        for z, outer, islands in found
+    ]
+
+
+def _sentence(item, error):
+    if item.is_face and error.reason == "tilted":
+        return "%s is tilted: pick a face parallel to XY." % item.name
+    if item.is_face and error.reason == "not planar":
+        return "%s is not flat: pick a flat face parallel to XY." % item.name
+    return "%s: %s" % (item.name, error)
+
+
+# ---- open edges ----
+
+
+class _Walls:
+    """The model's and the stock's outlines at any height, made when they are asked for."""
+
+    def __init__(self, models, stock):
+        self.models = models
+        self.stock = stock
+        self.top = max((m.BoundBox.ZMax for m in models), default=-math.inf)
+        self._sections = {}
+
+    def model_at(self, z):
+        return self._section("model", self.models, z)
+
+    def stock_at(self, z):
+        return self._section("stock", [self.stock] if self.stock else [], z)
+
+    def _section(self, what, shapes, z):
+        key = what, round(z, 6)
+        if key not in self._sections:
+            polygons = []
+            for shape in shapes:
+                if shape.BoundBox.ZMin < z < shape.BoundBox.ZMax:
+                    polygons.append(
+                        [_points(wire) for wire in shape.slice(UP, z) if wire.isClosed()]
+                    )
+            self._sections[key] = polygons
+        return self._sections[key]
+
+    def heights_above(self, z):
+        """Heights, one between each two at which the model has a vertex."""
+        levels = {round(v.Z, 4) for m in self.models for v in m.Vertexes if v.Z > z + ABOVE_FLOOR}
+        levels = [z + ABOVE_FLOOR] + sorted(levels)
+        between = [0.5 * (a + b) for a, b in zip(levels, levels[1:]) if b - a > 2 * ABOVE_FLOOR]
+        step = max(1, math.ceil(len(between) / MOST_HEIGHTS))
+        return between[::step]
+
+    @staticmethod
+    def any_inside(points, sections):
+        """For each point, whether it lies inside one of the sections (lists of nested polygons)."""
+        result = numpy.zeros(len(points), bool)
+        for polygons in sections:
+            if polygons:
+                result |= _inside(points, polygons)
+        return result
+
+
+def _judge_edges(floor, walls, tool_diameter, tolerance):
+    """Marks the open edges of a floor; drops islands that are holes in the floor with the stock
+    still in them.
+    """
+    z = floor.z + ABOVE_FLOOR
+    kept = []
+    for island in floor.islands:
+        island = _oriented(island, counter_clockwise=False)
+        if not any(_walled(island, i, walls, z, 0.0) for i in range(len(island))):
+            within = numpy.vstack([_beside(island, i) for i in range(len(island))])
+            if walls.any_inside(within, walls.stock_at(z)).any():
+                continue  # a hole in the floor: its stock is cut with the rest
+        kept.append(island)
+    floor.islands = kept
+
+    reach = REACH * tool_diameter
+    outer = floor.outer = _oriented(floor.outer, counter_clockwise=True)
+    free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
+    if all(free):
+        _open_all_round(floor, walls, z, tolerance)
+        return
+    for i, is_free in enumerate(free):
+        if not is_free:
+            continue
+        if walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
+            floor.notes.append(
+                "%s has stock beyond its open side near (%.3f, %.3f): it is treated as a wall."
+                % (floor.name, outer[i][0], outer[i][1])
+            )
+        else:
+            outer[i] = (*outer[i][:3], True)
+
+
+def _open_all_round(floor, walls, z, tolerance):
+    """A floor without walls reaches to the edge of the stock."""
+    pieces = range(len(floor.outer))
+    beside = numpy.vstack([_beside(floor.outer, i) for i in pieces])
+    if walls.any_inside(beside, walls.stock_at(z)).any():
+        within = numpy.vstack([_beside(floor.outer, i, nearest=-BESIDE) for i in pieces])
+        wires = [w for w in walls.stock.slice(UP, z) if w.isClosed()]
+        around = [w for w in wires if _inside(within, [_points(w)]).all()]
+        outline = [_flattened(floor.outer)]
+        others = [
+            polygon
+            for height in [z, *walls.heights_above(z)]
+            for polygons in walls.model_at(height)
+            for polygon in polygons
+            if not _inside(polygon, outline).all()
+        ]
+        if len(around) != 1 or others:
+            floor.notes.append(
+                "%s has stock beyond its open sides: they are treated as walls." % floor.name
+            )
+            return
+        ((_, chain, _),) = compiled.occt().regions_from_brep(
+            around[0].exportBrepToString(), tolerance
+        )
+        floor.outer = _oriented(list(chain), counter_clockwise=True)
+    floor.outer = [(x, y, bulge, True) for x, y, bulge, _ in floor.outer]
+
+
+def _walled(chain, i, walls, z, reach):
+    """Whether a wall of the model stands beside piece i of a chain, at any height above z."""
+    if walls.any_inside(_beside(chain, i), walls.model_at(z)).any():
+        return True
+    beside = _beside(chain, i, reach)
+    return any(
+        walls.any_inside(beside, walls.model_at(height)).any()
+        for height in [z, *walls.heights_above(z)]
+    )
+
+
+def _beside(chain, i, reach=0.0, nearest=BESIDE):
+    """Points to the right of piece i of a chain: `nearest` mm away along it and, with a reach, all
+    the ground up to there.
+    """
+    (x0, y0, bulge, *_), (x1, y1, *_) = chain[i], chain[(i + 1) % len(chain)]
+    dx, dy = x1 - x0, y1 - y0
+    chord = math.hypot(dx, dy)
+    half = 2 * math.atan(bulge)  # rad: half of the sweep
+    start = math.atan2(dy, dx) - half  # rad: direction at the start
+    distances = [nearest]
+    steps = 4
+    if reach:
+        distances += [reach * k / ACROSS for k in range(1, ACROSS + 1)]
+        steps = max(steps, math.ceil(chord * ACROSS / reach))
+    points = []
+    for k in range(steps + 1):
+        t = k / steps
+        at_end = k in (0, steps)
+        if at_end and not reach:
+            continue
+        direction = start + 2 * half * t
+        if bulge:
+            radius = 0.5 * chord / math.sin(half)
+            x = x0 + radius * (math.sin(direction) - math.sin(start))
+            y = y0 - radius * (math.cos(direction) - math.cos(start))
+        else:
+            x, y = x0 + t * dx, y0 + t * dy
+        for degrees in FAN if at_end else (0,):
+            normal = direction - 0.5 * math.pi + math.radians(degrees)
+            u, v = math.cos(normal), math.sin(normal)
+            points += [(x + d * u, y + d * v) for d in distances]
+    return numpy.array(points)
+
+
+def _oriented(chain, counter_clockwise):
+    """The chain in the wished sense of rotation."""
+    area = 0.0
+    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
+        area += 0.5 * (x0 * y1 - x1 * y0)
+        if bulge:
+            sweep = 4 * math.atan(bulge)
+            radius = 0.5 * math.hypot(x1 - x0, y1 - y0) / math.sin(0.5 * sweep)
+            area += 0.5 * radius**2 * (sweep - math.sin(sweep))
+    if (area > 0) == counter_clockwise:
+        return list(chain)
+    turned = list(reversed(chain))
+    pieces = turned[1:] + turned[:1]
+    return [(x, y, -piece[2], piece[3]) for (x, y, *_), piece in zip(turned, pieces)]
+
+
+def _points(wire):
+    return numpy.array([(p.x, p.y) for p in wire.discretize(Deflection=DEFLECTION)])
+
+
+def _flattened(chain):
+    points = []
+    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
+        points.append((x0, y0))
+        if bulge:
+            half = 2 * math.atan(bulge)
+            radius = 0.5 * math.hypot(x1 - x0, y1 - y0) / math.sin(half)
+            start = math.atan2(y1 - y0, x1 - x0) - half
+            cx, cy = x0 - radius * math.sin(start), y0 + radius * math.cos(start)
+            steps = max(2, math.ceil(abs(half) / math.acos(max(0.0, 1 - DEFLECTION / abs(radius)))))
+            for k in range(1, steps):
+                angle = start + 2 * half * k / steps
+                points.append((cx + radius * math.sin(angle), cy - radius * math.cos(angle)))
+    return numpy.array(points)
+
+
+def _inside(points, polygons):
+    """Even-odd: for each point, whether it lies inside nested polygons."""
+    result = numpy.zeros(len(points), bool)
+    px, py = points[:, 0], points[:, 1]
+    for polygon in polygons:
+        x0, y0 = polygon[:, 0][:, None], polygon[:, 1][:, None]
+        x1, y1 = numpy.roll(x0, -1, 0), numpy.roll(y0, -1, 0)
+        across = (y0 > py) != (y1 > py)
+        with numpy.errstate(divide="ignore", invalid="ignore"):
+            left = px < (x1 - x0) * (py - y0) / (y1 - y0) + x0
+        result ^= (across & left).sum(axis=0) % 2 == 1
+    return result

@@ -1,0 +1,126 @@
+"""What an operation needs to know of its tool controller."""
+
+import os
+from dataclasses import dataclass
+
+ASSUMED_RAPID = (
+    5000.0  # mm/min: for estimated times only, where the tool controller names no rapid feed
+)
+
+# Tools that do not leave a flat floor and a straight wall: the tool bit's shape, and its name in a
+# sentence.
+OTHER_SHAPES = {
+    "ballend": "a ball end mill",
+    "chamfer": "a chamfering tool",
+    "dovetail": "a dovetail cutter",
+    "drill": "a drill",
+    "probe": "a probe",
+    "radius": "a corner-rounding tool",
+    "reamer": "a reamer",
+    "slittingsaw": "a slitting saw",
+    "svgtest": "no end mill",
+    "tap": "a tap",
+    "taperedballnose": "a tapered ball end mill",
+    "threadmill": "a thread mill",
+    "vbit": "a V bit",
+}
+END_MILLS = ("endmill", "bullnose")
+# A tool bit of a shape that FreeCAD does not bring along is no end mill when it has one of these.
+ANGLES = ("CuttingEdgeAngle", "TipAngle", "cuttingAngle", "CuttingAngle", "TipDiameter")
+
+
+@dataclass(frozen=True)
+class Tool:
+    """A flat or bull-nosed end mill; lengths in mm."""
+
+    name: str
+    diameter: float  # > 0
+    cutting_length: float  # 0 where the tool bit does not say
+    centre_cutting: bool
+
+
+@dataclass(frozen=True)
+class CuttingData:
+    """Feeds in mm/min, spindle speed in rev/min."""
+
+    feed: float  # > 0, at the engagement angle
+    plunge_feed: float  # > 0
+    rapid_feed: float  # 0 where the tool controller does not say
+    spindle_speed: float
+
+
+def read(controller):
+    """(Tool, CuttingData) of a tool controller. Raises ValueError with a sentence for what cannot
+    be used.
+    """
+    if controller is None:
+        raise ValueError("The operation has no tool: choose a tool controller for it.")
+    bit = controller.Tool
+    if bit is None:
+        raise ValueError(
+            "The tool controller '%s' has no tool: choose one for it." % controller.Label
+        )
+    name = getattr(bit, "Label", None) or getattr(bit, "Name", "") or controller.Label
+    other = _other_shape(bit)
+    if other:
+        raise ValueError(
+            "The tool '%s' is %s: choose a flat or bull-nosed end mill." % (name, other)
+        )
+    diameter = _number(bit, "Diameter")
+    if not diameter > 0:
+        raise ValueError("The diameter of the tool '%s' is %g mm: set it." % (name, diameter))
+    tool = Tool(name, diameter, _number(bit, "CuttingEdgeHeight"), _cuts_at_its_centre(bit))
+    data = CuttingData(
+        60 * controller.HorizFeed.Value,
+        60 * controller.VertFeed.Value,
+        60 * controller.HorizRapid.Value,
+        float(controller.SpindleSpeed),
+    )
+    for value, meaning, name in (
+        (data.feed, "horizontal", "HorizFeed"),
+        (data.plunge_feed, "vertical", "VertFeed"),
+    ):
+        if not value > 0:
+            raise ValueError(
+                "The %s feed of the tool controller '%s' is 0: set its %s."
+                % (meaning, controller.Label, name)
+            )
+    return tool, data
+
+
+def diameter(controller):
+    """The diameter in mm of a tool controller's tool, 0 where there is none."""
+    bit = controller.Tool if controller else None
+    return max(_number(bit, "Diameter"), 0.0) if bit else 0.0
+
+
+def _number(bit, prop):
+    value = getattr(bit, prop, 0.0)
+    return float(getattr(value, "Value", value))
+
+
+def _cuts_at_its_centre(bit):
+    """Tool bits say so, if at all, by a yes / no property of their own."""
+    for prop in ("CentreCutting", "CenterCutting"):
+        if hasattr(bit, prop):
+            return bool(getattr(bit, prop))
+    return True
+
+
+def _other_shape(bit):
+    """What the tool is, in words, when it is no flat or bull-nosed end mill, else None."""
+    if hasattr(bit, "ToolType"):  # FreeCAD 0.20's tools of old jobs
+        kind = str(bit.ToolType)
+        return None if kind in ("EndMill", "Undefined") else "of the type " + kind
+    file = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
+    for word in (file, getattr(bit, "ShapeName", "")):
+        shape = "".join(c for c in word.lower() if c.isalnum())
+        if shape in END_MILLS:
+            return None
+        if shape in OTHER_SHAPES:
+            return OTHER_SHAPES[shape]
+        if shape.startswith("ball"):
+            return OTHER_SHAPES["ballend"]
+    if any(hasattr(bit, prop) for prop in ANGLES):
+        return "no straight cylinder"
+    return None
