@@ -1,5 +1,6 @@
-// Nearest-boundary queries on many curves, by a tree of boxes that a grid of first guesses shortens. Read by any number of
-// threads at once. Laws: nearest() is exact up to rounding; contains() is, off the curves.
+// Nearest-boundary queries on many curves, by a tree of boxes that a grid of first guesses
+// shortens. Read by any number of threads at once. Laws: nearest() is exact up to rounding;
+// contains() is, off the curves.
 #pragma once
 
 #include <memory>
@@ -26,9 +27,11 @@ class BoundaryIndex {
 
   bool empty() const;
   Hit nearest(Vec2 q) const;  // condition: not empty()
-  // Distance to the boundary if it is below `limit`, else `limit`. Faster than nearest() for far points.
+  // Distance to the boundary if it is below `limit`, else `limit`. Faster than nearest() for far
+  // points.
   double distance_below(Vec2 q, double limit) const;
-  // True where q lies inside by winding number over all curves (outer counter-clockwise, islands clockwise).
+  // True where q lies inside by winding number over all curves (outer counter-clockwise, islands
+  // clockwise).
   bool contains(Vec2 q) const;
 
  private:

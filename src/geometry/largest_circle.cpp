@@ -168,11 +168,16 @@ Circle largest_circle(const Region& region, double tolerance) {
     return a.centre.x != b.centre.x ? a.centre.x < b.centre.x : a.centre.y < b.centre.y;
   });
   double last_x = starts.back().centre.x;
-  for (std::size_t i = 0; i < std::min(starts.size(), kClimbs) && starts[i].centre.x <= last_x;
-       ++i) {
-    const Circle c = climber.climb(starts[i].centre, reach);
+  tried.clear();
+  for (const Circle& start : starts) {
+    if (start.centre.x > last_x || tried.size() >= kClimbs) break;
+    const bool known = std::any_of(tried.begin(), tried.end(),
+                                   [&](Vec2 p) { return distance(p, start.centre) < flattening; });
+    if (known) continue;
+    tried.push_back(start.centre);
+    const Circle c = climber.climb(start.centre, reach);
     tops.push_back(c);
-    if (c.radius >= top - kEqual) last_x = std::min(last_x, starts[i].centre.x + 10 * kEqual);
+    if (c.radius >= top - kEqual) last_x = std::min(last_x, start.centre.x + 10 * kEqual);
   }
   for (const Circle& c : tops) top = std::max(top, c.radius);
   std::erase_if(tops, [&](const Circle& c) { return c.radius < top - kEqual; });

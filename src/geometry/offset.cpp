@@ -5,8 +5,8 @@
 //  dropped (offset_graph);
 //  3. what is left is chained into loops; loops that turn counter-clockwise are outlines, the
 //  others islands.
-// At a degenerate d, where fronts just touch, loops may touch too or stay unclosed: then others that
-// differ by less than the tolerance are tried.
+// At a degenerate d, where fronts just touch, loops may touch too or stay unclosed: then others
+// that differ by less than the tolerance are tried.
 
 #include <algorithm>
 #include <stdexcept>
@@ -24,7 +24,7 @@ namespace {
 // does not at the next, and large enough that two fronts which touch then part or meet by more than
 // kSame.
 constexpr double kDetours[] = {0.0, 0.43, -0.47, 0.91, -0.87};
-constexpr double kSame = 0.5;   // below this share of kOffsetTolerance points are one point
+constexpr double kSame = 0.5;  // below this share of kOffsetTolerance points are one point
 
 OffsetTolerances tolerances_for(const Bounds& box, double d) {
   const double extent = std::max({std::abs(box.low.x), std::abs(box.low.y), std::abs(box.high.x),
