@@ -35,6 +35,8 @@ def main():
         Path(target).write_text(json.dumps(figures, indent=1) + "\n")
     if failed:
         print("failed: " + ", ".join(failed))
+    if not figures:
+        print("no figures: bench/ holds no benchmark that yields one")
     return 1 if failed or not figures else 0
 
 
