@@ -39,15 +39,19 @@ def from_moves(moves, start=None):
         if not isfinite(x + y + z + sweep + cx + cy + feed):
             raise ValueError("Move %d of the toolpath is not finite: %r." % (number, move))
         if kind == RAPID:
-            writer.rapid(round(x, DECIMALS), round(y, DECIMALS), round(z, 6))
+            writer.rapid(_rounded(x), _rounded(y), round(z, 6))
             continue
         if not feed > 0:
             raise ValueError("Move %d of the toolpath has no feed: %r." % (number, move))
         if sweep:
             writer.arc(x, y, z, sweep, cx, cy, feed / 60.0)
         else:
-            writer.line(round(x, DECIMALS), round(y, DECIMALS), round(z, 6), feed / 60.0)
+            writer.line(_rounded(x), _rounded(y), round(z, 6), feed / 60.0)
     return writer.commands
+
+
+def _rounded(value):
+    return round(value, DECIMALS) + 0.0  # no negative zeros
 
 
 class _Writer:
@@ -113,7 +117,7 @@ class _Writer:
         self._piece(x, y, z, part, radius, feed)
 
     def _piece(self, x, y, z, sweep, radius, feed):
-        x, y, z = round(x, DECIMALS), round(y, DECIMALS), round(z, 6)
+        x, y, z = _rounded(x), _rounded(y), round(z, 6)
         dx, dy = x - self.x, y - self.y
         chord = hypot(dx, dy)
         if chord < SHORTEST_ARC or radius > LARGEST_RADIUS or radius < SMALLEST_RADIUS:
@@ -138,7 +142,7 @@ def _centre(dx, dy, chord, sweep):
     radius = hypot(i, j)
     if radius > LARGEST_RADIUS:
         return None
-    gi, gj = round(i, DECIMALS), round(j, DECIMALS)
+    gi, gj = _rounded(i), _rounded(j)
     if abs(hypot(gi, gj) - hypot(dx - gi, dy - gj)) > RADIUS_MISMATCH:
         # Moving the centre along the chord makes the radii differ, moving it across bends the arc:
         # both count.
@@ -152,7 +156,7 @@ def _centre(dx, dy, chord, sweep):
                 cost = mismatch + 0.5 * bend * across
                 if best is None or cost < best[0]:
                     best = cost, u, v
-        gi, gj = round(best[1], DECIMALS), round(best[2], DECIMALS)
+        gi, gj = _rounded(best[1]), _rounded(best[2])
     # On the grid the arc must still turn the same way by about the same angle.
     turned = atan2(-gi * (dy - gj) + gj * (dx - gi), -gi * (dx - gi) - gj * (dy - gj))
     turned = turned % (2 * pi) if sweep > 0 else -(-turned % (2 * pi))

@@ -147,7 +147,7 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
         doc.removeObject(replaced.Name)
     controller.SpindleSpeed = float(spindle_speed)
     controller.HorizFeed = controller.VertFeed = "%.9g mm/min" % feed
-    controller.HorizRapid = controller.VertRapid = "5000 mm/min"
+    set_rapid_feed(controller, 5000.0)
     set_stock_margin(job, 0.0)
     doc.recompute()
     return job, controller
@@ -165,6 +165,13 @@ def create_tool(shape, properties):
     if FreeCAD.GuiUp:
         tool.ViewObject.Visibility = False
     return tool
+
+
+def set_rapid_feed(controller, feed):
+    """Sets a tool controller's rapid feeds, in mm/min; at first they follow the SetupSheet."""
+    for name in ("HorizRapid", "VertRapid"):
+        controller.setExpression(name, None)
+        setattr(controller, name, "%.9g mm/min" % feed)
 
 
 def set_stock_margin(job, margin):

@@ -233,6 +233,8 @@ class Operation(host.operation_base()):
     def __init__(self, obj, name, parentJob=None, toolController=None):
         self._wished_controller = toolController
         super().__init__(obj, self.name or name, parentJob)
+        if isinstance(obj, FreeCAD.DocumentObject):
+            self._set_side_step(obj)  # the SetupSheet has set its defaults in the meantime
 
     # ---- properties ----
 
@@ -288,6 +290,7 @@ class Operation(host.operation_base()):
             obj.ToolController = self._wished_controller
         obj.OpToolDiameter = tools.diameter(obj.ToolController)
         self.follow_tool(obj)
+        self._set_side_step(obj)
 
     def opOnChanged(self, obj, prop):
         if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
@@ -329,7 +332,9 @@ class Operation(host.operation_base()):
                     _set(obj, name, value)
         finally:
             self._changing = False
-        self._set_side_step(obj)
+        # A side step that cannot be stays, to be refused.
+        if 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
+            self._set_side_step(obj)
 
     def _set_side_step(self, obj):
         radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value

@@ -1,0 +1,366 @@
+"""Jobs without a GUI: a job file (JSON) -> G-code, pictures and a JSON report.
+
+    EVENLOAD_JOB=jobs.json freecadcmd Mod/evenload/batch.py
+    freecadcmd Mod/evenload/batch.py jobs.json
+
+The job file is described in docs/batch.md. Exit code 0: every job was done; 1: a job failed, the
+others were done; 2: the job file could not be used.
+"""
+
+import json
+import os
+import sys
+import time
+
+if __name__ != "evenload.batch":  # FreeCAD runs this file as a module of its own
+    _folder = os.path.dirname(os.path.abspath(__file__))
+    sys.path[:] = [p for p in sys.path if os.path.abspath(p) != _folder]  # our modules' short names
+    if os.path.dirname(_folder) not in sys.path:
+        sys.path.append(os.path.dirname(_folder))
+
+import FreeCAD  # noqa: E402
+
+from evenload import compiled, report  # noqa: E402
+
+NUMBER = (int, float)
+REQUIRED, OPTIONAL = True, False
+FILE_KEYS = {"jobs": (list, REQUIRED), "report": (str, OPTIONAL)}
+JOB_KEYS = {
+    "name": (str, OPTIONAL),
+    "model": (str, REQUIRED),
+    "object": (str, OPTIONAL),
+    "base": (list, REQUIRED),
+    "stock": (dict, OPTIONAL),
+    "tool": (dict, REQUIRED),
+    "cutting": (dict, REQUIRED),
+    "operation": (dict, REQUIRED),
+    "post": (dict, OPTIONAL),
+    "output": (dict, REQUIRED),
+}
+SECTION_KEYS = {
+    "stock": {"margin": (NUMBER, OPTIONAL)},
+    "tool": {
+        "diameter": (NUMBER, REQUIRED),
+        "shape": (str, OPTIONAL),
+        "flutes": (int, OPTIONAL),
+        "cutting_length": (NUMBER, OPTIONAL),
+    },
+    "cutting": {
+        "feed": (NUMBER, REQUIRED),
+        "plunge_feed": (NUMBER, OPTIONAL),
+        "rapid_feed": (NUMBER, OPTIONAL),
+        "spindle_speed": (NUMBER, REQUIRED),
+    },
+    "operation": {"type": (str, REQUIRED), "parameters": (dict, OPTIONAL)},
+    "post": {"processor": (str, OPTIONAL), "arguments": (str, OPTIONAL)},
+    "output": {
+        "gcode": (str, REQUIRED),
+        "picture": (str, OPTIONAL),
+        "document": (str, OPTIONAL),
+    },
+}
+KINDS = {str: "text", list: "a list", dict: "an object", int: "a whole number", NUMBER: "a number"}
+OPERATIONS = ("adaptive",)
+# FreeCAD's own properties of an operation that a job file may set.
+HOST_PARAMETERS = (
+    "StartDepth",
+    "FinalDepth",
+    "StepDown",
+    "SafeHeight",
+    "ClearanceHeight",
+    "CoolantMode",
+    "Comment",
+)
+PROGRESS_STEP = 0.1  # share of a job between two progress lines
+
+
+def run_file(path, say=print):
+    """Runs every job of a job file. say: takes one line of progress.
+
+    Returns the report: {"jobs": [{"name", "ok", "error", "seconds", "figures", "output"}, ...],
+    "failed": number}. It is also written where the file's "report" says. Raises ValueError for a
+    file that cannot be used at all; a job that cannot be done is in the report.
+    """
+    folder = os.path.dirname(os.path.abspath(path))
+    try:
+        with open(path, encoding="utf-8") as file:
+            content = json.load(file)
+    except OSError as error:
+        raise ValueError("The job file %s cannot be read: %s." % (path, error.strerror)) from None
+    except ValueError as error:
+        raise ValueError("The job file %s is no JSON: %s." % (path, error)) from None
+    _check_keys(content, FILE_KEYS, "The job file %s" % path)
+    missing = compiled.missing()
+    if missing:
+        raise ValueError(missing)
+    jobs = []
+    for number, job in enumerate(content["jobs"], 1):
+        label = "[%d/%d] %s" % (number, len(content["jobs"]), _name(job, number))
+        jobs.append(_run_job(job, number, folder, lambda text: say("%s: %s" % (label, text))))
+    result = {"jobs": jobs, "failed": sum(not job["ok"] for job in jobs)}
+    if "report" in content:
+        _write(os.path.join(folder, content["report"]), json.dumps(result, indent=2) + "\n")
+    return result
+
+
+def _name(job, number):
+    if isinstance(job, dict):
+        for key in ("name", "model"):
+            if isinstance(job.get(key), str):
+                return os.path.splitext(os.path.basename(job[key]))[0]
+    return "job %d" % number
+
+
+def _run_job(job, number, folder, say):
+    result = {"name": _name(job, number), "ok": False, "error": None, "figures": {}, "output": {}}
+    began = time.time()
+    known = set(FreeCAD.listDocuments())
+    try:
+        _check_keys(job, JOB_KEYS, "Job %d" % number)
+        for section, keys in SECTION_KEYS.items():
+            if section in job:
+                _check_keys(job[section], keys, "Job %d, %s" % (number, section))
+        _do(job, number, folder, say, result)
+        result["ok"] = True
+        say("done in %.1f s" % (time.time() - began))
+    except Exception as error:
+        result["error"] = str(error) or type(error).__name__
+        if not isinstance(error, (ValueError, ImportError)):
+            result["error"] = "%s: %s" % (type(error).__name__, error)
+        say("FAILED: " + result["error"])
+    finally:
+        for name in set(FreeCAD.listDocuments()) - known:
+            FreeCAD.closeDocument(name)
+    result["seconds"] = round(time.time() - began, 3)
+    return result
+
+
+def _do(job, number, folder, say, result):
+    from importlib import import_module
+
+    from evenload import host
+
+    kind, parameters = job["operation"]["type"], job["operation"].get("parameters", {})
+    if kind not in OPERATIONS:
+        raise ValueError(
+            "Job %d: there is no operation '%s'; there is %s."
+            % (number, kind, ", ".join(OPERATIONS))
+        )
+    operation = import_module("evenload.operations." + kind)
+    say("reading " + job["model"])
+    doc, model = _open(os.path.join(folder, job["model"]), job.get("object"))
+    cutting, tool = job["cutting"], job["tool"]
+    machine_job, controller = host.create_job(
+        doc,
+        [model],
+        tool["diameter"],
+        cutting["feed"],
+        cutting["spindle_speed"],
+        tool.get("flutes", 1),
+    )
+    if "shape" in tool:
+        controller.Tool = host.create_tool(tool["shape"], {"Diameter": tool["diameter"]})
+    if "cutting_length" in tool:
+        controller.Tool.CuttingEdgeHeight = tool["cutting_length"]
+    if "plunge_feed" in cutting:
+        controller.VertFeed = "%.9g mm/min" % cutting["plunge_feed"]
+    if "rapid_feed" in cutting:
+        host.set_rapid_feed(controller, cutting["rapid_feed"])
+    host.set_stock_margin(machine_job, job.get("stock", {}).get("margin", 0.0))
+    doc.recompute()
+
+    op = operation.Create(result["name"], parentJob=machine_job, toolController=controller)
+    op.Base = _base(doc, model, machine_job.Model.Group[0], job["base"], number)
+    _set_parameters(op, parameters, number)
+    op.Proxy.progress = _progress(say)
+    say("computing")
+    doc.recompute()
+    result["figures"] = report.figures(op)
+    if not op.isValid():
+        raise ValueError(op.Report or op.getStatusString())
+
+    post = job.get("post", {})
+    text = host.post(
+        machine_job, post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
+    )
+    for key, write in (
+        ("gcode", lambda path: _write(path, text)),
+        ("picture", lambda path: report.picture(op, path)),
+        ("document", lambda path: doc.saveCopy(path)),
+    ):
+        if key in job["output"]:
+            path = os.path.abspath(os.path.join(folder, job["output"][key]))
+            os.makedirs(os.path.dirname(path), exist_ok=True)
+            write(path)
+            result["output"][key] = path
+            say("wrote " + os.path.relpath(path))
+
+
+def _open(path, wanted):
+    """(document, object to machine) of a FreeCAD document or a STEP, IGES or BREP file."""
+    if not os.path.isfile(path):
+        raise ValueError("There is no model file %s." % path)
+    extension = os.path.splitext(path)[1].lower()
+    try:
+        if extension == ".fcstd":
+            doc = FreeCAD.openDocument(path, True)
+        else:
+            import Part
+
+            shape = Part.read(path)
+            doc = FreeCAD.newDocument("Batch")
+            doc.addObject("Part::Feature", "Model").Shape = shape
+            doc.recompute()
+    except Exception as error:
+        raise ValueError("The model %s cannot be read: %s." % (path, str(error).strip())) from None
+    solids = [o for o in doc.Objects if getattr(o, "Shape", None) and o.Shape.Solids]
+    if wanted:
+        found = [o for o in doc.Objects if wanted in (o.Name, o.Label)]
+        if not found:
+            raise ValueError(
+                "There is no object '%s' in %s: it has %s."
+                % (wanted, path, ", ".join(o.Name for o in doc.Objects))
+            )
+        return doc, found[0]
+    tops = [o for o in solids if not any(parent in solids for parent in o.InList)]
+    if len(tops) != 1:
+        raise ValueError(
+            "The model %s has %d solid objects: name one with the key 'object'%s."
+            % (path, len(tops), ", of " + ", ".join(o.Name for o in tops) if tops else "")
+        )
+    return doc, tops[0]
+
+
+def _base(doc, model, in_job, names, number):
+    """Base geometry from names: 'Face7' of the model, 'Sketch' or 'Body.Face7' of the document."""
+    base = []
+    for name in names:
+        if not isinstance(name, str):
+            raise ValueError("Job %d, base: %r is no name." % (number, name))
+        owner, _, element = name.rpartition(".")
+        if not owner and not _has(in_job, element):
+            owner, element = element, ""
+        if not owner:
+            base.append((in_job, element))
+            continue
+        found = [o for o in doc.Objects if owner in (o.Name, o.Label)]
+        if not found or (element and not _has(found[0], element)):
+            raise ValueError(
+                "Job %d, base: there is no '%s': name faces or edges of %s, as 'Face1', or "
+                "sketches." % (number, name, model.Name)
+            )
+        base.append((in_job if found[0] is model and element else found[0], element))
+    return base
+
+
+def _has(obj, element):
+    try:
+        return bool(obj.Shape.getElement(element))
+    except Exception:
+        return False
+
+
+def _set_parameters(op, parameters, number):
+    """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points."""
+    known = [s.name for s in op.Proxy.settings] + list(HOST_PARAMETERS)
+    for name, value in parameters.items():
+        if name not in known:
+            raise ValueError(
+                "Job %d, parameters: unknown key '%s'; known keys are %s."
+                % (number, name, ", ".join(known))
+            )
+    for name, value in parameters.items():
+        kind = op.getTypeIdOfProperty(name)
+        if kind == "App::PropertySpeed" and isinstance(value, NUMBER):
+            value = "%.12g mm/min" % value
+        if kind == "App::PropertyVectorDistance" and isinstance(value, list):
+            value = FreeCAD.Vector(*value)
+        if any(path == name for path, _ in op.ExpressionEngine):
+            op.setExpression(name, None)
+        try:
+            setattr(op, name, value)
+        except Exception as error:
+            choices = op.getEnumerationsOfProperty(name) or []
+            remedy = "; it can be %s" % ", ".join(choices) if choices else ""
+            raise ValueError(
+                "Job %d, parameters: %s cannot be %r: %s%s."
+                % (number, name, value, str(error).strip().rstrip("."), remedy)
+            ) from None
+
+
+def _progress(say):
+    said = [0.0]
+
+    def progress(share):
+        if share >= said[0] + PROGRESS_STEP:
+            said[0] = share
+            say("%d %%" % round(100 * share))
+        return True
+
+    return progress
+
+
+def _check_keys(content, keys, where):
+    if not isinstance(content, dict):
+        raise ValueError("%s must be an object with the keys %s." % (where, ", ".join(keys)))
+    for key in content:
+        if key not in keys:
+            raise ValueError(
+                "%s: unknown key '%s'; known keys are %s." % (where, key, ", ".join(keys))
+            )
+    for key, (kind, required) in keys.items():
+        if key not in content:
+            if required:
+                raise ValueError("%s: the key '%s' is missing." % (where, key))
+        elif not isinstance(content[key], kind) or isinstance(content[key], bool):
+            raise ValueError("%s: '%s' must be %s." % (where, key, KINDS[kind]))
+
+
+def _write(path, text):
+    os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
+    with open(path, "w", encoding="utf-8") as file:
+        file.write(text)
+
+
+def main(arguments):
+    """Runs the job files that EVENLOAD_JOB and the arguments name; returns the exit code."""
+    output = os.fdopen(os.dup(1), "w")
+    if not os.environ.get("EVENLOAD_VERBOSE"):  # FreeCAD's own progress bars and tracebacks
+        silence = os.open(os.devnull, os.O_WRONLY)
+        sys.stdout.flush()
+        os.dup2(silence, 1)
+        os.dup2(silence, 2)
+
+    def say(line):
+        print(line, file=output, flush=True)
+
+    files = [os.environ[name] for name in ("EVENLOAD_JOB",) if os.environ.get(name)] + arguments
+    if not files:
+        say("No job file: name it in EVENLOAD_JOB or after batch.py.")
+        return 2
+    code = 0
+    for path in files:
+        try:
+            result = run_file(path, say)
+        except ValueError as error:
+            say(str(error))
+            code = 2
+            continue
+        say("")
+        say(report.table(result["jobs"]))
+        code = code or int(result["failed"] > 0)
+    return code
+
+
+if __name__ != "evenload.batch":
+    _names = [os.path.basename(argument) for argument in sys.argv]
+    _first = _names.index("batch.py") + 1 if "batch.py" in _names else len(_names)
+    try:
+        _code = main([argument for argument in sys.argv[_first:] if argument != "--"])
+    except BaseException:
+        import traceback
+
+        traceback.print_exc()
+        _code = 3
+    sys.stdout.flush()
+    os._exit(_code)  # FreeCAD would exit with 0, and take a job file for a model to open

@@ -1,0 +1,244 @@
+"""Figures of an operation as a dictionary and a table, and pictures of its path."""
+
+import math
+
+from evenload import commands
+
+# (key, property, unit, decimals) in the table's order
+FIGURES = (
+    ("engagement_deg", "EngagementAngle", "deg", 1),
+    ("max_engagement_deg", "MaxEngagement", "deg", 1),
+    ("cutting_time_s", "CuttingTime", "s", 1),
+    ("ideal_time_s", "IdealTime", "s", 1),
+    ("time_ratio", None, "", 2),
+    ("removed_volume_mm3", "RemovedVolume", "mm3", 0),
+    ("uncut_area_mm2", "UncutArea", "mm2", 2),
+    ("cut_length_mm", None, "mm", 0),
+    ("link_length_mm", None, "mm", 0),
+    ("passes", None, "", 0),
+    ("links", None, "", 0),
+    ("retracts", "Retracts", "", 0),
+    ("blocks", None, "", 0),
+)
+LABELS = {
+    "engagement_deg": "engagement, target",
+    "max_engagement_deg": "engagement, largest",
+    "cutting_time_s": "time",
+    "ideal_time_s": "time, ideal",
+    "time_ratio": "time / ideal",
+    "removed_volume_mm3": "removed volume",
+    "uncut_area_mm2": "area left",
+    "cut_length_mm": "length of cuts",
+    "link_length_mm": "length of links",
+    "passes": "passes",
+    "links": "links",
+    "retracts": "retracts",
+    "blocks": "G-code blocks",
+}
+PROFILE_GAP = (
+    0.35  # mm: points of the core's profile further apart than this have a retract between
+)
+ARC_STEP = math.radians(5)  # of pictures: arcs are drawn as chords over this angle
+LINK_COLOUR, ENTRY_COLOUR, WALL_COLOUR = "#9aa0a6", "#7b3fa0", "#202124"
+
+
+def figures(op):
+    """What an operation reports: {key: number}, units in the keys, and 'report', its text."""
+    result = {}
+    for key, prop, _, _ in FIGURES:
+        if prop:
+            value = getattr(op, prop)
+            result[key] = float(getattr(value, "Value", value))
+    if result["ideal_time_s"] > 0:
+        result["time_ratio"] = result["cutting_time_s"] / result["ideal_time_s"]
+    last = op.Proxy.last
+    if last is not None:
+        report = last.toolpath.report
+        result["cut_length_mm"], result["link_length_mm"] = report.cut_length, report.link_length
+        result["passes"], result["links"] = report.passes, report.links
+    result["retracts"] = int(result["retracts"])
+    result["blocks"] = len(op.Path.Commands)
+    result["report"] = op.Report
+    return result
+
+
+def table(jobs):
+    """A table of jobs as in a batch's report: a column of figures each, then what they report."""
+    done = [job for job in jobs if job["ok"]]
+    lines = []
+    if done:
+        left = max(len(label) for label in LABELS.values())
+        widths = [max(10, len(job["name"])) for job in done]
+        head = " " * (left + 6)
+        lines.append(head + "".join("  " + j["name"].rjust(w) for j, w in zip(done, widths)))
+        for key, _, unit, decimals in FIGURES:
+            cells = []
+            for job, width in zip(done, widths):
+                value = job["figures"].get(key)
+                cells.append(
+                    "  " + ("%.*f" % (decimals, value) if value is not None else "-").rjust(width)
+                )
+            lines.append("%s %-5s%s" % (LABELS[key].ljust(left), unit, "".join(cells)))
+        for job in done:
+            for line in job["figures"]["report"].splitlines():
+                lines.append("%s: %s" % (job["name"], line))
+    lines += ["%s FAILED: %s" % (job["name"], job["error"]) for job in jobs if not job["ok"]]
+    return "\n".join(lines)
+
+
+def picture(op, path):
+    """Draws the lowest level of an operation's last path, coloured by engagement, into a PNG file.
+
+    Raises ValueError for an operation that has not been computed since its document was opened.
+    """
+    from evenload import compiled
+
+    last = op.Proxy.last
+    if last is None:
+        raise ValueError("%s has no path to draw: recompute it first." % op.Label)
+    samples = compiled.core().engagement_profile(
+        last.regions, last.toolpath, last.tool.diameter, hole=last.hole
+    )
+    chains = [c for floor in last.floors for c in (floor.outer, *floor.islands)]
+    ratio = figures(op).get("time_ratio")
+    title = "%s: %d s" % (op.Label, round(op.CuttingTime))
+    if ratio:
+        title += ", %.2f of the ideal" % ratio
+    draw(
+        path,
+        samples,
+        [outline(chain) for chain in chains],
+        last.hole,
+        title,
+        "engagement angle, degrees",
+        largest=1.15 * op.EngagementAngle.Value,
+        gap=PROFILE_GAP,
+    )
+
+
+def outline(chain):
+    """[(x, y), ...] of a closed chain of (x, y, bulge, ...), arcs as short chords."""
+    points = []
+    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
+        points.append((x0, y0))
+        if bulge:
+            sweep = 4 * math.atan(bulge)
+            k = (1 - bulge**2) / (4 * bulge)
+            cx, cy = (x0 + x1) / 2 - k * (y1 - y0), (y0 + y1) / 2 + k * (x1 - x0)
+            points += _arc(x0, y0, cx, cy, sweep)[:-1]
+    return points + points[:1]
+
+
+def samples_of_moves(moves):
+    """[(x, y, feed in mm/min, kind), ...] along moves as the core returns them, for `draw`."""
+    samples, x, y = [], None, None
+    for kind, nx, ny, _, sweep, cx, cy, feed in moves:
+        ends = _arc(x, y, cx, cy, sweep) if sweep and x is not None else [(nx, ny)]
+        samples += [(u, v, feed, kind) for u, v in ends]
+        x, y = nx, ny
+    return samples
+
+
+def samples_of_gcode(text):
+    """[(x, y, feed in mm/min, kind), ...] along G-code (G0 to G3, absolute, mm, I and J relative to
+    the start); every feed move counts as a cut.
+    """
+    samples, x, y, feed, mode = [], None, None, 0.0, None
+    for line in text.splitlines():
+        words = _words(line)
+        for letter, value in words:
+            if letter == "G" and value in (0, 1, 2, 3):
+                mode = int(value)
+        at = dict(words)
+        feed = at.get("F", feed)
+        nx, ny = at.get("X", x), at.get("Y", y)
+        if mode is None or not {"X", "Y", "I", "J"} & set(at):
+            continue
+        if mode in (2, 3) and x is not None:
+            cx, cy = x + at.get("I", 0.0), y + at.get("J", 0.0)
+            turn = math.atan2(ny - cy, nx - cx) - math.atan2(y - cy, x - cx)
+            sweep = turn % (2 * math.pi) or 2 * math.pi
+            if mode == 2:
+                sweep = -((-turn) % (2 * math.pi) or 2 * math.pi)
+            ends = _arc(x, y, cx, cy, sweep)
+        else:
+            ends = [(nx, ny)]
+        kind = commands.CUT if mode else commands.RAPID
+        samples += [(u, v, feed if mode else 0.0, kind) for u, v in ends if None not in (u, v)]
+        x, y = nx, ny
+    return samples
+
+
+def _words(line):
+    import re
+
+    line = re.sub(r"\(.*?\)|;.*", "", line).upper()
+    return [(a, float(b)) for a, b in re.findall(r"([A-Z])\s*([-+]?(?:\d+\.?\d*|\.\d+))", line)]
+
+
+def _arc(x, y, cx, cy, sweep):
+    radius, start = math.hypot(x - cx, y - cy), math.atan2(y - cy, x - cx)
+    steps = max(1, math.ceil(abs(sweep) / ARC_STEP))
+    angles = [start + sweep * k / steps for k in range(1, steps + 1)]
+    return [(cx + radius * math.cos(a), cy + radius * math.sin(a)) for a in angles]
+
+
+def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
+    """Draws samples (x, y, value, kind) into a PNG file: cuts coloured by value, the rest by kind.
+
+    outlines: lists of (x, y), black; hole: (x, y, diameter) or None; meaning: of the value;
+    largest: value at the colours' end, by default the largest there is; gap: samples further apart
+    than this are joined as rapids are. mm.
+    """
+    # Not pyplot: FreeCAD's own plots keep their backend.
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.collections import LineCollection
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(9, 8), dpi=150)
+    FigureCanvasAgg(figure)
+    axes = figure.add_subplot()
+    for line in outlines:
+        axes.plot(*zip(*line), color=WALL_COLOUR, linewidth=1.6, zorder=4)
+    pieces = {kind: ([], []) for kind in range(4)}
+    for before, after in zip(samples, samples[1:]):
+        jump = gap is not None and math.dist(before[:2], after[:2]) > gap
+        lines, values = pieces[commands.RAPID if jump else after[3]]
+        if before[:2] != after[:2]:
+            lines.append((before[:2], after[:2]))
+            values.append(0.5 * (before[2] + after[2]) if before[3] == after[3] else after[2])
+    lines, values = pieces[commands.CUT]
+    cuts = LineCollection(lines, array=values, cmap="turbo", linewidths=1.1, zorder=3)
+    cuts.set_clim(0, largest or max(values, default=1.0))
+    axes.add_collection(cuts)
+    figure.colorbar(cuts, ax=axes, label=meaning, shrink=0.8)
+    for kind, colour, label, style in (
+        (commands.LINK, LINK_COLOUR, "links", "-"),
+        (commands.ENTRY, ENTRY_COLOUR, "entry", "-"),
+        (commands.RAPID, LINK_COLOUR, "rapids", ":"),
+    ):
+        lines = pieces[kind][0]
+        if lines:
+            axes.add_collection(
+                LineCollection(lines, colors=colour, linewidths=0.7, linestyles=style, label=label)
+            )
+    if hole:
+        from matplotlib.patches import Circle
+
+        axes.add_patch(
+            Circle(
+                hole[:2], hole[2] / 2, fill=False, linestyle="--", color=WALL_COLOUR, label="hole"
+            )
+        )
+    first = next((s for s in samples if s[3] != commands.RAPID), None)
+    if first:
+        axes.plot(*first[:2], "o", color="#188038", markersize=7, zorder=5, label="start")
+    axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label="pocket")
+    axes.set_aspect("equal")
+    axes.autoscale_view()
+    axes.set_xlabel("x, mm")
+    axes.set_ylabel("y, mm")
+    axes.set_title(title)
+    axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
+    figure.tight_layout()
+    figure.savefig(path)

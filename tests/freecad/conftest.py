@@ -1,0 +1,279 @@
+"""Models, jobs and operations for the tests, and how to read what they make."""
+
+import math
+import os
+import subprocess
+import sys
+
+import FreeCAD
+import Part
+import pytest
+from FreeCAD import Vector
+
+sys.dont_write_bytecode = True
+DEPTH, MARGIN, BLOCK = 3.0, 10.0, 12.0  # mm: of pockets, of the block around and below them
+
+
+def wire(chain):
+    """A closed wire through (x, y, bulge) in z = 0."""
+    edges = []
+    for (x0, y0, bulge), (x1, y1, _) in zip(chain, chain[1:] + chain[:1]):
+        start, end = Vector(x0, y0, 0), Vector(x1, y1, 0)
+        if not bulge:
+            edges.append(Part.makeLine(start, end))
+            continue
+        middle = (start + end) / 2 + Vector(y1 - y0, x0 - x1, 0) * (bulge / 2)
+        edges.append(Part.Arc(start, middle, end).toShape())
+    return Part.Wire(edges)
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0, 0), (x1, y0, 0), (x1, y1, 0), (x0, y1, 0)]
+
+
+def circle(x, y, radius):
+    return [(x + radius, y, 1), (x - radius, y, 1)]
+
+
+SQUARE = rectangle(0, 0, 30, 30)
+
+
+def face_of(outer, islands=()):
+    face = Part.Face(wire(outer))
+    for island in islands:
+        face = face.cut(Part.Face(wire(island)))
+    return face
+
+
+def block_with(*faces, depth=DEPTH):
+    """A block with its top at z = 0 and a pocket of each face."""
+    box = faces[0].BoundBox
+    for face in faces[1:]:
+        box.add(face.BoundBox)
+    block = Part.makeBox(
+        box.XLength + 2 * MARGIN,
+        box.YLength + 2 * MARGIN,
+        BLOCK,
+        Vector(box.XMin - MARGIN, box.YMin - MARGIN, -BLOCK),
+    )
+    for face in faces:
+        block = block.cut(face.extrude(Vector(0, 0, -depth)))
+    return block
+
+
+def floors_of(shape, z=-DEPTH):
+    """Names of the level faces at a height."""
+    return [
+        "Face%d" % n
+        for n, f in enumerate(shape.Faces, 1)
+        if abs(f.BoundBox.ZMin - z) < 1e-6 and abs(f.BoundBox.ZMax - z) < 1e-6
+    ]
+
+
+class Bench:
+    """A document with a job on one model, and operations in it."""
+
+    def __init__(self, doc, shape, tool=6.0, feed=255.0, flutes=1):
+        from evenload import host
+
+        self.doc = doc
+        self.part = doc.addObject("Part::Feature", "Part")
+        self.part.Shape = shape
+        doc.recompute()
+        self.job, self.controller = host.create_job(doc, [self.part], tool, feed, 6366, flutes)
+        self.model = self.job.Model.Group[0]
+
+    def operation(self, base=None, **properties):
+        from evenload.operations import adaptive
+
+        op = adaptive.Create("Operation", parentJob=self.job, toolController=self.controller)
+        if base is None:
+            base = [(self.model, tuple(floors_of(self.model.Shape)))]
+        op.Base = base
+        self.set(op, StartDepth=0.0, FinalDepth=-DEPTH, StepDown=DEPTH)
+        self.set(op, **properties)
+        return op
+
+    @staticmethod
+    def set(op, **properties):
+        for name, value in properties.items():
+            if any(path == name for path, _ in op.ExpressionEngine):
+                op.setExpression(name, None)
+            setattr(op, name, value)
+
+    def done(self, op):
+        """Recomputes; the operation must be valid and have a path."""
+        op.touch()
+        self.doc.recompute()
+        assert op.isValid(), op.Report or op.getStatusString()
+        assert len(op.Path.Commands) > 10
+        return op
+
+    def refused(self, op):
+        """Recomputes; the operation must be invalid and empty. Returns what Report says."""
+        op.touch()
+        self.doc.recompute()
+        assert not op.isValid()
+        assert op.Path.Commands == []
+        assert op.CuttingTime == 0 and op.MaxEngagement.Value == 0 and op.CycleTime == ""
+        sentence = op.Report
+        assert sentence.endswith(".") and "\n" not in sentence and len(sentence) < 300, sentence
+        assert sentence in op.getStatusString()
+        return sentence
+
+
+@pytest.fixture
+def doc():
+    document = FreeCAD.newDocument("Test")
+    name = document.Name
+    yield document
+    if name in FreeCAD.listDocuments():
+        FreeCAD.closeDocument(name)
+
+
+@pytest.fixture
+def bench(doc):
+    """Makes a Bench in the test's document."""
+    return lambda shape, **options: Bench(doc, shape, **options)
+
+
+@pytest.fixture
+def square(bench):
+    """A Bench with a square pocket of 30 mm."""
+    return bench(block_with(face_of(SQUARE)))
+
+
+@pytest.fixture(scope="session")
+def rs274():
+    """Runs a G-code text through LinuxCNC's interpreter; returns the canonical commands."""
+    program = os.environ.get("EVENLOAD_RS274")
+    assert program, "EVENLOAD_RS274 names no interpreter: start the tests with ./run test"
+
+    def interpret(text, folder):
+        file = os.path.join(str(folder), "program.ngc")
+        with open(file, "w") as out:
+            out.write(text)
+        result = subprocess.run(
+            [program, file], stdin=subprocess.DEVNULL, capture_output=True, text=True, timeout=120
+        )
+        assert result.returncode == 0, result.stdout[-500:] + result.stderr[-500:]
+        return result.stdout
+
+    return interpret
+
+
+# ---- reading paths ----
+
+
+def moves_of(op):
+    """[(name, start, end, centre or None, feed in mm/min)] of the motions of a path; all points
+    (x, y, z). Positions that are not known yet are None.
+    """
+    result, at = [], (None, None, None)
+    for command in op.Path.Commands:
+        if command.Name not in ("G0", "G1", "G2", "G3"):
+            continue
+        p = command.Parameters
+        end = tuple(p.get(axis, before) for axis, before in zip("XYZ", at))
+        centre = (at[0] + p["I"], at[1] + p["J"]) if "I" in p else None
+        result.append((command.Name, at, end, centre, 60 * p.get("F", 0)))
+        at = end
+    return result
+
+
+def points_of(op, step=0.05):
+    """[(x, y, z, name)] along the feed moves of a path, at most `step` mm apart."""
+    result = []
+    for name, start, end, centre, _ in moves_of(op):
+        if name == "G0" or None in start:
+            continue
+        if centre is None:
+            count = max(1, math.ceil(math.dist(start, end) / step))
+            for k in range(1, count + 1):
+                t = k / count
+                result.append((*(a + t * (b - a) for a, b in zip(start, end)), name))
+            continue
+        cx, cy = centre
+        radius = math.hypot(start[0] - cx, start[1] - cy)
+        first = math.atan2(start[1] - cy, start[0] - cx)
+        turn = (math.atan2(end[1] - cy, end[0] - cx) - first) % (2 * math.pi) or 2 * math.pi
+        if name == "G2":
+            turn = turn - 2 * math.pi if turn < 2 * math.pi else -turn
+        count = max(2, math.ceil(radius * abs(turn) / step))
+        for k in range(1, count + 1):
+            angle, t = first + turn * k / count, k / count
+            z = start[2] + t * (end[2] - start[2])
+            result.append((cx + radius * math.cos(angle), cy + radius * math.sin(angle), z, name))
+    return result
+
+
+def check_path(op, floors, tool=6.0, islands=()):
+    """What holds for every path: levels, no zero lengths, round arcs, no rapid below the top, and
+    the tool inside the pockets (faces of FreeCAD's), which it clears to within what it can reach.
+
+    floors: faces at the pockets' floors; open sides are not for this check.
+    """
+    moves = moves_of(op)
+    assert moves
+    top = op.StartDepth.Value
+    for name, start, end, centre, feed in moves:
+        assert all(math.isfinite(v) for v in end if v is not None)
+        if None in start:
+            continue
+        assert math.dist(start, end) > 4e-4, (name, start, end)
+        if name == "G0":
+            sideways = math.dist(start[:2], end[:2]) > 0
+            assert not (sideways and min(start[2], end[2]) < top), (start, end)
+        else:
+            assert feed > 0
+        if centre:
+            mismatch = math.dist(start[:2], centre) - math.dist(end[:2], centre)
+            assert abs(mismatch) <= 0.0011 and math.dist(start[:2], end[:2]) >= 0.002
+    final = op.FinalDepth.Value
+    assert min(end[2] for _, _, end, *_ in moves if end[2] is not None) == pytest.approx(final)
+
+    points = points_of(op)
+    at_floor = [(x, y) for x, y, z, _ in points if z < final + 1e-6]
+    for face in floors:
+        box, radius = face.BoundBox, tool / 2
+        wires = face.Wires
+        mine = [p for p in at_floor if box.isInside(Vector(*p, box.Center.z))]
+        assert mine
+        for x, y in mine[::7]:
+            vertex = Part.Vertex(x, y, box.ZMin)
+            assert min(w.distToShape(vertex)[0] for w in wires) >= radius - 0.01, (x, y)
+        missed, inside = 0, 0
+        grid = _grid(mine, radius)
+        for x in _steps(box.XMin, box.XMax):
+            for y in _steps(box.YMin, box.YMax):
+                point = Vector(x, y, box.ZMin)
+                if not face.isInside(point, 1e-6, True):
+                    continue
+                vertex = Part.Vertex(point)
+                if min(w.distToShape(vertex)[0] for w in wires) < 0.75 * radius:
+                    continue  # corners that the tool cannot reach
+                inside += 1
+                missed += not grid(x, y)
+        assert inside > 10 and missed == 0, "%d of %d places left" % (missed, inside)
+
+
+def _steps(low, high, step=1.7):
+    count = int((high - low) / step)
+    return [low + step * (k + 0.5) for k in range(count)]
+
+
+def _grid(points, radius):
+    cells = {}
+    for x, y in points:
+        cells.setdefault((int(x // radius), int(y // radius)), []).append((x, y))
+
+    def covered(x, y):
+        a, b = int(x // radius), int(y // radius)
+        return any(
+            math.hypot(x - u, y - v) <= radius + 1e-3
+            for i in (a - 1, a, a + 1)
+            for j in (b - 1, b, b + 1)
+            for u, v in cells.get((i, j), ())
+        )
+
+    return covered
