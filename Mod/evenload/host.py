@@ -4,6 +4,7 @@
 
 import contextlib
 import functools
+import io
 import os
 import tempfile
 from types import SimpleNamespace
@@ -18,6 +19,7 @@ WORKBENCH = "CAMWorkbench" if _CAM else "PathWorkbench"
 MENU = "&CAM" if _CAM else "&Path"
 TOOLBAR = "New Operations"
 NEIGHBOUR = "CAM_Adaptive" if _CAM else "Path_Adaptive"  # our commands stand beside this one
+INACTIVE_ICON = ":/icons/CAM_OpActive.svg" if _CAM else ":/icons/Path_OpActive.svg"
 
 
 @functools.lru_cache(maxsize=None)
@@ -203,9 +205,14 @@ def post(job, processor, arguments):
             "There is no post-processor '%s': this FreeCAD has %s."
             % (processor, ", ".join(sorted(known)))
         )
-    texts = (
-        _post_modern(job, processor, arguments) if _MOVED else _post_old(job, processor, arguments)
-    )
+    try:
+        with contextlib.redirect_stderr(io.StringIO()):  # post-processors print how to use them
+            if _MOVED:
+                texts = _post_modern(job, processor, arguments)
+            else:
+                texts = _post_old(job, processor, arguments)
+    except SystemExit:  # what they do about arguments that they do not know
+        texts = []
     if not texts or any(text is None for text in texts):
         raise ValueError(
             "The post-processor '%s' refuses the arguments '%s'." % (processor, arguments)
@@ -260,15 +267,31 @@ def gui():
 
 
 def show_job(job):
-    """Gives a job that a script made its view provider, which FreeCAD itself gives only to jobs
-    made by its command.
+    """Gives a job and what belongs to it the view providers that they lack when a script made them.
+
+    FreeCAD itself does this only for jobs that its own command makes.
     """
     if _MOVED:
+        import Path.Base.Gui.IconViewProvider as icon
         import Path.Main.Gui.Job as job_gui
+        import Path.Tool.Gui.Controller as controller_gui
     else:
+        import PathScripts.PathIconViewProvider as icon
         import PathScripts.PathJobGui as job_gui
+        import PathScripts.PathToolControllerGui as controller_gui
+    for resource, name in (
+        *((model, "BaseGeometry") for model in job.Model.Group),
+        (job.Stock, "Stock"),
+        (job.SetupSheet, "SetupSheet"),
+    ):
+        if resource is not None and not hasattr(resource.ViewObject.Proxy, "getIcon"):
+            icon.Attach(resource.ViewObject, name)
+            resource.ViewObject.Visibility = False
+    for controller in job.Tools.Group:
+        if not hasattr(controller.ViewObject.Proxy, "getIcon"):
+            controller_gui.ViewProvider(controller.ViewObject)
     view = job.ViewObject
-    if view is not None and not view.Proxy:
+    if not hasattr(view.Proxy, "getIcon"):
         view.addExtension("Gui::ViewProviderGroupExtensionPython")
         view.Proxy = job_gui.ViewProvider(view)
 

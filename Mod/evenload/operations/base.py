@@ -280,6 +280,7 @@ class Operation(host.operation_base()):
             self.initOperation(obj)
         finally:
             self._changing = False
+        _show(obj)
 
     def setDefaultValues(self, obj):
         with host.chosen_tool_controller(self._wished_controller):
@@ -624,7 +625,16 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
         if made:
             obj.Document.removeObject(obj.Name)
         raise
+    _show(obj)
     return obj
+
+
+def _show(obj):
+    """With a GUI, gives an operation that a script made its view provider."""
+    if FreeCAD.GuiUp:
+        from evenload.gui import views
+
+        views.attach(obj)
 
 
 def _set(obj, name, value):

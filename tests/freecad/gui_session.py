@@ -1,0 +1,184 @@
+"""What test_gui.py runs in FreeCAD's GUI: uses the command and the panel as a user does, looks at
+the results and writes them as JSON to $EVENLOAD_GUI_OUT/result.json, with pictures beside it.
+"""
+
+import faulthandler
+import json
+import os
+import sys
+import traceback
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+OUT = os.environ["EVENLOAD_GUI_OUT"]
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+result = {}
+faulthandler.dump_traceback_later(60, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
+
+
+def later(milliseconds=300):
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def picture(name):
+    window = FreeCADGui.getMainWindow()
+    docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible()]
+    left = [d for d in docks if window.dockWidgetArea(d) == QtCore.Qt.LeftDockWidgetArea]
+    window.resizeDocks(left, [420] * len(left), QtCore.Qt.Horizontal)
+    later()
+    window.grab().save(os.path.join(OUT, name + ".png"))
+
+
+def texts(menu):
+    found = []
+    for action in menu.actions():
+        found.append(action.text().replace("&", ""))
+        if action.menu():
+            found += texts(action.menu())
+    return found
+
+
+def panel_buttons():
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
+
+
+def reopened():
+    """A document that was made without a GUI: its operation gets a view provider on opening."""
+    doc = FreeCAD.openDocument(os.environ["EVENLOAD_GUI_DOCUMENT"])
+    op = next(o for o in doc.Objects if type(getattr(o, "Proxy", None)).__name__ == "Adaptive")
+    result["reopened_view"] = type(op.ViewObject.Proxy).__name__
+    job = op.Proxy.getJob(op)
+    result["reopened_job_view"] = type(job.ViewObject.Proxy).__name__
+    result["reopened_icon"] = os.path.isfile(op.ViewObject.Proxy.getIcon())
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later()
+    result["reopened_panel"] = FreeCADGui.Control.activeDialog()
+    picture("reopened")
+    panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
+    later()
+    result["reopened_kept"] = op.Name in [o.Name for o in doc.Objects]
+    FreeCAD.closeDocument(doc.Name)
+
+
+def session():
+    from conftest import SQUARE, block_with, face_of, floors_of, wire
+    from evenload import host
+
+    # FreeCAD warns, in a dialog, of units without minutes.
+    for module in ("Path", "CAM"):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
+        settings.SetBool("WarningSuppressVelocity", True)
+        settings.SetBool("WarningSuppressSelectionMode", True)
+    FreeCAD.Units.setSchema(6)  # metric, with mm/min
+    reopened()
+    FreeCADGui.activateWorkbench(host.WORKBENCH)
+    later(800)
+    window = FreeCADGui.getMainWindow()
+    menus = {m.title().replace("&", ""): m for m in window.menuBar().findChildren(QtGui.QMenu)}
+    result["menu"] = "EvenLoad Adaptive" in texts(menus[host.MENU.replace("&", "")])
+    bars = [b for b in window.findChildren(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]
+    result["toolbar"] = any("EvenLoad Adaptive" in a.text() for b in bars for a in b.actions())
+    icons = [a.icon() for b in bars for a in b.actions() if "EvenLoad Adaptive" in a.text()]
+    result["icon"] = bool(icons) and not icons[0].isNull()
+
+    doc = FreeCAD.newDocument("Session")
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(face_of(SQUARE))
+    doc.recompute()
+    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
+    result["job_view"] = type(job.ViewObject.Proxy).__name__
+    FreeCADGui.activeDocument().activeView().viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    model = job.Model.Group[0]
+    (floor,) = floors_of(model.Shape)
+
+    # A face, through the command.
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
+    FreeCADGui.runCommand("EvenLoad_Adaptive")
+    later(800)
+    op = job.Operations.Group[0]
+    result["base"] = [list(names) for _, names in op.Base]
+    result["view"] = type(op.ViewObject.Proxy).__name__
+    page = op.ViewObject.Proxy.panel.featurePages[-1]
+    base_page = op.ViewObject.Proxy.panel.featurePages[0]
+    result["base_list"] = [
+        base_page.form.baseList.item(i).text() for i in range(base_page.form.baseList.count())
+    ]
+    result["tolerance_text"] = page.widgets["Tolerance"].text()
+    picture("panel")
+
+    # Editing one of the two that follow each other.
+    page.widgets["EngagementAngle"].setProperty("rawValue", 90.0)
+    page.widgets["EngagementAngle"].editingFinished.emit()
+    result["side_step_property"] = op.SideStep.Value
+    result["side_step_widget"] = page.widgets["SideStep"].property("rawValue")
+    page.widgets["SideStep"].setProperty("rawValue", 1.5)
+    page.widgets["SideStep"].editingFinished.emit()
+    result["angle_property"] = op.EngagementAngle.Value
+    combo = page.widgets["FeedControl"]
+    combo.setCurrentIndex(1)
+    combo.activated.emit(1)
+    result["feed_control"] = op.FeedControl
+    page.points["EntryPoint"][0].setProperty("rawValue", 12.0)
+    page.points["EntryPoint"][0].editingFinished.emit()
+    result["entry_point"] = list(op.EntryPoint)
+    page.widgets["Arcs"].setChecked(False)
+    result["arcs"] = op.Arcs
+    page.widgets["Arcs"].setChecked(True)
+    for name in ("StartDepth", "FinalDepth", "StepDown"):
+        op.setExpression(name, None)
+    op.StartDepth, op.FinalDepth, op.StepDown = 0, -3, 3
+    panel_buttons().button(QtGui.QDialogButtonBox.Apply).click()
+    later(500)
+    result["commands"] = len(op.Path.Commands)
+    result["valid"] = op.isValid()
+    result["results_text"] = page.results.text()
+    result["angle_after_apply"] = op.EngagementAngle.Value
+    picture("applied")
+    panel_buttons().button(QtGui.QDialogButtonBox.Ok).click()
+    later(500)
+    result["closed"] = not FreeCADGui.Control.activeDialog()
+
+    # A sketch as a whole.
+    sketch = doc.addObject("Sketcher::SketchObject", "Outline")
+    for edge in wire([(2, 2, 0), (20, 2, 0), (20, 20, 0), (2, 20, 0)]).Edges:
+        import Part
+
+        sketch.addGeometry(Part.LineSegment(*(v.Point for v in edge.Vertexes)), False)
+    sketch.Placement.Base.z = -3
+    doc.recompute()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(sketch)
+    FreeCADGui.runCommand("EvenLoad_Adaptive")
+    later(800)
+    second = job.Operations.Group[-1]
+    result["sketch_base"] = [[o.Name, list(names)] for o, names in second.Base]
+    picture("sketch")
+    panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
+    later(500)
+    result["cancelled_is_gone"] = len(job.Operations.Group) == 1
+
+    # An error shows its sentence.
+    op.EngagementAngle = 200
+    doc.recompute()
+    result["error"] = op.Report
+    result["error_valid"] = op.isValid()
+
+
+def run():
+    try:
+        session()
+    except BaseException:
+        result["traceback"] = traceback.format_exc()
+    with open(os.path.join(OUT, "result.json"), "w") as file:
+        json.dump(result, file, indent=1)
+    os._exit(0)
+
+
+QtCore.QTimer.singleShot(500, run)

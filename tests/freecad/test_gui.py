@@ -1,0 +1,88 @@
+"""The command and the panel, used in FreeCAD's GUI on a virtual screen (see gui_session.py)."""
+
+import json
+import os
+import shutil
+import subprocess
+
+import pytest
+from conftest import SQUARE, Bench, block_with, face_of
+
+HERE = os.path.dirname(os.path.abspath(__file__))
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """What gui_session.py reports."""
+    import FreeCAD
+
+    folder = tmp_path_factory.mktemp("gui")
+    doc = FreeCAD.newDocument("Headless")
+    bench = Bench(doc, block_with(face_of(SQUARE)))
+    bench.done(bench.operation())
+    doc.saveAs(str(folder / "headless.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    program = shutil.which("freecad") or shutil.which("FreeCAD")
+    assert program and shutil.which("xvfb-run"), "freecad and xvfb are needed"
+    environment = dict(
+        os.environ,
+        EVENLOAD_GUI_OUT=str(folder),
+        EVENLOAD_GUI_DOCUMENT=str(folder / "headless.FCStd"),
+        QTWEBENGINE_DISABLE_SANDBOX="1",
+        LIBGL_ALWAYS_SOFTWARE="1",
+    )
+    log = subprocess.run(
+        ["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program]
+        + [os.path.join(HERE, "gui_session.py")],
+        env=environment,
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=150,
+    ).stdout
+    result = folder / "result.json"
+    assert result.exists(), log[-2000:] + (folder / "hang.txt").read_text()
+    content = json.loads(result.read_text())
+    assert "traceback" not in content, content["traceback"]
+    return content
+
+
+def test_the_command_is_in_menu_and_toolbar_with_its_icon(session):
+    assert session["menu"] and session["toolbar"] and session["icon"]
+
+
+def test_the_command_takes_the_selected_face(session):
+    assert session["base"] == [["Face11"]]
+    assert len(session["base_list"]) == 1 and session["base_list"][0].endswith(".Face11")
+    assert session["view"] == session["job_view"] == "ViewProvider"
+
+
+def test_the_command_takes_a_whole_sketch(session):
+    assert session["sketch_base"] == [["Outline", [""]]]
+    assert session["cancelled_is_gone"]
+
+
+def test_the_panel_sets_properties_and_computes(session):
+    assert session["side_step_property"] == pytest.approx(3)
+    assert session["side_step_widget"] == pytest.approx(3)
+    assert session["angle_property"] == pytest.approx(60)
+    assert session["angle_after_apply"] == pytest.approx(60)
+    assert session["feed_control"] == "Constant removal rate"
+    assert session["entry_point"] == [12, 0, 0]
+    assert session["arcs"] is False
+    assert session["tolerance_text"] in ("0.0050 mm", "0,0050 mm")
+    assert session["valid"] and session["commands"] > 10
+    assert "Time" in session["results_text"] and "ideal 0.0" not in session["results_text"]
+    assert session["closed"]
+
+
+def test_an_error_shows_its_sentence(session):
+    assert not session["error_valid"]
+    assert session["error"].startswith("EngagementAngle is 200 degrees")
+
+
+def test_an_operation_made_without_a_gui_has_icon_and_panel_when_opened_in_it(session):
+    assert session["reopened_view"] == session["reopened_job_view"] == "ViewProvider"
+    assert session["reopened_icon"] and session["reopened_panel"] and session["reopened_kept"]
