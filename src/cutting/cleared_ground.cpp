@@ -252,7 +252,7 @@ void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
-                              double shrink) const {
+                              double shrink, std::size_t last) const {
   const double radius = tool_radius_ - shrink;
   out.clear();
   out.push_back({low, high});
@@ -272,6 +272,7 @@ void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<Angul
   describe();
   const std::vector<std::int32_t>& ids = bucket(p);
   for (auto id = ids.rbegin(); id != ids.rend() && !out.empty(); ++id) {
+    if (static_cast<std::size_t>(*id) >= last) continue;
     const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
     bool near = false;
     for (const Piece& piece : pieces) {

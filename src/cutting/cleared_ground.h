@@ -46,7 +46,12 @@ class ClearedGround {
   // The arcs of the tool's circle about `p` within [low, high] (high - low <= 2 pi) that touch
   // material, in order. `shrink` mm: the circle's radius is the tool's less this.
   void uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
-                 double shrink = kCoverTolerance) const;
+                 double shrink = kCoverTolerance) const {
+    uncovered(p, low, high, out, shrink, primitives_.size());
+  }
+  // The same, as it was before the move numbered `last`.
+  void uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out, double shrink,
+                 std::size_t last) const;
   // True when the whole circle about `p` is free of material.
   bool is_clear(Vec2 p, double shrink = kCoverTolerance) const;
   // True when the point `x` holds no material.

@@ -233,6 +233,9 @@ class RegionClearing {
         continue;
       }
       const PassStart start = choose(starts, last_start);
+#ifdef EVENLOAD_LOG
+      EVENLOAD_LOG("start stage %zu at %.4f %.4f sample %zu of %zu starts, uncleared %zu ", start.stage, start.pose.p.x, start.pose.p.y, start.sample, starts.size(), samples_.uncleared_count());
+#endif
       const Pose before = here_;
       const std::size_t runs = result_.runs.size();
       const std::size_t moves = result_.runs.back().moves.size();
@@ -240,7 +243,11 @@ class RegionClearing {
       go_to(start.pose, stages_[start.stage].turn_radius);
       const std::size_t first = ground_.size();
       Steering steering(ground_, stages_[start.stage], params_.engagement_angle);
-      if (!take(steering.from_wall(start.place), first)) {
+      Pass pass = steering.from_wall(start.place);
+#ifdef EVENLOAD_LOG
+      EVENLOAD_LOG("moves %zu cut %.4f length %.4f\n", pass.moves.size(), pass.cut_length, length_of(pass.moves));
+#endif
+      if (!take(std::move(pass), first)) {
         samples_.give_up(start.sample);
         if (ground_.size() == first) {  // no pass: the way to it is not needed
           result_.runs.resize(runs);

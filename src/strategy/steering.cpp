@@ -25,9 +25,10 @@ constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of
 constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
-// mm by which the circle that is looked at is larger than the one that clears: the tool's own last
-// move, which ends here, must not hide what lies ahead.
-constexpr double kAhead = 1e-8;
+// mm: material thinner than this is not seen; what has been cut must not be found again by rounding.
+constexpr double kThin = 1e-6;
+// mm: a pose this near to the tool's present place is that place.
+constexpr double kHere = 1e-9;
 constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
 constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
 
@@ -45,7 +46,7 @@ bool continues(const Segment& a, const Segment& b) {
   if (a.is_arc() != b.is_arc()) return false;
   if (!a.is_arc()) return norm(a.tangent(1) - b.tangent(0)) < 1e-9;
   return distance(a.centre, b.centre) < 1e-9 && std::abs(a.radius - b.radius) < 1e-9 &&
-         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < 1.9 * kPi;
+         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < kPi;
 }
 
 Segment joined(const Segment& a, const Segment& b) {
@@ -64,7 +65,10 @@ Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement)
 
 Steering::Contact Steering::contact(const Pose& at) const {
   const double right = at.heading - kPi / 2;
-  ground_.uncovered(at.p, right, right + kPi, scratch_, -kAhead);
+  // Where the tool stands its own last move, which ends here, must not hide what lies ahead.
+  const bool here = !pass_.moves.empty() && distance(at.p, pass_.moves.back().b) < kHere;
+  ground_.uncovered(at.p, right, right + kPi, scratch_, kThin,
+                    here ? ground_.size() - 1 : ground_.size());
   Contact result;
   double widest = 0;
   for (const AngularInterval& piece : scratch_) {
@@ -415,6 +419,9 @@ void Steering::roll_out() {
 
 Pass Steering::run() {
   while (mode_ != Mode::kEnd) {
+#ifdef EVENLOAD_LOG
+    static int cc=0; if(getenv("STEP")&&++cc>atoi(getenv("STEP"))&&cc<atoi(getenv("STEP"))+60) EVENLOAD_LOG("mode %d trav %.5f p %.4f %.4f h %.2f E %.2f/%.2f step %.4f k %.3f idle %.3f trouble %.4f %d wall %zu %zu %.4f\n",(int)mode_,travelled_,pose().p.x,pose().p.y,pose().heading*57.2958,contact(pose()).total*57.2958,contact(pose()).steer*57.2958,step_,curvature_,idle_,trouble_at_,troubles_,wall_.curve,wall_.segment,wall_.t);
+#endif
     if (mode_ == Mode::kWall)
       step_on_wall();
     else
