@@ -1,0 +1,289 @@
+"""Job files: G-code, pictures and reports without a GUI, and clear words for what is wrong."""
+
+import copy
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+import FreeCAD
+import Part
+import pytest
+from conftest import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
+from evenload import batch
+from FreeCAD import Vector
+
+
+@pytest.fixture
+def folder(tmp_path):
+    """A folder with the model as STEP, BREP and FreeCAD document (with a sketch in it)."""
+    shape = block_with(face_of(SQUARE))
+    shape.exportStep(str(tmp_path / "plate.step"))
+    shape.exportBrep(str(tmp_path / "plate.brep"))
+    doc = FreeCAD.newDocument("Plate")
+    doc.addObject("Part::Feature", "Plate").Shape = shape
+    sketch = doc.addObject("Sketcher::SketchObject", "Outline")
+    for edge in wire(rectangle(2, 2, 28, 20)).Edges:
+        sketch.addGeometry(Part.LineSegment(*(v.Point for v in edge.Vertexes)), False)
+    sketch.Placement.Base = Vector(0, 0, -DEPTH)
+    doc.recompute()
+    doc.saveAs(str(tmp_path / "plate.FCStd"))
+    FreeCAD.closeDocument(doc.Name)
+    (floor,) = floors_of(shape)
+    (tmp_path / "floor").write_text(floor)
+    return tmp_path
+
+
+def a_job(folder, **changes):
+    job = {
+        "name": "plate",
+        "model": "plate.FCStd",
+        "base": [(folder / "floor").read_text()],
+        "tool": {"diameter": 6},
+        "cutting": {"feed": 255, "spindle_speed": 6366},
+        "operation": {
+            "type": "adaptive",
+            "parameters": {"StartDepth": 0, "FinalDepth": -3, "StepDown": 3},
+        },
+        "output": {"gcode": "out/plate.ngc"},
+    }
+    job.update(copy.deepcopy(changes))
+    return job
+
+
+def run(folder, *jobs, **more):
+    """Writes a job file and runs it; returns (report, progress lines)."""
+    path = folder / "jobs.json"
+    path.write_text(json.dumps({"jobs": list(jobs), **more}))
+    lines = []
+    return batch.run_file(str(path), lines.append), lines
+
+
+@pytest.mark.parametrize("model", ["plate.FCStd", "plate.step", "plate.brep"])
+def test_models_of_all_kinds_give_gcode_and_figures(folder, model):
+    report, lines = run(folder, a_job(folder, model=model), report="report.json")
+    (job,) = report["jobs"]
+    assert job["ok"] and job["error"] is None and report["failed"] == 0
+    assert "G3 " in (folder / "out" / "plate.ngc").read_text()
+    assert job["output"]["gcode"] == str(folder / "out" / "plate.ngc")
+    assert 55 < job["figures"]["max_engagement_deg"] < 63
+    assert job["figures"]["cutting_time_s"] > job["figures"]["ideal_time_s"] > 0
+    assert json.loads((folder / "report.json").read_text()) == report
+    assert lines[0].startswith("[1/1] plate: reading") and "done in" in lines[-1]
+    assert FreeCAD.listDocuments() == {}
+
+
+def test_a_sketch_is_taken_whole_by_its_name(folder):
+    report, _ = run(folder, a_job(folder, object="Plate", base=["Outline"]))
+    assert report["jobs"][0]["ok"]
+    assert report["jobs"][0]["figures"]["removed_volume_mm3"] == pytest.approx(
+        26 * 18 * 3, rel=0.03
+    )
+
+
+def test_parameters_take_numbers_units_choices_and_points(folder):
+    parameters = {
+        "StartDepth": "0 mm",
+        "FinalDepth": -3,
+        "StepDown": 1.5,
+        "EngagementAngle": 50,
+        "FeedControl": "Constant removal rate",
+        "MaximumFeed": 600,
+        "LinkFeed": "2 m/min",
+        "Entry": "Predrilled hole",
+        "EntryPoint": [15, 15, 0],
+        "HoleDiameter": 9,
+        "WallPass": False,
+    }
+    job = a_job(folder, operation={"type": "adaptive", "parameters": parameters})
+    job["cutting"].update(plunge_feed=100, rapid_feed=8000)
+    job["tool"].update(shape="endmill", flutes=3, cutting_length=12)
+    job["stock"] = {"margin": 0}
+    job["output"]["document"] = "out/job.FCStd"
+    report, _ = run(folder, job)
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    doc = FreeCAD.openDocument(str(folder / "out" / "job.FCStd"))
+    try:
+        op = next(o for o in doc.Objects if type(getattr(o, "Proxy", 0)).__name__ == "Adaptive")
+        assert op.EngagementAngle.Value == pytest.approx(50)
+        assert op.LinkFeed.Value == pytest.approx(2000 / 60)
+        assert op.MaximumFeed.Value == pytest.approx(10)
+        assert op.EntryPoint == Vector(15, 15, 0) and op.WallPass is False
+        assert op.ToolController.VertFeed.Value == pytest.approx(100 / 60)
+        assert op.ToolController.HorizRapid.Value == pytest.approx(8000 / 60)
+        assert op.ToolController.Tool.CuttingEdgeHeight.Value == pytest.approx(12)
+        assert len(op.Path.Commands) == report["jobs"][0]["figures"]["blocks"]
+    finally:
+        FreeCAD.closeDocument(doc.Name)
+
+
+def test_the_picture_is_a_png(folder):
+    job = a_job(folder)
+    job["output"]["picture"] = "out/plate.png"
+    report, _ = run(folder, job)
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    assert (folder / "out" / "plate.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
+
+
+def test_one_failure_leaves_the_other_jobs_done(folder):
+    bad = a_job(folder, name="bad", tool={"diameter": 40})
+    report, lines = run(folder, a_job(folder), bad, a_job(folder, name="last"))
+    assert [job["ok"] for job in report["jobs"]] == [True, False, True]
+    assert report["failed"] == 1
+    assert "largest" in report["jobs"][1]["error"]
+    assert any(line.startswith("[2/3] bad: FAILED: ") for line in lines)
+
+
+def changed(job, path, value):
+    *sections, key = path.split("/")
+    place = job
+    for section in sections:
+        place = place.setdefault(section, {})
+    if value is None:
+        place.pop(key)
+    else:
+        place[key] = value
+    return job
+
+
+@pytest.mark.parametrize(
+    "path, value, words",
+    [
+        ("modle", "x", ["unknown key 'modle'", "model", "operation"]),
+        ("tool/diamter", 6, ["tool: unknown key 'diamter'", "diameter, shape"]),
+        ("cutting/speed", 6, ["cutting: unknown key 'speed'", "spindle_speed"]),
+        ("output/file", "x", ["output: unknown key 'file'", "gcode"]),
+        ("operation/parameters/Angle", 60, ["unknown key 'Angle'", "EngagementAngle"]),
+        ("operation/type", "spiral", ["no operation 'spiral'", "adaptive"]),
+        ("operation/parameters/CutMode", "Up", ["CutMode cannot be 'Up'", "Climb, Conventional"]),
+        ("operation/parameters/LinkFeed", "fast", ["LinkFeed cannot be 'fast'"]),
+        ("operation/parameters/EngagementAngle", 200, ["EngagementAngle is 200", "180"]),
+        ("tool/diameter", None, ["tool: the key 'diameter' is missing"]),
+        ("tool/diameter", "six", ["tool: 'diameter' must be a number"]),
+        ("tool/diameter", 0, ["tool_diameter must be positive"]),
+        ("tool/shape", "ballend", ["a ball end mill", "flat or bull-nosed"]),
+        ("cutting/feed", True, ["cutting: 'feed' must be a number"]),
+        ("base", "Face1", ["'base' must be a list"]),
+        ("base", [], ["no base geometry"]),
+        ("base", ["Face99"], ["there is no 'Face99'", "Plate"]),
+        ("base", ["Nothing.Face1"], ["there is no 'Nothing.Face1'"]),
+        ("base", [7], ["7 is no name"]),
+        ("object", "Body", ["no object 'Body'", "Plate"]),
+        ("model", "none.step", ["no model file"]),
+        ("model", "broken.step", ["broken.step cannot be read"]),
+        ("model", "broken.FCStd", ["broken.FCStd cannot be read"]),
+        ("post/processor", "nonsense", ["no post-processor 'nonsense'"]),
+        ("post/arguments", "--nonsense", ["refuses the arguments '--nonsense'"]),
+    ],
+)
+def test_what_is_wrong_in_a_job_is_named(folder, path, value, words):
+    (folder / "broken.step").write_text("no model")
+    (folder / "broken.FCStd").write_text("no document")
+    report, _ = run(folder, changed(a_job(folder), path, value))
+    (job,) = report["jobs"]
+    assert not job["ok"] and report["failed"] == 1
+    for word in words:
+        assert word in job["error"], job["error"]
+    assert not (folder / "out" / "plate.ngc").exists()
+    assert FreeCAD.listDocuments() == {}
+
+
+@pytest.mark.parametrize(
+    "text, words",
+    [
+        ("{", ["is no JSON"]),
+        ("[]", ["must be an object with the keys jobs, report"]),
+        ('{"job": []}', ["unknown key 'job'", "jobs, report"]),
+        ("{}", ["the key 'jobs' is missing"]),
+        ('{"jobs": {}}', ["'jobs' must be a list"]),
+    ],
+)
+def test_a_job_file_that_cannot_be_used_is_refused(tmp_path, text, words):
+    path = tmp_path / "jobs.json"
+    path.write_text(text)
+    with pytest.raises(ValueError) as caught:
+        batch.run_file(str(path), lambda line: None)
+    for word in words:
+        assert word in str(caught.value)
+
+
+def test_a_job_file_that_is_not_there_is_refused(tmp_path):
+    with pytest.raises(ValueError, match="cannot be read"):
+        batch.run_file(str(tmp_path / "none.json"), lambda line: None)
+
+
+# ---- as a program ----
+
+
+def program(folder, *arguments, **environment):
+    """Runs batch.py with freecadcmd; returns (exit code, output)."""
+    freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    result = subprocess.run(
+        [freecadcmd, os.path.abspath(batch.__file__), *arguments],
+        env={k: v for k, v in os.environ.items() if k != "EVENLOAD_JOB"} | environment,
+        cwd=str(folder),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=120,
+    )
+    return result.returncode, result.stdout
+
+
+def test_the_program_takes_the_job_file_from_the_environment(folder):
+    (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))
+    code, output = program(folder, EVENLOAD_JOB=str(folder / "jobs.json"))
+    assert code == 0, output
+    assert "[1/1] plate: wrote" in output and "engagement, largest" in output
+    assert (folder / "out" / "plate.ngc").exists()
+
+
+def test_the_program_takes_the_job_file_as_an_argument_and_fails_when_a_job_does(folder):
+    jobs = [a_job(folder, base=["Face99"]), a_job(folder, name="good")]
+    (folder / "jobs.json").write_text(json.dumps({"jobs": jobs}))
+    code, output = program(folder, "jobs.json")
+    assert code == 1, output
+    assert "[1/2] plate: FAILED" in output and "[2/2] good: done" in output
+    assert "Traceback" not in output
+
+
+def test_the_program_without_a_usable_job_file_says_so(folder):
+    code, output = program(folder)
+    assert code == 2 and "EVENLOAD_JOB" in output
+    code, output = program(folder, EVENLOAD_JOB="none.json")
+    assert code == 2 and "none.json cannot be read" in output and "Traceback" not in output
+
+
+def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
+    source = os.path.dirname(os.path.abspath(batch.__file__))
+    bare = folder / "bare" / "Mod" / "evenload"
+    shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "_build.py", "__pycache__"))
+    (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))
+    home = folder / "home"
+    freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    result = subprocess.run(
+        [freecadcmd, str(bare / "batch.py"), str(folder / "jobs.json")],
+        env=dict(os.environ, FREECAD_USER_HOME=str(home)),
+        stdin=subprocess.DEVNULL,
+        capture_output=True,
+        text=True,
+        errors="replace",
+        timeout=60,
+    )
+    output = result.stdout + result.stderr
+    assert result.returncode == 2, output
+    assert "compiled modules are missing: run './run install'" in output
+    assert "Traceback" not in output
+
+
+def test_importing_the_package_imports_nothing_heavy():
+    code = "import evenload, sys; print(sorted(m for m in sys.modules if 'evenload' in m))"
+    path = os.path.dirname(os.path.dirname(os.path.abspath(batch.__file__)))
+    python = shutil.which("python3", path="/usr/bin") or sys.executable
+    result = subprocess.run(
+        [python, "-c", code], env=dict(os.environ, PYTHONPATH=path), capture_output=True, text=True
+    )
+    assert result.stdout.strip() == "['evenload']", result.stderr

@@ -1,0 +1,75 @@
+"""Tables and pictures: what they are made from, and that they show it."""
+
+import math
+
+import pytest
+from conftest import SQUARE, circle
+from evenload import commands, report
+
+
+def test_figures_name_what_the_operation_reports(square):
+    op = square.done(square.operation())
+    figures = report.figures(op)
+    assert figures["cutting_time_s"] == op.CuttingTime
+    assert figures["time_ratio"] == pytest.approx(op.CuttingTime / op.IdealTime)
+    assert figures["blocks"] == len(op.Path.Commands)
+    assert figures["cut_length_mm"] > 100 and figures["passes"] > 0
+
+
+def test_a_table_has_a_column_per_job_and_a_line_per_failure(square):
+    figures = report.figures(square.done(square.operation()))
+    done = {"name": "plate", "ok": True, "figures": dict(figures, report="Left: a corner.")}
+    bad = {"name": "worse", "ok": False, "error": "No tool.", "figures": {}}
+    lines = report.table([done, dict(done, name="other"), bad]).splitlines()
+    assert lines[0].split() == ["plate", "other"]
+    time = next(line for line in lines if line.startswith("time  "))
+    assert time.split()[-1] == "%.1f" % figures["cutting_time_s"]
+    assert "plate: Left: a corner." in lines
+    assert lines[-1] == "worse FAILED: No tool."
+
+
+def test_a_table_of_failures_only_has_no_figures():
+    assert report.table([{"name": "a", "ok": False, "error": "No."}]) == "a FAILED: No."
+
+
+def test_the_picture_of_an_operation(square, tmp_path):
+    op = square.operation()
+    with pytest.raises(ValueError, match="recompute it first"):
+        report.picture(op, str(tmp_path / "none.png"))
+    square.done(op)
+    report.picture(op, str(tmp_path / "path.png"))
+    assert (tmp_path / "path.png").stat().st_size > 20000
+
+
+def test_an_outline_follows_arcs():
+    points = report.outline(circle(3, 4, 5))
+    assert points[0] == points[-1] and len(points) > 36
+    assert all(math.dist(p, (3, 4)) == pytest.approx(5) for p in points)
+    assert report.outline(SQUARE) == [(0, 0), (30, 0), (30, 30), (0, 30), (0, 0)]
+
+
+def test_moves_and_posted_gcode_give_the_same_samples(square):
+    from evenload import host
+
+    op = square.done(square.operation())
+    moves = report.samples_of_moves(op.Proxy.last.toolpath.moves)
+    text = host.post(square.job, "linuxcnc", "--no-show-editor")
+    posted = report.samples_of_gcode(text)
+    assert {s[3] for s in posted} == {commands.RAPID, commands.CUT}
+    box = [
+        [f(s[k] for s in samples) for k in (0, 1) for f in (min, max)]
+        for samples in (moves, posted)
+    ]
+    assert box[0] == pytest.approx(box[1], abs=0.01)
+
+
+def test_gcode_can_be_drawn_by_feed(tmp_path):
+    text = "G21\nG0 X0 Y0\nG1 X10 F100\nG3 X0 Y10 I-10 J0 F200 (turn)\nG2 X0 Y10 I5 J0\n"
+    samples = report.samples_of_gcode(text)
+    assert samples[0] == (0, 0, 0, commands.RAPID) and samples[1] == (10, 0, 100, commands.CUT)
+    assert samples[-1][:2] == pytest.approx((0, 10))
+    full = [s for s in samples if s[0] > 5 and s[1] > 9]
+    assert full and all(s[2] == 200 for s in samples[2:])
+    path = tmp_path / "gcode.png"
+    report.draw(str(path), samples, [], None, "G-code", "feed, mm/min")
+    assert path.stat().st_size > 5000
