@@ -41,6 +41,8 @@ def figures():
     for name, shape in shapes.items():
         text = shape.exportBrepToString()
         yield "occt.%s.export" % name, 1e3 * best_time(shape.exportBrepToString), "ms"
-        yield "occt.%s.read" % name, 1e3 * best_time(lambda: _occt.regions_from_brep(text, TOLERANCE)), "ms"
-    (_, outer, _), = _occt.regions_from_brep(ellipse().exportBrepToString(), TOLERANCE)
+        yield "occt.%s.read" % name, 1e3 * best_time(
+            lambda: _occt.regions_from_brep(text, TOLERANCE)
+        ), "ms"
+    ((_, outer, _),) = _occt.regions_from_brep(ellipse().exportBrepToString(), TOLERANCE)
     yield "occt.ellipse.arcs", len(outer), "arcs"

@@ -72,7 +72,9 @@ def spline(corners):
 def plate():
     """A plate of 60 x 40 mm at z = 7 with rounded corners, a round hole and a slot."""
     solid = Part.makeBox(60, 40, 7)
-    solid = solid.makeFillet(5, [e for e in solid.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9])
+    solid = solid.makeFillet(
+        5, [e for e in solid.Edges if abs(e.tangentAt(e.FirstParameter).z) > 0.9]
+    )
     solid = solid.cut(Part.makeCylinder(4, 7, Vector(15, 20, 0)))
     return solid.cut(Part.makeBox(20, 6, 7, Vector(30, 17, 0)))
 
@@ -86,7 +88,9 @@ def test_a_face_gives_its_outline_and_islands_exactly():
     ((z, outer, islands),) = regions(face)
     assert z == pytest.approx(7, abs=1e-12)
     assert len(outer) == 8 and sorted(map(len, islands)) == [2, 4]
-    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(face.Area, rel=1e-12)
+    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(
+        face.Area, rel=1e-12
+    )
     bulges = sorted(abs(v[2]) for v in outer)
     assert bulges == pytest.approx([0] * 4 + [math.tan(math.pi / 8)] * 4, abs=1e-12)
     assert all(not v[3] for v in outer)
@@ -102,10 +106,14 @@ def test_a_face_that_looks_down_gives_the_same_as_one_that_looks_up():
 @pytest.mark.parametrize("degrees", [0, 17, 90, 200])
 def test_placements_are_followed(degrees):
     (face,) = level_faces(plate(), 7)
-    face.Placement = FreeCAD.Placement(Vector(1000, -500, -12), FreeCAD.Rotation(Vector(0, 0, 1), degrees))
+    face.Placement = FreeCAD.Placement(
+        Vector(1000, -500, -12), FreeCAD.Rotation(Vector(0, 0, 1), degrees)
+    )
     ((z, outer, islands),) = regions(face)
     assert z == pytest.approx(-5, abs=1e-9)
-    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(face.Area, rel=1e-9)
+    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(
+        face.Area, rel=1e-9
+    )
     for x, y in points(outer):
         assert Part.Vertex(x, y, -5).distToShape(face.OuterWire)[0] < 1e-9
 
@@ -114,7 +122,9 @@ def test_a_mirrored_face_keeps_its_arcs():
     (face,) = level_faces(plate(), 7)
     mirrored = face.mirror(Vector(0, 0, 0), Vector(1, 0, 0))
     ((_, outer, islands),) = regions(mirrored)
-    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(face.Area, rel=1e-12)
+    assert abs(area(outer)) - sum(abs(area(i)) for i in islands) == pytest.approx(
+        face.Area, rel=1e-12
+    )
 
 
 def test_a_full_circle_becomes_two_half_circles():
@@ -146,8 +156,11 @@ def test_loose_edges_are_joined_in_any_order_and_sense():
 
 
 def test_ends_that_nearly_meet_are_joined():
-    edges = [Part.makeLine(Vector(0, 0, 0), Vector(10, 0, 0)), Part.makeLine(Vector(10.0005, 0, 0), Vector(5, 8, 0)),
-             Part.makeLine(Vector(5, 8, 0), Vector(0, 0.0005, 0))]
+    edges = [
+        Part.makeLine(Vector(0, 0, 0), Vector(10, 0, 0)),
+        Part.makeLine(Vector(10.0005, 0, 0), Vector(5, 8, 0)),
+        Part.makeLine(Vector(5, 8, 0), Vector(0, 0.0005, 0)),
+    ]
     ((_, outer, _),) = regions(Part.Compound(edges))
     assert len(outer) == 3
 
@@ -161,8 +174,10 @@ def test_a_tiny_edge_between_others_does_no_harm():
 def test_wires_are_nested_in_turns():
     circles = [Part.makeCircle(r) for r in (5, 20, 3, 10)] + [Part.makeCircle(2, Vector(40, 0, 0))]
     found = regions(Part.Compound([Part.Wire([c]) for c in circles]))
-    radii = [(math.sqrt(abs(area(o)) / math.pi), [math.sqrt(abs(area(i)) / math.pi) for i in islands])
-             for _, o, islands in found]
+    radii = [
+        (math.sqrt(abs(area(o)) / math.pi), [math.sqrt(abs(area(i)) / math.pi) for i in islands])
+        for _, o, islands in found
+    ]
     assert [r[0] for r in radii] == pytest.approx([5, 20, 2])
     assert [r[1] for r in radii] == [pytest.approx([3]), pytest.approx([10]), []]
 
@@ -179,12 +194,16 @@ def test_faces_and_sketches_come_together():
 
 
 @pytest.mark.parametrize("tolerance", [0.05, 0.005, 0.0002])
-@pytest.mark.parametrize("curve", [
-    Part.Ellipse(Vector(0, 0, 0), 20, 8),
-    Part.Ellipse(Vector(5, 5, 0), 20, 0.8),
-    spline([(0, 0), (10, 3), (14, 12), (3, 9), (-6, 14), (-4, 2)]),
-    Part.OffsetCurve(Part.Ellipse(Vector(0, 0, 0), 20, 12), 3, Vector(0, 0, 1)),
-], ids=["ellipse", "flat ellipse", "spline", "offset"])
+@pytest.mark.parametrize(
+    "curve",
+    [
+        Part.Ellipse(Vector(0, 0, 0), 20, 8),
+        Part.Ellipse(Vector(5, 5, 0), 20, 0.8),
+        spline([(0, 0), (10, 3), (14, 12), (3, 9), (-6, 14), (-4, 2)]),
+        Part.OffsetCurve(Part.Ellipse(Vector(0, 0, 0), 20, 12), 3, Vector(0, 0, 1)),
+    ],
+    ids=["ellipse", "flat ellipse", "spline", "offset"],
+)
 def test_other_curves_become_smooth_arcs_within_tolerance(curve, tolerance):
     edge = curve.toShape()
     ((_, outer, _),) = regions(edge, tolerance)
@@ -200,8 +219,13 @@ def test_random_splines_become_smooth_arcs_within_tolerance():
     source = random.Random(11)
     for _ in range(10):
         n = source.randint(4, 12)
-        corners = [(source.uniform(8, 30) * math.cos(2 * math.pi * k / n),
-                    source.uniform(8, 30) * math.sin(2 * math.pi * k / n)) for k in range(n)]
+        corners = [
+            (
+                source.uniform(8, 30) * math.cos(2 * math.pi * k / n),
+                source.uniform(8, 30) * math.sin(2 * math.pi * k / n),
+            )
+            for k in range(n)
+        ]
         edge = spline(corners).toShape()
         ((_, outer, _),) = regions(edge)
         assert max(kinks(outer)) < 1e-4
@@ -212,7 +236,9 @@ def test_random_splines_become_smooth_arcs_within_tolerance():
 def test_a_spline_that_is_a_circle_or_a_line_is_read_as_one():
     circle = Part.Circle(Vector(0, 0, 0), Vector(0, 0, 1), 10).toBSpline(0, math.pi / 2).toShape()
     lines = Part.BSplineCurve()
-    lines.buildFromPolesMultsKnots([Vector(0, 10, 0), Vector(0, 0, 0), Vector(10, 0, 0)], [2, 1, 2], [0, 1, 2], False, 1)
+    lines.buildFromPolesMultsKnots(
+        [Vector(0, 10, 0), Vector(0, 0, 0), Vector(10, 0, 0)], [2, 1, 2], [0, 1, 2], False, 1
+    )
     ((_, outer, _),) = regions(Part.Compound([circle, lines.toShape()]))
     assert len(outer) == 3
     assert abs(area(outer)) == pytest.approx(25 * math.pi, rel=1e-9)
@@ -230,7 +256,9 @@ def test_a_corner_inside_a_spline_stays_sharp():
 
 
 def test_a_face_inside_a_face_by_a_slit_is_read_without_the_slit():
-    square = Part.Face(Part.makePolygon([Vector(*c, 0) for c in [(0, 0), (20, 0), (20, 20), (0, 20), (0, 0)]]))
+    square = Part.Face(
+        Part.makePolygon([Vector(*c, 0) for c in [(0, 0), (20, 0), (20, 20), (0, 20), (0, 0)]])
+    )
     slit = Part.makeLine(Vector(0, 10, 0), Vector(9, 10, 0))
     pieces_of_it = square.generalFuse([slit])[0].Faces
     ((_, outer, islands),) = regions(pieces_of_it[0])
@@ -248,19 +276,43 @@ def test_a_tilted_face_is_refused_with_its_angle_and_place():
     assert isinstance(error, ValueError)
 
 
-@pytest.mark.parametrize("shape, reason", [
-    (Part.makeCylinder(5, 10).Faces[0], "not planar"),
-    (Part.makeSphere(5).Faces[0], "not planar"),
-    (Part.makeBox(1, 1, 1), "tilted"),
-    (Part.makeCircle(5, Vector(0, 0, 0), Vector(0.3, 0, 1)), "tilted"),
-    (Part.makePolygon([Vector(0, 0, 0), Vector(9, 0, 0), Vector(9, 9, 0)]), "open"),
-    (Part.makeLine(Vector(0, 0, 0), Vector(9, 0, 0)), "open"),
-    (Part.Compound([]), "empty"),
-    (Part.Vertex(1, 2, 3), "empty"),
-    (Part.Compound([Part.makeCircle(5), Part.makeCircle(5, Vector(4, 0, 0))]), "crossing"),
-    (Part.Compound([Part.makePolygon([Vector(0, 0, 0), Vector(9, 0, 0), Vector(9, 9, 0), Vector(0, 0, 0)]),
-                    Part.makeLine(Vector(9, 0, 0), Vector(20, 0, 0))]), "branching"),
-], ids=["cylinder", "sphere", "box", "tilted circle", "open wire", "line", "nothing", "vertex", "crossing", "branching"])
+@pytest.mark.parametrize(
+    "shape, reason",
+    [
+        (Part.makeCylinder(5, 10).Faces[0], "not planar"),
+        (Part.makeSphere(5).Faces[0], "not planar"),
+        (Part.makeBox(1, 1, 1), "tilted"),
+        (Part.makeCircle(5, Vector(0, 0, 0), Vector(0.3, 0, 1)), "tilted"),
+        (Part.makePolygon([Vector(0, 0, 0), Vector(9, 0, 0), Vector(9, 9, 0)]), "open"),
+        (Part.makeLine(Vector(0, 0, 0), Vector(9, 0, 0)), "open"),
+        (Part.Compound([]), "empty"),
+        (Part.Vertex(1, 2, 3), "empty"),
+        (Part.Compound([Part.makeCircle(5), Part.makeCircle(5, Vector(4, 0, 0))]), "crossing"),
+        (
+            Part.Compound(
+                [
+                    Part.makePolygon(
+                        [Vector(0, 0, 0), Vector(9, 0, 0), Vector(9, 9, 0), Vector(0, 0, 0)]
+                    ),
+                    Part.makeLine(Vector(9, 0, 0), Vector(20, 0, 0)),
+                ]
+            ),
+            "branching",
+        ),
+    ],
+    ids=[
+        "cylinder",
+        "sphere",
+        "box",
+        "tilted circle",
+        "open wire",
+        "line",
+        "nothing",
+        "vertex",
+        "crossing",
+        "branching",
+    ],
+)
 def test_what_bounds_no_level_region_is_refused(shape, reason):
     error = refusal(shape)
     assert error.reason == reason
@@ -285,7 +337,7 @@ def test_text_that_is_cut_short_is_refused():
     text = plate().exportBrepToString()
     for share in (0.1, 0.3, 0.5, 0.7, 0.9):
         with pytest.raises(_occt.ShapeError) as caught:
-            _occt.regions_from_brep(text[:int(share * len(text))], TOLERANCE)
+            _occt.regions_from_brep(text[: int(share * len(text))], TOLERANCE)
         assert caught.value.reason in ("unreadable", "kernel")
 
 

@@ -44,7 +44,9 @@ def test_includes_follow_the_arrows(path):
     for include in own_includes(path):
         assert (SOURCE / include).is_file(), "%s is not written from src/ on" % include
         allowed = ARROWS[folder] | {folder}
-        assert include in PLAIN_VALUES or include.split("/")[0] in allowed, "%s may not include %s" % (folder, include)
+        assert (
+            include in PLAIN_VALUES or include.split("/")[0] in allowed
+        ), "%s may not include %s" % (folder, include)
 
 
 @pytest.mark.parametrize("header", sorted(PLAIN_VALUES))
@@ -61,7 +63,9 @@ def test_foreign_headers_stay_where_they_belong(path):
         if include.startswith(("pybind11/", "Python.h")):
             assert folder in ("occt", "python"), "Python belongs to the bindings: %s" % include
         if path.suffix == ".h":
-            assert not include.endswith(".hxx") and not include.startswith("boost/"), "keep %s out of headers" % include
+            assert not include.endswith(".hxx") and not include.startswith("boost/"), (
+                "keep %s out of headers" % include
+            )
 
 
 def test_the_arrows_have_no_circle():
