@@ -103,7 +103,7 @@ def _element(shape, name):
         return shape
     try:
         return shape.getElement(name)
-    except (ValueError, Part.OCCError, AttributeError):
+    except (ValueError, IndexError, AttributeError, Part.OCCError):
         return None
 
 

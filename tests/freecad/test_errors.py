@@ -285,12 +285,20 @@ def test_a_tree_without_the_compiled_modules_says_so_in_one_sentence(square, mon
     square.done(op)
 
 
-@pytest.mark.parametrize("depth", [3.0, 5.0])
-def test_create_job_checks_its_arguments(doc, depth):
+def test_an_error_of_our_own_is_told_from_a_users_mistake(square, monkeypatch):
+    op = square.done(square.operation())
+    monkeypatch.setattr(type(op.Proxy), "generate", lambda *arguments: {}["missing"])
+    op.touch()
+    square.doc.recompute()
+    assert not op.isValid() and op.Path.Commands == []
+    assert op.Report == "EvenLoad failed: KeyError: 'missing'."
+
+
+def test_create_job_checks_its_arguments(doc):
     from evenload import host
 
     part = doc.addObject("Part::Feature", "Part")
-    part.Shape = block_with(face_of(SQUARE), depth=depth)
+    part.Shape = block_with(face_of(SQUARE))
     for wrong in ({"tool_diameter": 0}, {"feed": -1}, {"spindle_speed": 0}):
         good = {"tool_diameter": 6, "feed": 255, "spindle_speed": 6366, "flutes": 1, **wrong}
         with pytest.raises(ValueError, match="%s must be positive" % list(wrong)[0]):

@@ -409,10 +409,11 @@ class Operation(host.operation_base()):
             obj.Path = Path.Path()
             obj.CycleTime = ""
             self._clear_results(obj)
+            if not isinstance(error, (ValueError, ImportError)):
+                obj.Report = "EvenLoad failed: %s." % _internal(error)
+                raise
             obj.Report = str(error)
-            if isinstance(error, (ValueError, ImportError)):
-                raise error.with_traceback(None) from None
-            raise
+            raise error.with_traceback(None) from None
 
     def opExecute(self, obj):
         core = compiled.core()
@@ -635,6 +636,13 @@ def _show(obj):
         from evenload.gui import views
 
         views.attach(obj)
+
+
+def _internal(error):
+    """What an unexpected error says; FreeCAD's own carry a dictionary."""
+    first = error.args[0] if error.args else ""
+    text = first.get("sErrMsg", "") if isinstance(first, dict) else str(error)
+    return "%s: %s" % (type(error).__name__, text.strip().rstrip("."))
 
 
 def _set(obj, name, value):
