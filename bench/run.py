@@ -1,7 +1,8 @@
 # freecadcmd bench/run.py: runs every bench/bench_*.py and collects its figures by name.
 #
-# A benchmark is a module with `figures()`, which yields (name, value, unit). Names are words joined by dots, from the
-# broad to the narrow ("core.star.compute"), and stay the same over time, so that files of different days compare.
+# A benchmark is a module with `figures()`, which yields (name, value, unit). Names are words joined
+# by dots, from the broad to the narrow ("core.star.compute"), and stay the same over time, so that
+# files of different days compare.
 # EVENLOAD_BENCH_JSON names a file that gets {name: {"value": ..., "unit": ...}}.
 import importlib
 import json
@@ -12,7 +13,7 @@ from pathlib import Path
 
 
 def collect(folder):
-    """Returns the figures of all benchmarks in `folder`, by name, and the names of the benchmarks that failed."""
+    """Returns the figures of all benchmarks in `folder` by name, and the names of the failed ones."""
     sys.path.insert(0, str(folder))
     figures, failed = {}, []
     for path in sorted(folder.glob("bench_*.py")):

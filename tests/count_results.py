@@ -1,7 +1,8 @@
-"""Adds up test results. count_results.py FOLDER NAME=EXITCODE...: reads FOLDER/NAME.xml (JUnit) of every suite.
+"""Adds up test results. count_results.py FOLDER NAME=EXITCODE...
 
-A suite that ended badly without a failed test in its file, or wrote no file, counts as one failure. The last line is
-'N passed, N failed', with ', N skipped' where there are any; the exit code is 1 when anything failed.
+Reads FOLDER/NAME.xml (JUnit) of every suite. A suite that ended badly without a failed test in its
+file, or wrote no file, counts as one failure. The last line is 'N passed, N failed', with
+', N skipped' where there are any; the exit code is 1 when anything failed.
 """
 import sys
 import xml.etree.ElementTree

@@ -1,4 +1,4 @@
-"""Regions from shapes: what _occt reads from faces, wires and sketches, and how it refuses the rest."""
+"""Regions from shapes: what _occt reads from faces, wires and sketches, and what it refuses."""
 import math
 import random
 

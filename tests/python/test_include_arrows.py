@@ -6,7 +6,8 @@ import pytest
 
 SOURCE = Path(__file__).resolve().parents[2] / "src"
 
-# What each folder may include besides itself. Strategy and simulate never see each other: the simulator is the judge.
+# What each folder may include besides itself. Strategy and simulate never see each other: the
+# simulator is the judge.
 ARROWS = {
     "support": set(),
     "geometry": {"support"},
@@ -18,8 +19,8 @@ ARROWS = {
     "occt": {"support", "geometry"},
     "python": {"support", "geometry", "cutting", "toolpath", "strategy", "feed", "simulate"},
 }
-# Plain values that any folder may include, errors of the support folder among them: a header of the standard library's
-# kind, which includes nothing of ours.
+# Plain values that any folder may include, support/errors.h among them: of the standard library's
+# kind, they include nothing of ours.
 PLAIN_VALUES = {"geometry/vec2.h"}
 
 FILES = sorted(path for path in SOURCE.rglob("*") if path.suffix in (".h", ".cpp"))
