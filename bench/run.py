@@ -13,7 +13,7 @@ from pathlib import Path
 
 
 def collect(folder):
-    """Returns the figures of all benchmarks in `folder` by name, and the names of the failed ones."""
+    """Returns the figures of all benchmarks in `folder` by name, and those that failed."""
     sys.path.insert(0, str(folder))
     figures, failed = {}, []
     for path in sorted(folder.glob("bench_*.py")):

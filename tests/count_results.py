@@ -15,9 +15,8 @@ def read(path):
     for case in xml.etree.ElementTree.parse(path).iter("testcase"):
         if case.find("failure") is not None or case.find("error") is not None:
             group, name = case.get("classname"), case.get("name")
-            failed.append(
-                name if name == group else "%s.%s" % (group, name)
-            )  # ctest writes one name twice
+            # ctest writes one name twice
+            failed.append(name if name == group else "%s.%s" % (group, name))
         elif case.find("skipped") is not None:
             skipped += 1
         else:
