@@ -6,6 +6,7 @@
 #include <array>
 #include <stdexcept>
 
+#include "geometry/boundary_index.h"
 #include "geometry/medial_axis.h"
 #include "geometry/voronoi.h"
 
@@ -49,23 +50,11 @@ Vec2 best_step(const std::vector<Slope>& slopes, double reach) {
   // Short steps come first: on a ridge of one height others along it are as good.
   for (std::size_t i = 0; i < n; ++i) {
     for (std::size_t k = 0; k < i; ++k) {
-      const Vec2 across = slopes[i].up - slopes[k].up;
-      const double squared = squared_norm(across);
-      if (squared > 0) offer((slopes[k].height - slopes[i].height) / squared * across);
-    }
-  }
-  for (const double x : {-reach, reach})
-    for (const double y : {-reach, reach}) offer({x, y});
-  for (std::size_t i = 0; i < n; ++i) {
-    offer(reach * slopes[i].up);
-    for (std::size_t k = 0; k < i; ++k) {
       // Steps at which i and k stay level: step . across = rise.
       const Vec2 across = slopes[i].up - slopes[k].up;
       const double rise = slopes[k].height - slopes[i].height;
-      for (const double side : {-reach, reach}) {
-        if (across.y != 0) offer({side, (rise - across.x * side) / across.y});
-        if (across.x != 0) offer({(rise - across.y * side) / across.x, side});
-      }
+      if (squared_norm(across) == 0) continue;
+      offer(rise / squared_norm(across) * across);
       for (std::size_t j = 0; j < k; ++j) {
         const Vec2 other = slopes[i].up - slopes[j].up;
         const double other_rise = slopes[j].height - slopes[i].height;
@@ -76,6 +65,19 @@ Vec2 best_step(const std::vector<Slope>& slopes, double reach) {
       }
     }
   }
+  for (std::size_t i = 0; i < n; ++i) {
+    offer(reach * slopes[i].up);
+    for (std::size_t k = 0; k < i; ++k) {
+      const Vec2 across = slopes[i].up - slopes[k].up;
+      const double rise = slopes[k].height - slopes[i].height;
+      for (const double side : {-reach, reach}) {
+        if (across.y != 0) offer({side, (rise - across.x * side) / across.y});
+        if (across.x != 0) offer({(rise - across.y * side) / across.x, side});
+      }
+    }
+  }
+  for (const double x : {-reach, reach})
+    for (const double y : {-reach, reach}) offer({x, y});
   return best;
 }
 

@@ -37,6 +37,38 @@ bool comes_from_flattening(const InnerVoronoi& voronoi, const InnerVoronoi::Edge
   return hugs(ring, edge.left, edge.right, p, reach) || hugs(ring, edge.right, edge.left, p, reach);
 }
 
+// The edges without the branches that only come from flattening. They go from their free ends
+// inwards, so that the axis stays in one piece and keeps its way around every island.
+std::vector<InnerVoronoi::Edge> without_twigs(const InnerVoronoi& voronoi,
+                                              const BoundaryIndex& boundary, double slack) {
+  std::vector<std::vector<std::size_t>> at(voronoi.vertices.size());
+  for (std::size_t i = 0; i < voronoi.edges.size(); ++i) {
+    at[voronoi.edges[i].from].push_back(i);
+    at[voronoi.edges[i].to].push_back(i);
+  }
+  std::vector<std::size_t> ends;
+  for (std::size_t v = 0; v < at.size(); ++v)
+    if (at[v].size() == 1) ends.push_back(v);
+  std::vector<std::uint8_t> gone(voronoi.edges.size(), 0);
+  while (!ends.empty()) {
+    const std::size_t v = ends.back();
+    ends.pop_back();
+    if (at[v].size() != 1) continue;
+    const std::size_t i = at[v][0];
+    const InnerVoronoi::Edge& e = voronoi.edges[i];
+    if (!comes_from_flattening(voronoi, e, boundary, slack)) continue;
+    gone[i] = 1;
+    std::erase(at[e.from], i);
+    std::erase(at[e.to], i);
+    const std::size_t other = e.from == v ? e.to : e.from;
+    if (at[other].size() == 1) ends.push_back(other);
+  }
+  std::vector<InnerVoronoi::Edge> kept;
+  for (std::size_t i = 0; i < voronoi.edges.size(); ++i)
+    if (!gone[i]) kept.push_back(voronoi.edges[i]);
+  return kept;
+}
+
 class Groups {
  public:
   explicit Groups(std::size_t n) : parents_(n) {
@@ -149,8 +181,7 @@ MedialAxis medial_axis(const Region& region, double tolerance) {
 
   std::vector<InnerVoronoi::Edge> kept;
   Groups groups(voronoi.vertices.size());
-  for (const InnerVoronoi::Edge& e : voronoi.edges) {
-    if (comes_from_flattening(voronoi, e, boundary, kSlack * tolerance)) continue;
+  for (const InnerVoronoi::Edge& e : without_twigs(voronoi, boundary, kSlack * tolerance)) {
     if (distance(voronoi.vertices[e.from], voronoi.vertices[e.to]) < kContraction * tolerance)
       groups.merge(e.from, e.to);
     else

@@ -40,8 +40,8 @@ struct InnerVoronoi {
 // was meant as a corner.
 inline constexpr double kCornerTurn = 0.01;  // rad
 
-// `tolerance` mm: of the flattening; finer where the flattened curves would cross. `boundary`: of
-// the region's curves.
+// `boundary`: of the region's curves. `tolerance` mm: of the flattening; finer where the flattened
+// curves would cross.
 InnerVoronoi inner_voronoi(const Region& region, const BoundaryIndex& boundary, double tolerance);
 
 }  // namespace evenload
