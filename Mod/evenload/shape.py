@@ -35,6 +35,7 @@ class Floor:
     z: float  # mm
     outer: list  # of (x, y, bulge, open)
     islands: list
+    is_face: bool  # a floor of the model; else an outline drawn at any height
     notes: list = field(default_factory=list)
 
     def region(self):
@@ -64,12 +65,10 @@ def floors(base, models, stock, tool_diameter, tolerance):
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     walls = _Walls(models, stock)
-    result = []
-    for floor, is_face in found:
-        if is_face:
+    for floor in found:
+        if floor.is_face:
             _judge_edges(floor, walls, tool_diameter, tolerance)
-        result.append(floor)
-    return result
+    return found
 
 
 def heights(base):
@@ -169,7 +168,7 @@ def _read(item, tolerance):
     except occt.ShapeError as error:
         raise ValueError(_sentence(item, error)) from None
     return [
-        (Floor(item.name, z, list(outer), [list(i) for i in islands]), item.is_face)
+        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face)
         for z, outer, islands in found
     ]
 

@@ -119,6 +119,15 @@ def test_a_deep_final_depth_is_met_exactly_though_the_step_does_not_divide_it(be
     assert {-2.5, -5.0, -7.3} <= seen and min(seen) == -7.3
 
 
+def test_depths_that_miss_the_floor_are_reported(square):
+    op = square.done(square.operation())
+    assert op.Report == ""
+    op.FinalDepth = -2
+    assert "FinalDepth lies 1 mm above Face" in square.done(op).Report
+    op.FinalDepth = -3.5
+    assert "FinalDepth lies 0.5 mm below Face" in square.done(op).Report
+
+
 def ways_round(op):
     """Sum of the signed sweeps of the cutting arcs at the final depth, in rad."""
     total = 0.0

@@ -439,11 +439,28 @@ class Operation(host.operation_base()):
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
         self.last = Computation(floors, regions, toolpath, tool, data, hole)
-        self._set_results(obj, toolpath.report, [n for floor in floors for n in floor.notes])
+        self._set_results(obj, toolpath.report, self._notes(floors, levels[-1]))
 
     def generate(self, obj, core, regions, parameters):
         """The core's toolpath for the regions."""
         raise NotImplementedError
+
+    @staticmethod
+    def _notes(floors, final_depth):
+        notes = [note for floor in floors for note in floor.notes]
+        for floor in floors:
+            above = floor.z - final_depth
+            if floor.is_face and abs(above) > LEVEL:
+                notes.append(
+                    "FinalDepth lies %g mm %s %s%s."
+                    % (
+                        round(abs(above), 4),
+                        "below" if above > 0 else "above",
+                        floor.name,
+                        ": the tool cuts into it" if above > 0 else ": the rest of it stays",
+                    )
+                )
+        return notes
 
     def _check_job(self, obj):
         job = host.parent_job(obj)
@@ -600,6 +617,7 @@ class Operation(host.operation_base()):
             setattr(obj, setting.name, setting.value)
 
 
+LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 OUTPUT = 8  # FreeCAD's property attribute for results
 
 
