@@ -5,7 +5,7 @@ then chosen for the rounded ends: what is posted is what was computed, and no ar
 disagree by more than a controller accepts.
 """
 
-from math import atan2, cos, hypot, isfinite, pi, sin, sqrt, tan
+from math import acos, atan2, ceil, cos, hypot, isfinite, pi, sin, sqrt, tan
 
 import Path
 
@@ -22,7 +22,14 @@ SMALLEST_RADIUS = 0.01  # mm: tighter arcs become lines, which leave them by les
 # Controllers refuse arcs whose radii at start and end differ by more than about 0.005 mm.
 RADIUS_MISMATCH = 0.0005  # mm: a centre on the grid is found for every arc within twice this
 MOST_TURN_CHANGE = 0.5  # rad: by which rounding may change a sweep; only the tiniest arcs get there
-LARGEST_SWEEP = 1.5 * pi  # rad: longer arcs are split in two, full circles among them
+# rad: FreeCAD's simulator and dressups take the wrong side of longer arcs; the margin keeps halves.
+LARGEST_SWEEP = pi * (1 + 1e-6)
+# FreeCAD's simulator and dressups take an arc whose end points span an area below 0.005 mm^2 with
+# its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
+# long enough for that to do no harm.
+SMALLEST_CROSS = 0.006  # mm^2
+LARGEST_SMALL_SWEEP = 1.75  # rad: a hundred degrees
+SAGITTA = 0.004  # mm: largest distance of those lines from the arc, on the inner side
 
 
 def from_moves(moves, start=None):
@@ -82,57 +89,56 @@ class _Writer:
             self.z = z
 
     def line(self, x, y, z, feed):
-        level = abs(z - self.z) < GRID / 2
-        if x == self.x and y == self.y:
-            if not level:
-                self.commands.append(Path.Command("G1", {"Z": z, "F": feed}))
-                self.z = z
-            return
-        parameters = {"X": x, "Y": y, "F": feed}
-        if not level:
-            parameters["Z"] = z
-            self.z = z
-        self.commands.append(Path.Command("G1", parameters))
-        self.x, self.y = x, y
+        if x != self.x or y != self.y or abs(z - self.z) >= GRID / 2:
+            self._feed("G1", x, y, z, {"F": feed})
+
+    def _feed(self, name, x, y, z, parameters):
+        """Feed moves name all three axes: FreeCAD's dressups look for them."""
+        if abs(z - self.z) < GRID / 2:
+            z = self.z
+        parameters.update(X=x, Y=y, Z=z)
+        self.commands.append(Path.Command(name, parameters))
+        self.x, self.y, self.z = x, y, z
 
     def arc(self, x, y, z, sweep, cx, cy, feed):
         """An arc, or a helix when z changes. It may go round more than once."""
-        pieces = 1
-        while abs(sweep) / pieces > LARGEST_SWEEP:
-            pieces += 1
-        if pieces > 1:
-            pieces = max(pieces, 2 * round(abs(sweep) / (2 * pi)))  # full turns as halves
-        radius, end = hypot(x - cx, y - cy), atan2(y - cy, x - cx)
-        z0, part = self.z, sweep / pieces
+        turns = abs(sweep) / (2 * pi)
+        pieces = max(1, ceil(abs(sweep) / LARGEST_SWEEP), 2 * round(turns))  # full turns as halves
+        circle = cx, cy, hypot(x - cx, y - cy), atan2(y - cy, x - cx) - sweep, self.z, z, sweep
         for i in range(1, pieces):
-            angle = end - (pieces - i) * part
-            self._piece(
-                cx + radius * cos(angle),
-                cy + radius * sin(angle),
-                z0 + (z - z0) * i / pieces,
-                part,
-                radius,
-                feed,
-            )
-        self._piece(x, y, z, part, radius, feed)
+            self._piece(*_on(circle, i / pieces), sweep / pieces, circle, (i - 1) / pieces, feed)
+        self._piece(x, y, z, sweep / pieces, circle, (pieces - 1) / pieces, feed)
 
-    def _piece(self, x, y, z, sweep, radius, feed):
+    def _piece(self, x, y, z, sweep, circle, share, feed):
+        """An arc of less than half a turn to (x, y, z), which starts at a share of a circle."""
+        radius = circle[2]
+        if radius < SMALLEST_RADIUS or radius > LARGEST_RADIUS:
+            self.line(_rounded(x), _rounded(y), round(z, 6), feed)
+            return
+        if radius**2 * abs(sin(sweep)) < SMALLEST_CROSS and abs(sweep) < LARGEST_SMALL_SWEEP:
+            lines = max(1, ceil(abs(sweep) / (2 * acos(1 - min(1.0, SAGITTA / radius)))))
+            for k in range(1, lines):
+                at = share + k / lines * sweep / circle[6]
+                u, v, w = _on(circle, at)
+                self.line(_rounded(u), _rounded(v), round(w, 6), feed)
+            self.line(_rounded(x), _rounded(y), round(z, 6), feed)
+            return
         x, y, z = _rounded(x), _rounded(y), round(z, 6)
         dx, dy = x - self.x, y - self.y
         chord = hypot(dx, dy)
-        if chord < SHORTEST_ARC or radius > LARGEST_RADIUS or radius < SMALLEST_RADIUS:
-            self.line(x, y, z, feed)
-            return
-        centre = _centre(dx, dy, chord, sweep)
+        centre = _centre(dx, dy, chord, sweep) if chord >= SHORTEST_ARC else None
         if centre is None:
             self.line(x, y, z, feed)
             return
-        parameters = {"X": x, "Y": y, "I": centre[0], "J": centre[1], "F": feed}
-        if abs(z - self.z) >= GRID / 2:
-            parameters["Z"] = z
-            self.z = z
-        self.commands.append(Path.Command("G3" if sweep > 0 else "G2", parameters))
-        self.x, self.y = x, y
+        parameters = {"I": centre[0], "J": centre[1], "F": feed}
+        self._feed("G3" if sweep > 0 else "G2", x, y, z, parameters)
+
+
+def _on(circle, share):
+    """The point at a share of a move along a circle or helix."""
+    cx, cy, radius, start, z0, z1, sweep = circle
+    angle = start + share * sweep
+    return cx + radius * cos(angle), cy + radius * sin(angle), z0 + share * (z1 - z0)
 
 
 def _centre(dx, dy, chord, sweep):

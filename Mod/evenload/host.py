@@ -97,8 +97,8 @@ def cutting_levels(top, step_down, final_depth):
 
 @contextlib.contextmanager
 def chosen_tool_controller(controller):
-    """While this lasts, FreeCAD takes `controller` where it would ask the user, or fail without one
-    to ask.
+    """While this lasts, FreeCAD takes `controller` where it would ask the user; without one, and
+    without a user to ask, the job's first.
     """
 
     class Choice:
@@ -106,14 +106,14 @@ def chosen_tool_controller(controller):
             return controller
 
         def chooseToolController(self, controllers):
-            return controller
+            return controller or controllers[0]
 
         def __getattr__(self, name):
             return getattr(before, name)
 
     utils = cam().utils
     before = utils.UserInput
-    if controller is not None:
+    if controller is not None or before is None:
         utils.UserInput = Choice()
     try:
         yield

@@ -75,8 +75,8 @@ def heights(base):
     """The z in mm of everything in `base` that is there and parallel to XY."""
     result = []
     for obj, names in base:
-        shape = getattr(obj, "Shape", None)
-        if shape is None or shape.isNull():
+        shape = _placed(obj)
+        if shape is None:
             continue
         for name in names or ("",):
             part = _element(shape, name)
@@ -97,6 +97,18 @@ class _Item:
     is_face: bool
 
 
+def _placed(obj):
+    """An object's shape where it is in the world, None where it has none."""
+    shape = getattr(obj, "Shape", None)
+    if shape is None or shape.isNull():
+        return None
+    container = obj.getGlobalPlacement() * obj.Placement.inverse()  # such as a sketch's body
+    if not container.isIdentity():
+        shape = shape.copy()
+        shape.Placement = container * shape.Placement
+    return shape
+
+
 def _element(shape, name):
     if not name:
         return shape
@@ -113,8 +125,8 @@ def _items(base):
     result = []
     for obj, names in base:
         label = obj.Label
-        shape = getattr(obj, "Shape", None)
-        if shape is None or shape.isNull():
+        shape = _placed(obj)
+        if shape is None:
             raise ValueError("'%s' has no shape: pick a face or a sketch." % label)
         faces, edges = [], []
         for name in names or ("",):

@@ -65,14 +65,60 @@ def random_arcs(count, seed):
 def test_a_line_carries_its_feed_in_mm_per_second():
     (line,) = commands.from_moves([(CUT, 10, 5, -3, 0, 0, 0, 300)], START)
     assert line.Name == "G1"
-    assert line.Parameters == {"X": 10, "Y": 5, "F": 5}
+    assert line.Parameters == {"X": 10, "Y": 5, "Z": -3, "F": 5}
 
 
-@pytest.mark.parametrize("sweep, name", [(1.2, "G3"), (-1.2, "G2"), (4.5, "G3"), (-4.5, "G2")])
+@pytest.mark.parametrize("sweep, name", [(1.2, "G3"), (-1.2, "G2"), (3.1, "G3"), (-3.1, "G2")])
 def test_arcs_turn_the_way_of_their_sweep(sweep, name):
     (arc,) = geometry(commands.from_moves([arc_move(START, (7, 0), sweep)], START))
     assert arc[0] == name
     assert arc[4] == pytest.approx(sweep, abs=1e-3)
+
+
+@pytest.mark.parametrize("sweep", [3.3, 4.5, 6.2, -3.3, -4.5, -6.2])
+def test_arcs_of_more_than_half_a_turn_are_halved(sweep):
+    made = geometry(commands.from_moves([arc_move(START, (7, 0), sweep)], START))
+    assert [m[0] for m in made] == ["G3" if sweep > 0 else "G2"] * 2
+    assert [m[4] for m in made] == pytest.approx([sweep / 2] * 2, abs=2e-3)
+
+
+@pytest.mark.parametrize("radius", [0.02, 0.032, 0.052, 0.07])
+@pytest.mark.parametrize("degrees", [5, 45, 90, 95])
+def test_freecad_takes_every_arc_for_what_it_is(radius, degrees):
+    """FreeCAD's own reading of commands, which its simulator and dressups use; it is rough."""
+    for sense in (1, -1):
+        made = commands.from_moves(
+            [arc_move(START, (radius, 0), math.radians(degrees) * sense)], START
+        )
+        assert read_by_freecad(made) == pytest.approx(
+            math.radians(degrees) * radius, rel=0.03, abs=0.0015
+        )
+
+
+def read_by_freecad(made, start=START):
+    """Length of commands as FreeCAD sees them."""
+    import FreeCAD
+
+    try:
+        import Path.Geom as geom
+    except ImportError:
+        import PathScripts.PathGeom as geom
+    at, total = FreeCAD.Vector(*start), 0.0
+    for command in made:
+        edge = geom.edgeForCmd(command, at)
+        total += edge.Length if edge else 0.0
+        at = geom.commandEndPoint(command, at)
+    return total
+
+
+def test_freecad_reads_random_arcs_as_they_are():
+    at = START[:2]
+    for move in random_arcs(1000, 4):
+        start = (round(at[0], 3), round(at[1], 3), -3.0)
+        exact = math.dist(at, move[5:7]) * abs(move[4])
+        made = commands.from_moves([move], start)
+        assert read_by_freecad(made, start) == pytest.approx(exact, rel=0.02, abs=0.002)
+        at = move[1:3]
 
 
 @pytest.mark.parametrize("decimals", [3, 4])

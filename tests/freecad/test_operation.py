@@ -1,7 +1,9 @@
 """The adaptive operation on good input: faces, sketches, edges, regions, depths, properties."""
 
 import math
+import os
 
+import evenload
 import FreeCAD
 import Part
 import pytest
@@ -60,6 +62,16 @@ def test_a_sketch_sets_the_final_depth_to_its_own_plane(square):
     square.done(op)
     assert op.OpFinalDepth.Value == pytest.approx(-2.25)
     assert op.FinalDepth.Value == pytest.approx(-2.25)
+
+
+def test_a_sketch_is_taken_where_its_body_is(square):
+    body = square.doc.addObject("PartDesign::Body", "Body")
+    chain = rectangle(0, 0, 20, 16)
+    body.addObject(sketch_of(square.doc, chain))
+    body.Placement.Base = Vector(5, 6, 0)
+    square.doc.recompute()
+    op = square.done(square.operation(base=[(square.doc.Sketch, "")]))
+    check_path(op, [at_floor(face_of(rectangle(5, 6, 25, 22)))])
 
 
 def test_closed_edges_are_cleared(square):
@@ -282,6 +294,15 @@ def test_a_second_operation_gets_the_tool_controller_that_it_is_given(square):
     assert second.MaximumFeed.Value == pytest.approx(200 / 60)
 
 
+def test_without_a_user_to_ask_the_first_tool_controller_is_taken(square):
+    from evenload import host
+    from evenload.operations import adaptive
+
+    square.job.Proxy.addToolController(host.cam().controller.Create("TC: other"))
+    op = adaptive.Create("Operation", parentJob=square.job)
+    assert op.ToolController is square.controller
+
+
 def test_the_setup_sheet_gives_defaults(square):
     from evenload import host
     from evenload.operations import adaptive
@@ -427,3 +448,11 @@ def test_a_document_without_newer_properties_gets_them(square, tmp_path):
         assert "LinkLift" not in doc.getObject(name).OwnValues
     finally:
         FreeCAD.closeDocument(doc.Name)
+
+
+def test_the_addon_manager_can_read_the_package():
+    folder = os.path.dirname(os.path.abspath(evenload.__file__))
+    package = FreeCAD.Metadata(os.path.join(folder, "..", "..", "package.xml"))
+    assert package.Name == "EvenLoad"
+    assert [w.Name for w in package.Content["workbench"]] == ["EvenLoad"]
+    assert os.path.isfile(os.path.join(folder, "..", "..", package.Icon))
