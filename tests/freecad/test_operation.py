@@ -67,10 +67,11 @@ def test_a_sketch_sets_the_final_depth_to_its_own_plane(square):
 def test_a_sketch_is_taken_where_its_body_is(square):
     body = square.doc.addObject("PartDesign::Body", "Body")
     chain = rectangle(0, 0, 20, 16)
-    body.addObject(sketch_of(square.doc, chain))
+    sketch = sketch_of(square.doc, chain)
+    body.addObject(sketch)
     body.Placement.Base = Vector(5, 6, 0)
     square.doc.recompute()
-    op = square.done(square.operation(base=[(square.doc.Sketch, "")]))
+    op = square.done(square.operation(base=[(sketch, "")]))
     check_path(op, [at_floor(face_of(rectangle(5, 6, 25, 22)))])
 
 
