@@ -18,9 +18,8 @@
 
 namespace evenload {
 
-// mm: material thinner than this does not count as engaged; above the rounding of G-code (1e-4),
-// below any chip.
-inline constexpr double kCoverTolerance = 2e-3;
+// mm: material thinner than this does not count as material; above the tolerance of offsets.
+inline constexpr double kCoverTolerance = 2e-5;
 
 // Angles [low, high], rad, counter-clockwise, not wrapped.
 struct AngularInterval {

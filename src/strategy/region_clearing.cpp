@@ -15,17 +15,19 @@ namespace evenload {
 namespace {
 
 // Left turns are never tighter than this share of the tool's radius, but at the exact border's
-// corners: what the last turn leaves in a right angle is then so short that the mean engagement
-// over 0.1 mm stays within the limit.
-constexpr double kTightestTurn = 0.01;
+// corners.
+constexpr double kTightestTurn = 0.001;
+// mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
+// stays low in it.
+constexpr double kShortCorner = 0.02;
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
 constexpr double kNarrowestHelix = 0.08;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // A ramp is no longer than this many tool diameters.
 constexpr double kLongestRamp = 1.5;
-// A pass that cuts along less than this share of the tool's radius is no progress.
-constexpr double kLeastCut = 0.01;
+// A pass that removes less than this share of the tool's radius squared is little progress.
+constexpr double kLeastCut = 1e-3;
 
 Bounds grown(Bounds bounds, double d) {
   return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
@@ -57,7 +59,7 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest};
+    return {std::max(wish, tightest), tightest, kShortCorner};
   }
 
   std::size_t widest_stage_at(const Pose& pose) const {
@@ -199,7 +201,7 @@ class RegionClearing {
     add_moves(MoveKind::kCut, pass.moves);
     look_again(first, pass.moves);
     ++result_.passes;
-    return pass.cut_length > kLeastCut * radius_;
+    return pass.cut_area > kLeastCut * radius_ * radius_;
   }
 
   // Goes to `to` over cleared ground, or up and down where that is quicker or the only way.
@@ -234,7 +236,9 @@ class RegionClearing {
       }
       const PassStart start = choose(starts, last_start);
 #ifdef EVENLOAD_LOG
-      EVENLOAD_LOG("start stage %zu at %.4f %.4f sample %zu of %zu starts, uncleared %zu ", start.stage, start.pose.p.x, start.pose.p.y, start.sample, starts.size(), samples_.uncleared_count());
+      EVENLOAD_LOG("start stage %zu at %.4f %.4f sample %zu of %zu starts, uncleared %zu ",
+                   start.stage, start.pose.p.x, start.pose.p.y, start.sample, starts.size(),
+                   samples_.uncleared_count());
 #endif
       const Pose before = here_;
       const std::size_t runs = result_.runs.size();
@@ -245,10 +249,11 @@ class RegionClearing {
       Steering steering(ground_, stages_[start.stage], params_.engagement_angle);
       Pass pass = steering.from_wall(start.place);
 #ifdef EVENLOAD_LOG
-      EVENLOAD_LOG("moves %zu cut %.4f length %.4f\n", pass.moves.size(), pass.cut_length, length_of(pass.moves));
+      EVENLOAD_LOG("moves %zu cut %.4f length %.4f\n", pass.moves.size(), pass.cut_length,
+                   length_of(pass.moves));
 #endif
       if (!take(std::move(pass), first)) {
-        samples_.give_up(start.sample);
+        if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         if (ground_.size() == first) {  // no pass: the way to it is not needed
           result_.runs.resize(runs);
           result_.runs.back().moves.resize(moves);

@@ -1,5 +1,6 @@
 #include "strategy/stage.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "support/errors.h"
@@ -16,6 +17,17 @@ constexpr double kStageRatio = 0.6;
 // channel of its stage still has room between its roll-in and its roll-out.
 constexpr double kOpeningRatio = 1.25;
 
+// mm: how far the exact border's corners lie beyond the border of a stage.
+double deepest_rest(const Region& exact, const Area& stage) {
+  double deepest = 0;
+  for (const Curve& curve : exact.curves())
+    for (const Segment& segment : curve.segments()) {
+      deepest = std::max(deepest, -stage.signed_distance(segment.a));
+      if (segment.is_arc()) deepest = std::max(deepest, -stage.signed_distance(segment.point(0.5)));
+    }
+  return deepest;
+}
+
 }  // namespace
 
 std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits) {
@@ -27,9 +39,13 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     if (eroded.empty()) continue;
     Stage stage;
     stage.turn_radius = turn;
-    stage.centres = Area(offset(eroded, opening));
-    stage.turns = Area(offset(eroded, opening - turn));
+    const std::vector<Region> opened = offset(eroded, opening);
+    stage.centres = Area(opened);
+    stage.turns = Area(offset(opened, -turn));
+    if (stage.turns.empty()) continue;
+    const double left = deepest_rest(centres, stage.centres);
     stages.push_back(std::move(stage));
+    if (left < limits.rest) break;
   }
   Stage exact;
   exact.centres = Area({centres});

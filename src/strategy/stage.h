@@ -19,8 +19,9 @@ struct Stage {
 };
 
 struct StageLimits {
-  double widest = 0.9;     // mm, the turn radius of the first stage
-  double tightest = 0.03;  // mm, the turn radius of the last stage but one
+  double widest = 0.9;      // mm, the turn radius of the first stage
+  double tightest = 0.003;  // mm, the smallest turn radius
+  double rest = 0.02;       // mm: no further stages once the corners that are left are shorter
 };
 
 // The stages of one connected region of tool centres, from the widest turn radius to the exact

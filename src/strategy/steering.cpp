@@ -23,9 +23,11 @@ constexpr double kProgress =
 constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
 constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of a step
 constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
+constexpr double kMeanLength = 0.1;           // mm of path over which engagement is a mean
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
-// mm: material thinner than this is not seen; what has been cut must not be found again by rounding.
+// mm: material thinner than this is not seen; what has been cut must not be found again by
+// rounding.
 constexpr double kThin = 1e-6;
 // mm: a pose this near to the tool's present place is that place.
 constexpr double kHere = 1e-9;
@@ -114,16 +116,12 @@ void Steering::cut_back(double length) {
     }
   }
   if (pass_.moves.empty()) travelled_ = 0;
+  while (!met_.empty() && met_.back().until > travelled_ + kHere) met_.pop_back();
 }
 
+// Says that the last `length` mm of the path met `total` rad of material.
 void Steering::note_contact(double total, double length) {
-  if (total > kInContact) {
-    has_cut_ = true;
-    idle_ = 0;
-    pass_.cut_length += length;
-  } else {
-    idle_ += length;
-  }
+  if (total > kInContact) met_.push_back({travelled_, length, total});
 }
 
 // The highest engagement on the left turn from `from`, up to where it has passed its first peak, or
@@ -224,7 +222,6 @@ void Steering::escape() {
     }
   } else if (turn_ > 0) {
     cut_back(travelled_);
-    has_cut_ = false;
   }
   mode_ = Mode::kEnd;
 }
@@ -260,10 +257,22 @@ void Steering::step_on_wall() {
     overload();
     return;
   }
+  if (turn_ <= 0 && over_mean(total, step)) {
+    mode_ = Mode::kEnd;
+    return;
+  }
   append(wall.part(wall_.t, t1));
   wall_.t = t1;
   note_contact(total, step);
-  if (idle_ > (has_cut_ ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+  if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+}
+
+// Along the exact border nothing can be steered: true where the mean engagement would exceed the
+// limit.
+bool Steering::over_mean(double total, double step) {
+  load_ += std::max(0.0, total - theta_) * step;
+  if (total <= theta_) load_ = std::max(0.0, load_ - (theta_ - total) * step);
+  return load_ > kOverload * 4 * kMeanLength;
 }
 
 // The share of `move` that can be made before the centre of the left turn meets the border of its
@@ -384,7 +393,7 @@ void Steering::step_free() {
     note_contact(contact(end_of(move)).total, length);
     curvature_ = curvature;
     if (error < 0.25 * kSmooth) step_ = std::min(kLargestStep * radius_, 1.5 * length);
-    if (idle_ > (has_cut_ ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+    if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
     return;
   }
 }
@@ -419,25 +428,27 @@ void Steering::roll_out() {
 
 Pass Steering::run() {
   while (mode_ != Mode::kEnd) {
-#ifdef EVENLOAD_LOG
-    static int cc=0; if(getenv("STEP")&&++cc>atoi(getenv("STEP"))&&cc<atoi(getenv("STEP"))+60) EVENLOAD_LOG("mode %d trav %.5f p %.4f %.4f h %.2f E %.2f/%.2f step %.4f k %.3f idle %.3f trouble %.4f %d wall %zu %zu %.4f\n",(int)mode_,travelled_,pose().p.x,pose().p.y,pose().heading*57.2958,contact(pose()).total*57.2958,contact(pose()).steer*57.2958,step_,curvature_,idle_,trouble_at_,troubles_,wall_.curve,wall_.segment,wall_.t);
-#endif
     if (mode_ == Mode::kWall)
       step_on_wall();
     else
       step_free();
   }
-  if (!has_cut_) cut_back(travelled_);
+  if (!has_cut()) cut_back(travelled_);
+  for (const Met& met : met_) {
+    pass_.cut_length += met.length;
+    pass_.cut_area += met.length * radius_ * (1 - std::cos(met.total));
+  }
   return std::move(pass_);
 }
 
 void Steering::reset(const Pose& start) {
   pass_ = {};
   start_ = start;
-  travelled_ = idle_ = 0;
-  has_cut_ = false;
+  travelled_ = 0;
+  met_.clear();
   trouble_at_ = -1;
   troubles_ = 0;
+  load_ = 0;
   step_ = kFirstStep * radius_;
   curvature_ = 0;
 }

@@ -36,6 +36,7 @@ struct WallPlace {
 struct Pass {
   std::vector<Segment> moves;  // tangent to each other but for sharp corners of the exact border
   double cut_length = 0;       // mm with material in contact
+  double cut_area = 0;         // mm^2 removed, nearly
   bool empty() const { return moves.empty(); }
 };
 
@@ -71,8 +72,11 @@ class Steering {
   void escape();
   void roll_out();
   void overload();
+  bool over_mean(double total, double step);
   double reach_of(const Segment& move) const;
   void note_contact(double total, double length);
+  bool has_cut() const { return !met_.empty(); }
+  double idle() const { return has_cut() ? travelled_ - met_.back().until : travelled_; }
   void reset(const Pose& start);
   Pass run();
 
@@ -86,12 +90,18 @@ class Steering {
   Mode mode_ = Mode::kEnd;
   WallPlace wall_;
   double travelled_ = 0;  // mm
-  double idle_ = 0;       // mm since the last contact
-  bool has_cut_ = false;
+  // What was met on the way, so that it can be forgotten when the path is cut back.
+  struct Met {
+    double until = 0;   // mm travelled
+    double length = 0;  // mm
+    double total = 0;   // rad engaged
+  };
+  std::vector<Met> met_;
   double step_ = 0;         // mm, adaptive
   double curvature_ = 0;    // of the last free step
   double trouble_at_ = -1;  // mm travelled where the last overload was met
   int troubles_ = 0;
+  double load_ = 0;  // rad mm above the limit, along the exact border
   mutable std::vector<AngularInterval> scratch_;
 };
 

@@ -10,7 +10,9 @@ namespace {
 // Share of the tool's radius between samples.
 constexpr double kSpacing = 0.08;
 // A pass that came to nothing so often is not tried again.
-constexpr int kTries = 2;
+constexpr int kTries = 3;
+// So many samples back a clear place is looked for.
+constexpr std::size_t kLookBack = 8;
 // mm: samples this near to the border of the stage before are shared with it.
 constexpr double kShared = 1e-4;
 
@@ -97,6 +99,19 @@ bool WallSamples::waits(const Sample& sample) const {
   });
 }
 
+// The last clear sample of the track before its sample `i`, if only samples shared with the stage
+// before lie between: their stretch was looked at in that stage, at places a little apart from
+// these.
+const WallSamples::Sample* WallSamples::last_clear_before(const Track& track, std::size_t i) const {
+  for (std::size_t back = 1; back <= std::min(kLookBack, track.count - 1); ++back) {
+    const Sample& sample = samples_[track.first + (i + track.count - back) % track.count];
+    if (sample.clear) return &sample;
+    if (!sample.shared) return nullptr;
+    if (ground_.is_clear(sample.p)) return &sample;
+  }
+  return nullptr;
+}
+
 std::vector<PassStart> WallSamples::starts() const {
   std::vector<PassStart> result = starts(true);
   return result.empty() ? starts(false) : result;
@@ -110,13 +125,14 @@ std::vector<PassStart> WallSamples::starts(bool in_order) const {
       const std::size_t index = track.first + i;
       const Sample& sample = samples_[index];
       if (sample.clear || sample.shared || sample.failures >= kTries) continue;
-      const Sample& before = samples_[track.first + (i + track.count - 1) % track.count];
-      if (!before.shared && !before.clear) continue;
-      if (before.shared && !ground_.is_clear(before.p)) continue;
       if (in_order && waits(sample)) continue;
-      const Segment wall = curves[before.place.curve].segment(before.place.segment);
-      result.push_back(
-          {track.stage, before.place, {before.p, angle_of(wall.tangent(before.place.t))}, index});
+      const Sample* before = last_clear_before(track, i);
+      if (!before) continue;
+      const Segment wall = curves[before->place.curve].segment(before->place.segment);
+      result.push_back({track.stage,
+                        before->place,
+                        {before->p, angle_of(wall.tangent(before->place.t))},
+                        index});
     }
   }
   return result;

@@ -55,6 +55,7 @@ class WallSamples {
     std::size_t first = 0, count = 0;  // in samples_
   };
   std::vector<PassStart> starts(bool in_order) const;
+  const Sample* last_clear_before(const Track& track, std::size_t i) const;
   void look(Sample& sample);
   bool waits(const Sample& sample) const;
 

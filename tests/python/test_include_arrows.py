@@ -13,7 +13,7 @@ ARROWS = {
     "geometry": {"support"},
     "cutting": {"support", "geometry"},
     "toolpath": {"support", "geometry", "cutting"},
-    "strategy": {"support", "geometry", "cutting", "toolpath"},
+    "strategy": {"support", "geometry", "cutting", "toolpath", "feed"},
     "feed": {"support", "geometry", "cutting", "toolpath"},
     "simulate": {"support", "geometry", "cutting", "toolpath"},
     "occt": {"support", "geometry"},
