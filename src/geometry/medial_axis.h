@@ -7,6 +7,9 @@
 
 namespace evenload {
 
+// Laws: radii are exact distances to the boundary; every point touches it in two places, to within
+// a few tolerances; the axis of a region is in one piece, with one way around each island; its ends
+// on the boundary are the region's corners. The axis of a disc is one node.
 struct MedialAxis {
   struct Node {
     Vec2 p;

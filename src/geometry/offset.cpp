@@ -80,6 +80,7 @@ std::vector<Region> nested(std::vector<Curve> loops) {
     if (home != nullptr) home->region.islands.push_back(std::move(island));
   }
   std::vector<Region> regions;
+  regions.reserve(outlines.size());
   for (Outline& o : outlines) regions.push_back(std::move(o.region));
   return regions;
 }

@@ -12,12 +12,15 @@ namespace evenload {
 
 // Lengths that tell what is the same from what is not.
 struct OffsetTolerances {
-  double whole = 0;  // mm: of the result; gaps shorter than this are closed without an arc
-  double same = 0;   // mm: points nearer than this are one point; half of `whole`, so that what
-                     // passes through a gap closed without an arc still meets one of its ends
-  double depth =
-      0;  // mm: points may lie this much too near the boundary and still count as on the offset
-  double sure = 0;  // mm: points no deeper than this are on the offset beyond doubt
+  // Of the result, mm; gaps shorter than this are closed without an arc.
+  double whole = 0;
+  // Points nearer than this are one point, mm: half of `whole`, so that what passes through a gap
+  // closed without an arc still meets one of its ends.
+  double same = 0;
+  // Points may lie this much too near the boundary and still count as on the offset, mm.
+  double depth = 0;
+  // Points no deeper than this are on the offset beyond doubt, mm.
+  double sure = 0;
 };
 
 // Points that pieces share, under numbers that can be merged.

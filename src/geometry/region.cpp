@@ -153,7 +153,7 @@ std::vector<Curve> Region::curves() const {
   return all;
 }
 
-Region make_region(Curve outer, std::vector<Curve> islands) {
+Region make_region(const Curve& outer, const std::vector<Curve>& islands) {
   Region region;
   region.outer = normalised(outer, "The outline", true);
   for (const Curve& island : islands)

@@ -261,7 +261,7 @@ TEST(LargestCircle, OfTenThousandEdgesIsFoundFast) {
   EXPECT_NEAR(c.radius, 40, 1e-4);
   largest_circle(make_region(shapes::wavy_polygon(random, {0, 0}, 50, 10000)), 1e-3);
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-  EXPECT_LT(took.count(), 4);
+  EXPECT_LT(took.count(), 20);  // guards against quadratic time, on slow machines too
   RecordProperty("milliseconds", static_cast<int>(1000 * took.count()));
 }
 

@@ -424,6 +424,17 @@ TEST(Offset, ResultsAreRegionsAgain) {
   }
 }
 
+TEST(Offset, FrontsThatJustTouchArePartedOrMerged) {
+  const std::vector<Region> touching{
+      make_region(rectangle(0, 0, 60, 40), {circle({20, 20}, 5), circle({36, 20}, 5)}),
+      make_region(rectangle(0, 0, 60, 40), {circle({20, 11}, 5)}),
+      make_region(rectangle(0, 0, 60, 40), {rectangle(6, 6, 20, 20), rectangle(26, 6, 40, 20)}),
+      make_region(circle({0, 0}, 20), {circle({9, 0}, 5)}),
+      make_region(polygon({{0, 0}, {20, 0}, {20, 20}, {10, 6}, {0, 20}}))};
+  for (const Region& region : touching)
+    for (const Region& r : offset({region}, -3)) EXPECT_NO_THROW(make_region(r.outer, r.islands));
+}
+
 TEST(Offset, KeepsOpenMarks) {
   Curve outline({{{0, 0}, 0, true}, {{40, 0}}, {{40, 30}}, {{0, 30}}}, true);
   const std::vector<Region> shrunk = offset({make_region(outline)}, -3);

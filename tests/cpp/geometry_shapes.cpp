@@ -68,7 +68,6 @@ Curve comb(std::mt19937& random) {
   const int teeth = between(random, 2, 6);
   const double height = between(random, 15.0, 40.0), base = between(random, 3.0, 12.0);
   std::vector<Vec2> points{{0, 0}};
-  V vertices;
   double x = 0;
   std::vector<double> xs{0};
   for (int i = 0; i < 2 * teeth - 1; ++i)
@@ -155,9 +154,8 @@ Curve wavy_polygon(std::mt19937& random, Vec2 centre, double radius, int n) {
 }
 
 Curve wavy_arcs(std::mt19937& random, Vec2 centre, double radius, int n) {
-  // Each arc through two points starts along the tangent the one before ends with, half corrected
-  // towards the curve's own: the chain then has the tiny tangent breaks of a spline turned into
-  // arcs.
+  // Each arc passes three points of the curve, so that the chain has the tiny tangent breaks of a
+  // spline turned into arcs.
   const std::vector<Vertex> fine = wavy_polygon(random, centre, radius, 2 * n).vertices();
   V vertices;
   for (int i = 0; i < n; ++i) {
