@@ -145,7 +145,7 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
         job.Proxy.addToolController(controller)
     replaced = controller.Tool
     controller.Tool = create_tool("endmill", {"Diameter": tool_diameter, "Flutes": int(flutes)})
-    if replaced is not None and hasattr(replaced, "Name") and replaced.Document is doc:
+    if getattr(replaced, "Document", None) is doc:
         doc.removeObject(replaced.Name)
     controller.SpindleSpeed = float(spindle_speed)
     controller.HorizFeed = controller.VertFeed = "%.9g mm/min" % feed
@@ -156,14 +156,20 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
 
 
 def create_tool(shape, properties):
-    """A tool bit of one of FreeCAD's shapes ('endmill', 'bullnose', ...) in the active document;
-    lengths in mm.
+    """A tool bit of one of FreeCAD's shapes ('endmill', 'bullnose', ...) in the active document.
+
+    properties: {name: value}; lengths in mm. Raises ValueError for a shape or a property that
+    FreeCAD does not have.
     """
-    tool = cam().bit.Factory.Create("Tool", shape + ".fcstd")
-    for name, value in properties.items():
+    file = shape + ".fcstd"
+    if cam().bit.findToolShape(file) is None:
+        raise ValueError("FreeCAD has no tool shape '%s': 'endmill' is one." % shape)
+    attributes = {"shape": file, "name": shape, "parameter": properties, "attribute": {}}
+    tool = cam().bit.Factory.CreateFromAttrs(attributes, "Tool")
+    for name in properties:
         if not hasattr(tool, name):
+            tool.Document.removeObject(tool.Name)
             raise ValueError("A tool of the shape '%s' has no %s." % (shape, name))
-        setattr(tool, name, value)
     if FreeCAD.GuiUp:
         tool.ViewObject.Visibility = False
     return tool

@@ -119,6 +119,17 @@ def test_a_bull_nosed_tool_is_taken(square):
     square.done(op)
 
 
+def test_unknown_tool_shapes_and_properties_are_named(square):
+    from evenload import host
+
+    before = len(square.doc.Objects)
+    with pytest.raises(ValueError, match="no tool shape 'spoon'"):
+        host.create_tool("spoon", {})
+    with pytest.raises(ValueError, match="'endmill' has no Weight"):
+        host.create_tool("endmill", {"Weight": 1})
+    assert len(square.doc.Objects) == before
+
+
 @pytest.mark.parametrize("name, word", [("HorizFeed", "horizontal"), ("VertFeed", "vertical")])
 def test_a_feed_of_zero_is_refused(square, name, word):
     op = square.done(square.operation())
