@@ -21,6 +21,7 @@ constexpr double kProgress =
     0.01;  // less than this between two overloads: the place cannot be entered
 
 constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
+constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
 constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of a step
 constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
 constexpr double kMeanLength = 0.1;           // mm of path over which engagement is a mean
@@ -251,7 +252,7 @@ void Steering::step_on_wall() {
     }
     if (low > wall_.t) {
       append(wall.part(wall_.t, low));
-      note_contact(theta_, (low - wall_.t) * length);
+      note_contact(engagement_at(low), (low - wall_.t) * length);
     }
     wall_.t = low;
     overload();
@@ -371,10 +372,15 @@ void Steering::step_free() {
       return;
     }
     const Segment move = move_of(from, curvature, length);
-    const Pose middle = end_of(move.part(0, 0.5));
-    const double in_middle = contact(middle).steer - theta_;
     const bool steady = value > -kSolved * 2;
-    const double error = steady ? std::abs(in_middle) : std::max(0.0, in_middle);
+    double error = 0;
+    // Where the engagement falls on the way it may have risen before: look more often.
+    const int looks = steady ? 1 : 4;
+    for (int i = 1; i <= looks; ++i) {
+      const double t = static_cast<double>(i) / (looks + 1);
+      const double above = contact(end_of(move.part(0, t))).steer - theta_;
+      error = std::max(error, steady ? std::abs(above) : above);
+    }
     if (error > kSmooth && !smallest) {
       step_ = std::max(kSmallestStep * radius_, 0.5 * length);
       continue;
@@ -407,7 +413,7 @@ void Steering::roll_out() {
   const Vec2 along = stage_.turns.segment_at(hit).tangent(hit.t);
   double turned = wrap_signed(angle_of(along) - from.heading);
   if (turned < 0) turned = turned < -kPi / 2 ? turned + 2 * kPi : 0;
-  const int looks = static_cast<int>(std::ceil(turned / kTurnStep));
+  const int looks = static_cast<int>(std::ceil(turned / kRollOutStep));
   for (int i = 1; i <= looks; ++i) {
     const double heading = from.heading + turned * i / looks;
     if (contact({centre - turn_ * left_normal(unit(heading)), heading}).total >
