@@ -100,22 +100,66 @@ bool has_open_edges(const std::vector<Region>& regions) {
   return false;
 }
 
+// The outline of `outer` with room of `room` mm outside every run of open pieces: the run moved
+// outwards, joined to its ends by straight lines, so that walls which end there keep their ends.
+// Condition: not all pieces are open.
+Curve with_room_outside(const Curve& outer, double room) {
+  const std::vector<Segment> pieces = outer.segments();
+  const std::size_t n = pieces.size();
+  std::vector<Vertex> vertices;
+  const auto outwards = [&](const Segment& piece, double t) {
+    return -left_normal(piece.tangent(t));
+  };
+  std::size_t first = 0;
+  while (pieces[first].open) ++first;  // begin with a wall
+  for (std::size_t k = 0; k < n; ++k) {
+    const Segment& piece = pieces[(first + k) % n];
+    const Segment& before = pieces[(first + k + n - 1) % n];
+    const Segment& after = pieces[(first + k + 1) % n];
+    if (!piece.open) {
+      vertices.push_back({piece.a, piece.bulge(), false});
+      continue;
+    }
+    if (!before.open) vertices.push_back({piece.a, 0, true});
+    // Outwards is to the right: a left turn grows, a right turn shrinks.
+    vertices.push_back({piece.a + room * outwards(piece, 0), piece.bulge(), true});
+    const Vec2 end = piece.b + room * outwards(piece, 1);
+    if (!after.open) {
+      vertices.push_back({end, 0, true});
+      continue;
+    }
+    const double turn = wrap_signed(angle_of(after.tangent(0)) - angle_of(piece.tangent(1)));
+    vertices.push_back({end, turn > 1e-9 ? std::tan(turn / 4) : 0, true});
+  }
+  return Curve(std::move(vertices), true);
+}
+
 // The regions within which the tool's whole disc must stay: the pocket, and room outside its open
 // edges.
-std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter) {
+std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
+                                   std::vector<std::string>& notes) {
+  const double room = (1 + kOutsideRoom) * tool_diameter;
   std::vector<Region> result;
   for (const Region& region : regions) {
     const std::vector<Vertex>& v = region.outer.vertices();
-    const bool all_open = std::all_of(v.begin(), v.end(), [](const Vertex& x) { return x.open; });
-    if (!all_open) {
+    const auto is_open = [](const Vertex& x) { return x.open; };
+    if (std::none_of(v.begin(), v.end(), is_open)) {
       result.push_back(region);
-      continue;
-    }
-    Region outline;
-    outline.outer = region.outer;
-    for (Region& grown : offset({outline}, (1 + kOutsideRoom) * tool_diameter)) {
-      grown.islands = region.islands;
-      result.push_back(std::move(grown));
+    } else if (std::all_of(v.begin(), v.end(), is_open)) {
+      Region outline;
+      outline.outer = region.outer;
+      for (Region& grown : offset({outline}, room)) {
+        grown.islands = region.islands;
+        result.push_back(std::move(grown));
+      }
+    } else {
+      try {
+        result.push_back(make_region(with_room_outside(region.outer, room), region.islands));
+      } catch (const GeometryError&) {
+        // Runs that face each other, or turn inwards too tightly: no room that is surely free.
+        notes.push_back("The open edges leave no clear room outside: they were taken for walls.");
+        result.push_back(region);
+      }
     }
   }
   return result;
@@ -153,7 +197,9 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   if (mirror && params.entry_point) params.entry_point = mirrored(*params.entry_point);
 
   const double radius = 0.5 * params.tool_diameter;
-  const std::vector<Region> allowed = allowed_ground(regions, params.tool_diameter);
+  Toolpath path;
+  const std::vector<Region> allowed =
+      allowed_ground(regions, params.tool_diameter, path.report.notes);
   const std::vector<Region> centres = offset(allowed, -(radius + params.stock_to_leave + kWallGap));
   if (centres.empty())
     throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
@@ -172,7 +218,6 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   }
 
   const bool open = has_open_edges(regions);
-  Toolpath path;
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < centres.size() && !progress.cancelled(); ++i) {
     RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt};
@@ -248,6 +293,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   path.moves = assemble(runs, assembly);
   path.report.cutting_time = duration(path.moves, params.rapid_feed);
   path.report.retracts *= static_cast<int>(params.levels.size());
+  if (path.report.uncut_area > 0) path.report.termination = Termination::kIncomplete;
   if (progress.cancelled()) {
     path.report.termination = Termination::kCancelled;
     path.report.notes.push_back("Cancelled before everything was cut.");

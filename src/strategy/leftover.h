@@ -20,6 +20,10 @@ class Leftover {
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
   // mm^2 that are still left. Condition: prepared().
   double area(const ClearedGround& ground);
+  // One point of what area() found; empty when there was nothing.
+  std::optional<Vec2> place() const {
+    return points_.empty() ? std::nullopt : std::optional<Vec2>(points_.front().p);
+  }
 
  private:
   void drop_cleared(const ClearedGround& ground);

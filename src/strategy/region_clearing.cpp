@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <limits>
+#include <sstream>
 
 #include "geometry/medial_axis.h"
 #include "strategy/leftover.h"
@@ -43,27 +45,52 @@ class RegionClearing {
         exact_({task.centres}),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr),
-        stages_(make_stages(task.centres, limits())),
+        stages_(stages()),
         samples_(stages_, ground_) {}
 
   RegionResult run() {
     enter();
     clear_all();
-    if (!progress_.cancelled()) {
-      result_.uncut_area = leftover_.area(ground_);
-    }
+    if (!progress_.cancelled()) report();
     return std::move(result_);
   }
 
  private:
+  void report() {
+    result_.uncut_area = leftover_.area(ground_);
+    if (result_.uncut_area > 0) {
+      const Vec2 at = *leftover_.place();
+      std::ostringstream note;
+      note << std::fixed << std::setprecision(2) << "Left uncut: " << result_.uncut_area
+           << " mm² near (" << at.x << ", " << at.y
+           << "), where the tool has too little room to turn within the engagement limit.";
+      result_.notes.push_back(note.str());
+    }
+    const double wish = limits().widest;
+    if (tightest_ < wish * (1 - 1e-9)) {
+      std::ostringstream note;
+      note << std::fixed << std::setprecision(3) << "Turned more tightly than the wished " << wish
+           << " mm in corners and narrow places, down to " << tightest_ << " mm near ("
+           << std::setprecision(2) << tightest_at_.x << ", " << tightest_at_.y << ").";
+      result_.notes.push_back(note.str());
+    }
+  }
+
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
     return {std::max(wish, tightest), tightest, kShortCorner};
   }
 
+  std::vector<Stage> stages() const {
+    std::vector<Stage> all = make_stages(task_.centres, limits());
+    if (!params_.wall_pass && all.size() > 1) all.pop_back();  // the exact border
+    return all;
+  }
+
   std::size_t widest_stage_at(const Pose& pose) const {
-    for (std::size_t k = 0; k + 1 < stages_.size(); ++k) {
+    for (std::size_t k = 0; k < stages_.size(); ++k) {
+      if (stages_[k].turn_radius <= 0) break;
       const Vec2 q = pose.p + stages_[k].turn_radius * left_normal(unit(pose.heading));
       if (stages_[k].turns.signed_distance(q) > -1e-6) return k;
     }
@@ -91,38 +118,63 @@ class RegionClearing {
     samples_.update(first, low, high);
   }
 
-  // Comes down and cuts the first pass, a spiral, as far as it goes.
+  // Comes down, and cuts the first pass, a spiral, as far as it goes.
   void enter() {
-    Descent descent;
-    std::optional<Pose> start;
-    std::vector<Segment> way;
-    const double hole_radius = 0.5 * params_.hole_diameter;
+    const Bounds everywhere = bounds_of({task_.centres});
+    const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
+    const bool outside = task_.has_open_edges && params_.entry == EntryKind::kAutomatic;
+    if (outside && !hole_first) {
+      samples_.update(0, everywhere.low, everywhere.high);
+      if (enter_from_outside()) return;
+    }
     if (task_.hole) {
-      descent.at = *task_.hole;
-      ground_.add_disc(*task_.hole, hole_radius);
-      const double room = hole_radius - radius_;
-      start = Pose{*task_.hole + Vec2{room, 0}, kPi / 2};
-      if (room > 1e-6)
-        way.push_back(Segment::arc(*task_.hole + Vec2{room / 2, 0}, room / 2, kPi, kPi));
-    } else if (task_.has_open_edges && (start = outside_start())) {
-      descent.at = start->p;
-    } else {
-      start = choose_entry(descent);
+      enter_hole();
+      return;
     }
+    Descent descent;
+    const Pose start = choose_entry(descent);
+    samples_.update(0, everywhere.low, everywhere.high);
     begin_run(descent);
-    samples_.update(0, bounds_of({task_.centres}).low, bounds_of({task_.centres}).high);
-    if (!start) return;
-    if (!way.empty() && is_free(ground_, exact_, way)) {
-      add_moves(MoveKind::kLink, way);
-    } else {
-      here_ = *start;
-      result_.runs.back().descent.at = start->p;
+    cut_from(start);
+  }
+
+  // Over an open edge: where a wall leads into the material, or straight at it. False when the tool
+  // finds no room outside.
+  bool enter_from_outside() {
+    const std::vector<PassStart> starts = samples_.starts();
+    if (!starts.empty()) {
+      begin_run({DescentKind::kPlunge, starts.front().pose.p, {}, 0, {}, false});
+      here_ = starts.front().pose;
+      return true;
     }
+    const std::optional<Pose> start = outside_start();
+    if (!start) return false;
+    begin_run({DescentKind::kPlunge, start->p, {}, 0, {}, false});
+    here_ = *start;
     cut_from(*start);
+    return true;
+  }
+
+  void enter_hole() {
+    const double hole_radius = 0.5 * params_.hole_diameter, room = hole_radius - radius_;
+    ground_.add_disc(*task_.hole, hole_radius);
+    const Bounds everywhere = bounds_of({task_.centres});
+    samples_.update(0, everywhere.low, everywhere.high);
+    begin_run({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false});
+    const Pose start{*task_.hole + Vec2{room, 0}, kPi / 2};
+    // From the centre to the rim by half a turn, which ends along the rim.
+    std::vector<Segment> way;
+    if (room > 1e-6)
+      way.push_back(Segment::arc(*task_.hole + Vec2{room / 2, 0}, room / 2, kPi, kPi));
+    if (is_free(ground_, exact_, way)) {
+      add_moves(MoveKind::kLink, way);
+      here_ = start;
+      cut_from(start);
+    }
   }
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  std::optional<Pose> choose_entry(Descent& descent) {
+  Pose choose_entry(Descent& descent) {
     const Circle circle = largest_circle(task_.centres, 1e-3);
     const double room = kHelixRoom * circle.radius;
     const bool ramp_wanted = params_.entry == EntryKind::kRamp;
@@ -192,12 +244,16 @@ class RegionClearing {
     if (k == stages_.size()) return false;
     const std::size_t first = ground_.size();
     Steering steering(ground_, stages_[k], params_.engagement_angle);
-    return take(steering.from_pose(start), first);
+    return take(steering.from_pose(start), first, stages_[k].turn_radius);
   }
 
   // Takes a pass into the result. False when it cuts next to nothing.
-  bool take(Pass pass, std::size_t first) {
+  bool take(Pass pass, std::size_t first, double turn_radius) {
     if (pass.empty()) return false;
+    if (turn_radius > 0 && turn_radius < tightest_) {
+      tightest_ = turn_radius;
+      tightest_at_ = pass.moves.back().b;
+    }
     add_moves(MoveKind::kCut, pass.moves);
     look_again(first, pass.moves);
     ++result_.passes;
@@ -226,7 +282,7 @@ class RegionClearing {
   double link_turn() const { return stages_.size() > 1 ? stages_.front().turn_radius : radius_; }
 
   void clear_all() {
-    const double area = task_.centres.area();
+    const double all = static_cast<double>(std::max<std::size_t>(1, samples_.uncleared_count()));
     std::optional<Vec2> last_start;
     while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
@@ -235,11 +291,6 @@ class RegionClearing {
         continue;
       }
       const PassStart start = choose(starts, last_start);
-#ifdef EVENLOAD_LOG
-      EVENLOAD_LOG("start stage %zu at %.4f %.4f sample %zu of %zu starts, uncleared %zu ",
-                   start.stage, start.pose.p.x, start.pose.p.y, start.sample, starts.size(),
-                   samples_.uncleared_count());
-#endif
       const Pose before = here_;
       const std::size_t runs = result_.runs.size();
       const std::size_t moves = result_.runs.back().moves.size();
@@ -247,12 +298,7 @@ class RegionClearing {
       go_to(start.pose, stages_[start.stage].turn_radius);
       const std::size_t first = ground_.size();
       Steering steering(ground_, stages_[start.stage], params_.engagement_angle);
-      Pass pass = steering.from_wall(start.place);
-#ifdef EVENLOAD_LOG
-      EVENLOAD_LOG("moves %zu cut %.4f length %.4f\n", pass.moves.size(), pass.cut_length,
-                   length_of(pass.moves));
-#endif
-      if (!take(std::move(pass), first)) {
+      if (!take(steering.from_wall(start.place), first, stages_[start.stage].turn_radius)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         if (ground_.size() == first) {  // no pass: the way to it is not needed
           result_.runs.resize(runs);
@@ -264,12 +310,9 @@ class RegionClearing {
         continue;
       }
       last_start = start.pose.p;
-      const double done = 1 - leftover_share(area);
-      progress_.report(done);
+      progress_.report(1 - static_cast<double>(samples_.uncleared_count()) / all);
     }
   }
-
-  double leftover_share(double) const { return 0.5; }
 
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
     const PassStart* best = nullptr;
@@ -318,6 +361,8 @@ class RegionClearing {
   Leftover leftover_;
   RegionResult result_;
   Pose here_;
+  double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
+  Vec2 tightest_at_;
 };
 
 }  // namespace
