@@ -20,6 +20,11 @@ struct Crossing {
   double angle = 0;
 };
 
+// rad: arcs are looked at in parts no shorter than this,
+constexpr double kDiscAngle = kPi / 36;
+// and in no more parts than this.
+constexpr int kMostDiscs = 8;
+
 // A few arise per move at most: four circles or two circles and two lines, two crossings each.
 struct Crossings {
   std::array<Crossing, 8> at;
@@ -27,18 +32,19 @@ struct Crossings {
   void push(Vec2 direction) { at[static_cast<std::size_t>(count++)].direction = direction; }
 };
 
-// Removes [low, high] from the ordered set.
-void cut(std::vector<AngularInterval>& set, double low, double high) {
+// Removes [low, high] from the ordered set. False when the set stays as it was.
+bool cut(std::vector<AngularInterval>& set, double low, double high) {
   std::size_t keep = 0;
   const std::size_t n = set.size();
   AngularInterval extra;
-  bool has_extra = false;
+  bool has_extra = false, changed = false;
   std::size_t extra_at = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const AngularInterval piece = set[i];
     if (high <= piece.low || low >= piece.high) {
       set[keep++] = piece;
     } else {
+      changed = true;
       const bool left = low > piece.low, right = high < piece.high;
       if (left) set[keep++] = {piece.low, low};
       if (right) {
@@ -55,18 +61,20 @@ void cut(std::vector<AngularInterval>& set, double low, double high) {
   }
   set.resize(keep);
   if (has_extra) set.insert(set.begin() + static_cast<std::ptrdiff_t>(extra_at), extra);
+  return changed;
 }
 
 // Removes the arc [low, high], given in any turn, from a set that lies within [set_low, set_low + 2
 // pi].
-void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
-  if (set.empty()) return;
+bool cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
+  if (set.empty()) return false;
   const double width = high - low;
   const double base = set.front().low;
   const double start = base + wrap_positive(low - base);
-  cut(set, start, start + width);
+  bool changed = cut(set, start, start + width);
   if (!set.empty() && start + width > base + 2 * kPi)
-    cut(set, start - 2 * kPi, start - 2 * kPi + width);
+    changed = cut(set, start - 2 * kPi, start - 2 * kPi + width) || changed;
+  return changed;
 }
 
 // The middle of the arc that runs counter-clockwise from unit vector `from` to unit vector `to`.
@@ -138,6 +146,8 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
   Primitive primitive;
   primitive.segment = move;
   primitive.radius = swept_radius;
+  Vec2 middle;
+  double half = 0;
   if (move.is_arc()) {
     const Vec2 start = (move.a - move.centre) / move.radius,
                end = (move.b - move.centre) / move.radius;
@@ -145,20 +155,21 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
     primitive.last = move.sweep > 0 ? end : start;
     primitive.reflex = std::abs(move.sweep) > kPi;
     if (std::abs(move.sweep) < kPi) {
-      primitive.middle = 0.5 * (move.a + move.b);
-      primitive.half = 0.5 * evenload::distance(move.a, move.b);
+      middle = 0.5 * (move.a + move.b);
+      half = 0.5 * evenload::distance(move.a, move.b);
     } else {
-      primitive.middle = move.centre;
-      primitive.half = move.radius;
+      middle = move.centre;
+      half = move.radius;
     }
   } else {
     primitive.length = evenload::distance(move.a, move.b);
     primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
-    primitive.middle = 0.5 * (move.a + move.b);
-    primitive.half = 0.5 * primitive.length;
+    middle = 0.5 * (move.a + move.b);
+    half = 0.5 * primitive.length;
   }
   const auto id = static_cast<std::int32_t>(primitives_.size());
   primitives_.push_back(primitive);
+  discs_.push_back({middle, half + swept_radius});
   visit_buckets(primitive, [id](std::vector<std::int32_t>& bucket) { bucket.push_back(id); });
 }
 
@@ -166,6 +177,7 @@ void ClearedGround::remove_last() {
   EVENLOAD_ASSERT(!primitives_.empty());
   const Primitive primitive = primitives_.back();
   primitives_.pop_back();
+  discs_.pop_back();
   visit_buckets(primitive, [](std::vector<std::int32_t>& bucket) { bucket.pop_back(); });
 }
 
@@ -193,17 +205,15 @@ double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
 }
 
-void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
+bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
                              std::vector<AngularInterval>& set) const {
   const Segment& s = primitive.segment;
   const double reach = primitive.radius;
-  // Only crossings that lie on the swept area's border split it.
+  // The border consists of circles about the ends, where an end is the nearest point of the move,
+  // and of lines or circles beside it elsewhere. Crossings with the parts that are not border are
+  // dropped.
   Crossings crossings;
-  const auto keep = [&](Vec2 direction) {
-    if (std::abs(distance(primitive, p + radius * direction) - reach) < 1e-7 * reach + 1e-9)
-      crossings.push(direction);
-  };
-  const auto cross_circle = [&](Vec2 centre, double r) {
+  const auto cross_circle = [&](Vec2 centre, double r, const auto& on_border) {
     const Vec2 v = centre - p;
     const double d = norm(v);
     if (d < 1e-12) return;
@@ -211,44 +221,66 @@ void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
     if (c <= -1 || c >= 1) return;
     const double h = std::sqrt(1 - c * c);
     const Vec2 towards = v / d, aside = left_normal(towards);
-    keep(c * towards - h * aside);
-    keep(c * towards + h * aside);
+    for (const Vec2 direction : {c * towards - h * aside, c * towards + h * aside})
+      if (on_border(p + radius * direction)) crossings.push(direction);
   };
-  cross_circle(s.a, reach);
+  constexpr double kJoint = 1e-9;  // mm: about the joints of the border's parts both count
   if (s.is_arc()) {
-    cross_circle(s.b, reach);
-    cross_circle(s.centre, s.radius + reach);
-    if (s.radius > reach) cross_circle(s.centre, s.radius - reach);
+    const auto beside = [&](Vec2 x, double margin) {
+      const Vec2 v = x - s.centre;
+      const bool after_first = cross(primitive.first, v) >= -margin;
+      const bool before_last = cross(v, primitive.last) >= -margin;
+      return primitive.reflex ? after_first || before_last : after_first && before_last;
+    };
+    const auto along = [&](Vec2 x) { return beside(x, kJoint); };
+    cross_circle(s.centre, s.radius + reach, along);
+    if (s.radius > reach) cross_circle(s.centre, s.radius - reach, along);
+    const auto at_end = [&](Vec2 x, Vec2 end, Vec2 other) {
+      return !beside(x, -kJoint) && squared_norm(x - end) <= squared_norm(x - other) + kJoint;
+    };
+    cross_circle(s.a, reach, [&](Vec2 x) { return at_end(x, s.a, s.b); });
+    cross_circle(s.b, reach, [&](Vec2 x) { return at_end(x, s.b, s.a); });
   } else if (primitive.length > 0) {
-    cross_circle(s.b, reach);
+    const auto along = [&](Vec2 x) { return dot(x - s.a, primitive.direction); };
+    cross_circle(s.a, reach, [&](Vec2 x) { return along(x) <= kJoint; });
+    cross_circle(s.b, reach, [&](Vec2 x) { return along(x) >= primitive.length - kJoint; });
     const double aside = cross(primitive.direction, p - s.a);
     const Vec2 normal = left_normal(primitive.direction);
     for (const double side : {reach, -reach}) {
       const double v = (side - aside) / radius;
       if (v <= -1 || v >= 1) continue;
       const double h = std::sqrt(1 - v * v);
-      keep(v * normal + h * primitive.direction);
-      keep(v * normal - h * primitive.direction);
+      for (const Vec2 direction :
+           {v * normal + h * primitive.direction, v * normal - h * primitive.direction}) {
+        const double t = along(p + radius * direction);
+        if (t >= -kJoint && t <= primitive.length + kJoint) crossings.push(direction);
+      }
     }
+  } else {
+    cross_circle(s.a, reach, [](Vec2) { return true; });
   }
   const int count = crossings.count;
   if (count == 0) {
-    if (distance(primitive, p + Vec2{radius, 0}) <= reach) set.clear();
-    return;
+    if (distance(primitive, p + Vec2{radius, 0}) > reach) return false;
+    set.clear();
+    return true;
   }
   for (int i = 0; i < count; ++i)
     crossings.at[static_cast<std::size_t>(i)].angle =
         wrap_positive(angle_of(crossings.at[static_cast<std::size_t>(i)].direction));
   std::sort(crossings.at.begin(), crossings.at.begin() + count,
             [](const Crossing& a, const Crossing& b) { return a.angle < b.angle; });
+  bool changed = false;
   for (int i = 0; i < count; ++i) {
     const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
     const Crossing& to = crossings.at[static_cast<std::size_t>((i + 1) % count)];
     const double high = i + 1 < count ? to.angle : to.angle + 2 * kPi;
     if (high - from.angle < 1e-12) continue;
     const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
-    if (distance(primitive, p + radius * middle) <= reach) cut_wrapped(set, from.angle, high);
+    if (distance(primitive, p + radius * middle) <= reach)
+      changed = cut_wrapped(set, from.angle, high) || changed;
   }
+  return changed;
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
@@ -256,36 +288,35 @@ void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<Angul
   const double radius = tool_radius_ - shrink;
   out.clear();
   out.push_back({low, high});
-  // The discs that hold the remaining arcs: moves that do not reach them take nothing away.
-  thread_local std::vector<Piece> pieces;
+  // Small discs that hold the remaining arcs, piece by piece: moves that reach none of them take
+  // nothing away.
+  thread_local std::vector<Disc> discs;
   const auto describe = [&] {
-    pieces.clear();
+    discs.clear();
     for (const AngularInterval& interval : out) {
-      const double half = 0.5 * interval.width();
-      if (half >= 0.5 * kPi)
-        pieces.push_back({interval, p, radius});
-      else
-        pieces.push_back({interval, p + radius * std::cos(half) * unit(interval.low + half),
-                          radius * std::sin(half)});
+      const int n = std::min(kMostDiscs, 1 + static_cast<int>(interval.width() / kDiscAngle));
+      const double half = 0.5 * interval.width() / n;
+      const double c = radius * std::cos(half), s = radius * std::sin(half);
+      for (int k = 0; k < n; ++k)
+        discs.push_back({p + c * unit(interval.low + (2 * k + 1) * half), s});
     }
   };
   describe();
   const std::vector<std::int32_t>& ids = bucket(p);
   for (auto id = ids.rbegin(); id != ids.rend() && !out.empty(); ++id) {
-    if (static_cast<std::size_t>(*id) >= last) continue;
-    const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
+    const auto index = static_cast<std::size_t>(*id);
+    if (index >= last) continue;
+    const Disc& holds = discs_[index];
     bool near = false;
-    for (const Piece& piece : pieces) {
-      const double reach = primitive.radius + piece.half;
-      const double far = reach + primitive.half;
-      if (squared_norm(piece.middle - primitive.middle) >= far * far) continue;
-      if (distance(primitive, piece.middle) >= reach) continue;
+    for (const Disc& disc : discs) {
+      const double far = holds.radius + disc.radius;
+      if (squared_norm(disc.centre - holds.centre) >= far * far) continue;
+      if (distance(primitives_[index], disc.centre) >= primitives_[index].radius + disc.radius)
+        continue;
       near = true;
       break;
     }
-    if (!near) continue;
-    subtract(primitive, p, radius, out);
-    describe();
+    if (near && subtract(primitives_[index], p, radius, out)) describe();
   }
   if (limited_ && !out.empty()) remove_outside_material(p, radius, out);
 }

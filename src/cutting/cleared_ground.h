@@ -66,16 +66,13 @@ class ClearedGround {
     double radius = 0;    // mm, swept
     Vec2 first, last;     // arcs: unit vectors from the centre to the ends, counter-clockwise
     bool reflex = false;  // arcs: the sector is wider than half a turn
-    Vec2 middle;          // of a disc that holds the segment,
-    double half = 0;      // and its radius
   };
-  // One arc of the circle that is still uncovered, with the disc that holds it.
-  struct Piece {
-    AngularInterval interval;
-    Vec2 middle;
-    double half = 0;
+  struct Disc {
+    Vec2 centre;
+    double radius = 0;
   };
-  void subtract(const Primitive& primitive, Vec2 p, double radius,
+  // Takes what the move covers from the circle's arcs in `set`. False when they stay as they were.
+  bool subtract(const Primitive& primitive, Vec2 p, double radius,
                 std::vector<AngularInterval>& set) const;
   double distance(const Primitive& primitive, Vec2 x) const;
   void remove_outside_material(Vec2 p, double radius, std::vector<AngularInterval>& set) const;
@@ -90,6 +87,7 @@ class ClearedGround {
   std::vector<std::vector<std::int32_t>> buckets_;
   std::vector<std::int32_t> nothing_;
   std::vector<Primitive> primitives_;
+  std::vector<Disc> discs_;  // that hold what each move sweeps
   std::vector<Segment> material_edges_;
   std::vector<Region> material_;
   bool limited_ = false;
