@@ -1,6 +1,5 @@
 #include <gtest/gtest.h>
 
-#include <chrono>
 #include <random>
 
 #include "geometry/boundary_index.h"
@@ -337,19 +336,6 @@ TEST(Offset, AddsNoMicroscopicJoinArcs) {
   const std::vector<Region> chain{make_region(shapes::wavy_arcs(random, {0, 0}, 40, 2000))};
   for (const Region& r : offset(chain, -1))
     for (const Segment& s : r.outer.segments()) EXPECT_GT(s.length(), 0.5 * kOffsetTolerance);
-}
-
-TEST(Offset, TakesWellUnderASecondForTenThousandEdges) {
-  std::mt19937 random(33);
-  const std::vector<Region> big{make_region(shapes::wavy_polygon(random, {0, 0}, 50, 10000))};
-  for (const double d : {-0.1, -3.0, -20.0, 3.0}) {
-    const auto start = std::chrono::steady_clock::now();
-    offset(big, d);
-    const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
-    EXPECT_LT(took.count(), 1) << d;
-    RecordProperty("milliseconds" + std::to_string(static_cast<int>(-10 * d)),
-                   static_cast<int>(1000 * took.count()));
-  }
 }
 
 TEST(Offset, WorksFarFromTheOriginAndAtHundredfoldSize) {
