@@ -1,4 +1,4 @@
-"""Models, jobs and operations for the tests, and how to read what they make."""
+"""Jobs and operations for the tests, and how to read what they make."""
 
 import math
 import os
@@ -9,65 +9,9 @@ import FreeCAD
 import Part
 import pytest
 from FreeCAD import Vector
+from models import DEPTH, SQUARE, block_with, face_of, floors_of
 
 sys.dont_write_bytecode = True
-DEPTH, MARGIN, BLOCK = 3.0, 10.0, 12.0  # mm: of pockets, of the block around and below them
-
-
-def wire(chain):
-    """A closed wire through (x, y, bulge) in z = 0."""
-    edges = []
-    for (x0, y0, bulge), (x1, y1, _) in zip(chain, chain[1:] + chain[:1]):
-        start, end = Vector(x0, y0, 0), Vector(x1, y1, 0)
-        if not bulge:
-            edges.append(Part.makeLine(start, end))
-            continue
-        middle = (start + end) / 2 + Vector(y1 - y0, x0 - x1, 0) * (bulge / 2)
-        edges.append(Part.Arc(start, middle, end).toShape())
-    return Part.Wire(edges)
-
-
-def rectangle(x0, y0, x1, y1):
-    return [(x0, y0, 0), (x1, y0, 0), (x1, y1, 0), (x0, y1, 0)]
-
-
-def circle(x, y, radius):
-    return [(x + radius, y, 1), (x - radius, y, 1)]
-
-
-SQUARE = rectangle(0, 0, 30, 30)
-
-
-def face_of(outer, islands=()):
-    face = Part.Face(wire(outer))
-    for island in islands:
-        face = face.cut(Part.Face(wire(island)))
-    return face
-
-
-def block_with(*faces, depth=DEPTH):
-    """A block with its top at z = 0 and a pocket of each face."""
-    box = faces[0].BoundBox
-    for face in faces[1:]:
-        box.add(face.BoundBox)
-    block = Part.makeBox(
-        box.XLength + 2 * MARGIN,
-        box.YLength + 2 * MARGIN,
-        BLOCK,
-        Vector(box.XMin - MARGIN, box.YMin - MARGIN, -BLOCK),
-    )
-    for face in faces:
-        block = block.cut(face.extrude(Vector(0, 0, -depth)))
-    return block
-
-
-def floors_of(shape, z=-DEPTH):
-    """Names of the level faces at a height."""
-    return [
-        "Face%d" % n
-        for n, f in enumerate(shape.Faces, 1)
-        if abs(f.BoundBox.ZMin - z) < 1e-6 and abs(f.BoundBox.ZMax - z) < 1e-6
-    ]
 
 
 class Bench:

@@ -65,8 +65,39 @@ def reopened():
     FreeCAD.closeDocument(doc.Name)
 
 
+def cancelled(op):
+    """Computes an operation, with a click on Cancel as soon as the dialog shows."""
+    from evenload.gui import progress
+
+    seen = []
+
+    def click():
+        for box in FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox):
+            bar, button = box.findChild(QtGui.QProgressBar), box.button(QtGui.QMessageBox.Cancel)
+            if not (box.isVisible() and bar and button):
+                continue
+            seen.append({"title": box.windowTitle(), "value": bar.value(), "modal": box.isModal()})
+            picture("progress")
+            for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
+                left = QtCore.Qt.LeftButton
+                at = QtCore.QPointF(button.rect().center())
+                event = QtGui.QMouseEvent(kind, at, left, left, QtCore.Qt.NoModifier)
+                QtGui.QApplication.sendEvent(button, event)
+
+    delay, progress.DELAY = progress.DELAY, 0
+    timer = QtCore.QTimer()
+    timer.timeout.connect(click)
+    timer.start(0)
+    op.touch()
+    op.Document.recompute()
+    timer.stop()
+    progress.DELAY = delay
+    later()
+    return seen, op.Report, len(op.Path.Commands)
+
+
 def session():
-    from conftest import SQUARE, block_with, face_of, floors_of, wire
+    from models import SQUARE, block_with, face_of, floors_of, wire
     from evenload import host
 
     # FreeCAD warns, in a dialog, of units without minutes.
@@ -163,6 +194,13 @@ def session():
     panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
     later(500)
     result["cancelled_is_gone"] = len(job.Operations.Group) == 1
+
+    # Cancelled, then computed whole.
+    result["cancel"] = cancelled(op)
+    result["after_cancel"] = not QtGui.QApplication.activeModalWidget()
+    op.touch()
+    doc.recompute()
+    result["whole"] = [op.Report, len(op.Path.Commands)]
 
     # An error shows its sentence.
     op.EngagementAngle = 200

@@ -10,7 +10,7 @@ import sys
 import FreeCAD
 import Part
 import pytest
-from conftest import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
+from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
 from evenload import batch
 from FreeCAD import Vector
 

@@ -3,7 +3,7 @@
 import FreeCAD
 import Part
 import pytest
-from conftest import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle
+from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle
 from FreeCAD import Vector
 
 
@@ -246,7 +246,7 @@ def test_a_failed_operation_saves_reopens_and_works_when_mended(square, tmp_path
         assert not op.isValid()
         op.EngagementAngle = 60
         doc.recompute()
-        assert op.isValid() and len(op.Path.Commands) > 10 and op.Report == ""
+        assert op.isValid() and len(op.Path.Commands) > 10 and "200" not in op.Report
         assert op.RollRadius.Value == pytest.approx(0.7)
     finally:
         FreeCAD.closeDocument(doc.Name)

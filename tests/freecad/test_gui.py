@@ -6,7 +6,8 @@ import shutil
 import subprocess
 
 import pytest
-from conftest import SQUARE, Bench, block_with, face_of
+from conftest import Bench
+from models import SQUARE, block_with, face_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
 
@@ -76,6 +77,15 @@ def test_the_panel_sets_properties_and_computes(session):
     assert session["valid"] and session["commands"] > 10
     assert "Time" in session["results_text"] and "ideal 0.0" not in session["results_text"]
     assert session["closed"]
+
+
+def test_cancel_stops_the_computation_and_keeps_what_there_is(session):
+    seen, report, commands = session["cancel"]
+    assert len(seen) == 1, "the dialog shows once, and one click is enough"
+    assert seen[0]["title"] == "EvenLoadAdaptive" and seen[0]["modal"]
+    assert "Cancelled" in report and session["after_cancel"]
+    whole_report, whole_commands = session["whole"]
+    assert "Cancelled" not in whole_report and 10 < commands < whole_commands
 
 
 def test_an_error_shows_its_sentence(session):

@@ -7,9 +7,9 @@ import evenload
 import FreeCAD
 import Part
 import pytest
-from conftest import DEPTH, SQUARE, block_with, check_path, circle, face_of, floors_of
-from conftest import moves_of, rectangle, wire
+from conftest import check_path, moves_of
 from FreeCAD import Vector
+from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, wire
 
 
 def sketch_of(doc, chain, z=-DEPTH, name="Sketch"):
@@ -134,7 +134,7 @@ def test_a_deep_final_depth_is_met_exactly_though_the_step_does_not_divide_it(be
 
 def test_depths_that_miss_the_floor_are_reported(square):
     op = square.done(square.operation())
-    assert op.Report == ""
+    assert "FinalDepth" not in op.Report
     op.FinalDepth = -2
     assert "FinalDepth lies 1 mm above Face" in square.done(op).Report
     op.FinalDepth = -3.5
@@ -337,12 +337,22 @@ def test_nothing_is_recomputed_without_need(square):
     assert square.doc.recompute() == 0
 
 
-def test_a_cancelled_operation_says_so(square):
+def test_a_cancelled_operation_keeps_what_there_is_and_says_so(square):
+    whole = len(square.done(square.operation()).Path.Commands)
     op = square.operation()
-    op.Proxy.progress = lambda share: share < 0.3
-    op.touch()
-    square.doc.recompute()
-    assert op.isValid() and "Cancelled" in op.Report
+    asked = []
+
+    def stop_at_the_third(share):
+        asked.append(share)
+        return len(asked) < 3
+
+    op.Proxy.progress = stop_at_the_third
+    square.done(op)
+    assert len(asked) == 3 and 0 < asked[0] <= asked[1] <= asked[2] < 1
+    assert "Cancelled" in op.Report and len(op.Path.Commands) < whole
+    op.Proxy.progress = None
+    square.done(op)
+    assert "Cancelled" not in op.Report and len(op.Path.Commands) == whole
 
 
 # ---- open edges ----

@@ -5,8 +5,9 @@ import math
 import re
 
 import pytest
-from conftest import SQUARE, block_with, circle, face_of, moves_of, rectangle
+from conftest import moves_of
 from FreeCAD import Vector
+from models import SQUARE, block_with, circle, face_of, rectangle
 
 POSTS = [
     ("linuxcnc", "--no-show-editor"),

@@ -3,7 +3,7 @@
 import math
 
 import pytest
-from conftest import SQUARE, circle
+from models import SQUARE, circle
 from evenload import commands, report
 
 

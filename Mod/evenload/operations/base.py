@@ -2,6 +2,7 @@
 the path.
 """
 
+import contextlib
 import math
 from dataclasses import dataclass
 
@@ -226,7 +227,8 @@ class Operation(host.operation_base()):
 
     # Restored proxies come into being without __init__.
     last = None
-    progress = None  # callable(share) -> bool, asked while the core works; False stops it
+    # callable(share) -> bool, asked while the core works; False stops it. None: the GUI's dialog.
+    progress = None
     _wished_controller = None
     _changing = False
 
@@ -428,9 +430,9 @@ class Operation(host.operation_base()):
         )
         regions = [floor.region() for floor in floors]
         hole = self._hole(obj, tool, floors)
-        toolpath = self.generate(
-            obj, core, regions, self._parameters(obj, tool, data, levels, hole)
-        )
+        with self._watch(obj) as watch:
+            parameters = self._parameters(obj, tool, data, levels, hole)
+            toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
         self._check_entries(obj, tool, toolpath)
         moves = toolpath.moves
         while (
@@ -444,6 +446,14 @@ class Operation(host.operation_base()):
     def generate(self, obj, core, regions, parameters):
         """The core's toolpath for the regions."""
         raise NotImplementedError
+
+    def _watch(self, obj):
+        """A context with what the core is to ask while it works."""
+        if self.progress is None and FreeCAD.GuiUp:
+            from evenload.gui import progress
+
+            return progress.Watch(obj.Label)
+        return contextlib.nullcontext(self.progress)
 
     @staticmethod
     def _notes(floors, final_depth):
@@ -581,7 +591,6 @@ class Operation(host.operation_base()):
             "levels": levels,
             "safe_height": obj.SafeHeight.Value,
             "clearance_height": obj.ClearanceHeight.Value,
-            "progress": self.progress,
         }
 
     def _check_entries(self, obj, tool, toolpath):
@@ -607,10 +616,7 @@ class Operation(host.operation_base()):
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
         obj.Retracts = report.retracts
-        lines = [*notes, *report.notes]
-        if report.termination == "cancelled":
-            lines.insert(0, "Cancelled: the path is not complete.")
-        obj.Report = "\n".join(lines)
+        obj.Report = "\n".join([*notes, *report.notes])
 
     def _clear_results(self, obj):
         for setting in RESULT_SETTINGS:

@@ -1,0 +1,62 @@
+"""Progress of a computation, and its Cancel button."""
+
+import time
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+DELAY = 1.0  # s: what takes less shows no dialog
+REFRESH = 0.05  # s: how often the dialog is brought up to date and Cancel is looked at
+SCALE = 1000  # steps of the progress bar
+WIDTH = 280  # pixels of the progress bar, so that the title can be read
+
+_translate = FreeCAD.Qt.translate
+
+
+class Watch:
+    """What the core asks while it works: watch(share) -> whether to go on.
+
+    A context, at whose end the dialog vanishes. Until it shows, nothing else happens in the GUI;
+    while it shows, nothing but its button can be used.
+    """
+
+    def __init__(self, title):
+        self._title = title
+        self._dialog = self._bar = None
+        self._next = time.monotonic() + DELAY
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        if self._dialog is not None:
+            QtGui.QApplication.restoreOverrideCursor()
+            self._dialog.hide()
+            self._dialog.deleteLater()
+            self._dialog = None
+
+    def __call__(self, share):
+        if time.monotonic() < self._next:
+            return True
+        if self._dialog is None:
+            self._show()
+        self._bar.setValue(round(SCALE * share))
+        QtGui.QApplication.processEvents()
+        self._next = time.monotonic() + REFRESH
+        return self._dialog.clickedButton() is None
+
+    def _show(self):
+        # A message box: while FreeCAD recomputes, it takes the mouse from every other dialog.
+        self._dialog = QtGui.QMessageBox(FreeCADGui.getMainWindow())
+        self._dialog.setWindowTitle(self._title)
+        self._dialog.setText(_translate("EvenLoad", "Computing the path"))
+        self._dialog.setStandardButtons(QtGui.QMessageBox.Cancel)
+        self._dialog.setWindowModality(QtCore.Qt.ApplicationModal)
+        self._bar = QtGui.QProgressBar()
+        self._bar.setMinimumWidth(WIDTH)
+        self._bar.setRange(0, SCALE)
+        grid = self._dialog.layout()
+        grid.addWidget(self._bar, grid.rowCount(), 0, 1, grid.columnCount())
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.ArrowCursor)
+        self._dialog.show()

@@ -1,0 +1,85 @@
+"""Models: blocks with pockets."""
+
+import json
+from pathlib import Path
+
+import Part
+from FreeCAD import Vector
+
+DEPTH, MARGIN, BLOCK = 3.0, 10.0, 12.0  # mm: of pockets, of the block around and below them
+CORPUS = Path(__file__).resolve().parents[1] / "corpus"
+
+
+def wire(chain):
+    """A closed wire through (x, y, bulge) in z = 0."""
+    edges = []
+    for (x0, y0, bulge), (x1, y1, _) in zip(chain, chain[1:] + chain[:1]):
+        start, end = Vector(x0, y0, 0), Vector(x1, y1, 0)
+        if not bulge:
+            edges.append(Part.makeLine(start, end))
+            continue
+        middle = (start + end) / 2 + Vector(y1 - y0, x0 - x1, 0) * (bulge / 2)
+        edges.append(Part.Arc(start, middle, end).toShape())
+    return Part.Wire(edges)
+
+
+def rectangle(x0, y0, x1, y1):
+    return [(x0, y0, 0), (x1, y0, 0), (x1, y1, 0), (x0, y1, 0)]
+
+
+def circle(x, y, radius):
+    return [(x + radius, y, 1), (x - radius, y, 1)]
+
+
+SQUARE = rectangle(0, 0, 30, 30)
+
+
+def face_of(outer, islands=()):
+    face = Part.Face(wire(outer))
+    for island in islands:
+        face = face.cut(Part.Face(wire(island)))
+    return face
+
+
+def block_with(*faces, depth=DEPTH):
+    """A block with its top at z = 0 and a pocket of each face."""
+    box = faces[0].BoundBox
+    for face in faces[1:]:
+        box.add(face.BoundBox)
+    block = Part.makeBox(
+        box.XLength + 2 * MARGIN,
+        box.YLength + 2 * MARGIN,
+        BLOCK,
+        Vector(box.XMin - MARGIN, box.YMin - MARGIN, -BLOCK),
+    )
+    for face in faces:
+        block = block.cut(face.extrude(Vector(0, 0, -depth)))
+    return block
+
+
+def floors_of(shape, z=-DEPTH):
+    """Names of the level faces at a height."""
+    return [
+        "Face%d" % n
+        for n, f in enumerate(shape.Faces, 1)
+        if abs(f.BoundBox.ZMin - z) < 1e-6 and abs(f.BoundBox.ZMax - z) < 1e-6
+    ]
+
+
+def corpus_case(name):
+    """A case of the corpus, as its file has it."""
+    return json.loads((CORPUS / (name + ".json")).read_text())
+
+
+def case_model(case):
+    """The solid of a corpus case; its floor lies axial_depth below z = 0, the top of the stock."""
+    outer, depth = case["outer"], case["axial_depth"]
+    if not case.get("open"):
+        return block_with(face_of(outer, case["islands"]), depth=depth)
+    solid = Part.Face(wire(outer)).extrude(Vector(0, 0, depth - BLOCK))
+    solid.translate(Vector(0, 0, -depth))
+    for island in case["islands"]:
+        boss = Part.Face(wire(island)).extrude(Vector(0, 0, depth))
+        boss.translate(Vector(0, 0, -depth))
+        solid = solid.fuse(boss)
+    return solid.removeSplitter()
