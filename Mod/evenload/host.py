@@ -79,6 +79,19 @@ def register_operation(name, create, properties):
     cam().setup_sheet.RegisterOperation(name, create, properties)
 
 
+def freecads_adaptive(name, job, controller):
+    """FreeCAD's own Adaptive as a new operation of a job: for comparisons."""
+    if _MOVED:
+        import Path.Op.Adaptive as adaptive
+    else:
+        import PathScripts.PathAdaptive as adaptive
+    FreeCAD.setActiveDocument(job.Document.Name)
+    with chosen_tool_controller(controller):
+        op = adaptive.Create(name, parentJob=job)
+    op.ToolController = controller
+    return op
+
+
 def parent_job(obj):
     """The job that an operation belongs to, or None."""
     return cam().utils.findParentJob(obj)
