@@ -4,6 +4,7 @@
 
 import contextlib
 import functools
+import importlib
 import io
 import os
 import tempfile
@@ -90,6 +91,14 @@ def freecads_adaptive(name, job, controller):
         op = adaptive.Create(name, parentJob=job)
     op.ToolController = controller
     return op
+
+
+def dressup(name):
+    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary' or 'Tags'."""
+    if _MOVED:
+        return importlib.import_module("Path.Dressup." + name)
+    old = {"Boundary": "PathDressupPathBoundary", "Tags": "PathDressupHoldingTags"}
+    return importlib.import_module("PathScripts." + old[name])
 
 
 def parent_job(obj):

@@ -77,7 +77,7 @@ def cancelled(op):
             if not (box.isVisible() and bar and button):
                 continue
             seen.append({"title": box.windowTitle(), "value": bar.value(), "modal": box.isModal()})
-            picture("progress")
+            box.grab().save(os.path.join(OUT, "progress.png"))
             for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
                 left = QtCore.Qt.LeftButton
                 at = QtCore.QPointF(button.rect().center())

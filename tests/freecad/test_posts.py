@@ -1,6 +1,5 @@
 """Posted programs: linuxcnc and grbl, and what LinuxCNC's own interpreter makes of them."""
 
-import importlib
 import math
 import re
 
@@ -112,28 +111,31 @@ def test_linuxcnc_takes_every_entry(bench, rs274, tmp_path):
     assert len(CANONICAL.findall(output)) > 300
 
 
+@pytest.mark.parametrize("feed", [0.5, 7.5])
+def test_low_feeds_reach_the_program(bench, rs274, tmp_path, feed):
+    from evenload import host
+
+    b = bench(block_with(face_of(SQUARE)), feed=feed)
+    op = b.done(b.operation())
+    assert {round(m[4], 6) for m in moves_of(op) if m[0] != "G0"} == {feed, 5000}
+    for processor, arguments in POSTS:
+        text = host.post(b.job, processor, arguments)
+        assert {w["F"] for _, w in motions(text) if "F" in w} == {feed, 5000}
+        if processor == "linuxcnc":
+            rs274(text, tmp_path)
+
+
 def test_the_interpreter_refuses_a_bad_program(rs274, tmp_path):
     with pytest.raises(AssertionError):
         rs274("G21 G17 G90\nF100\nG0 X0 Y0 Z0\nG2 X10 Y0 I1 J0\nM2\n", tmp_path)
 
 
-def dressup(name_in_1_0, name_in_0_20):
-    try:
-        return importlib.import_module(name_in_1_0)
-    except ImportError:
-        return importlib.import_module(name_in_0_20)
+@pytest.mark.parametrize("name", ["Boundary", "Tags"])
+def test_stock_dressups_take_the_path(round_pocket, name):
+    from evenload import host
 
-
-@pytest.mark.parametrize(
-    "names",
-    [
-        ("Path.Dressup.Boundary", "PathScripts.PathDressupPathBoundary"),
-        ("Path.Dressup.Tags", "PathScripts.PathDressupHoldingTags"),
-    ],
-)
-def test_stock_dressups_take_the_path(round_pocket, names):
     b, op = round_pocket
-    dressed = dressup(*names).Create(op)
+    dressed = host.dressup(name).Create(op)
     b.doc.recompute()
     assert dressed.isValid()
     assert len(dressed.Path.Commands) > 0.5 * len(op.Path.Commands)
