@@ -12,8 +12,11 @@ import traceback
 from pathlib import Path
 
 
-def collect(folder):
-    """Returns the figures of all benchmarks in `folder` by name, and those that failed."""
+def collect(folder, output):
+    """Returns the figures of all benchmarks in `folder` by name, and those that failed.
+
+    output: an open file that gets every figure as soon as it is there.
+    """
     sys.path.insert(0, str(folder))
     figures, failed = {}, []
     for path in sorted(folder.glob("bench_*.py")):
@@ -22,7 +25,7 @@ def collect(folder):
                 if name in figures:
                     raise ValueError("two figures are named %s" % name)
                 figures[name] = {"value": value, "unit": unit}
-                print("%-48s %12.6g %s" % (name, value, unit), flush=True)
+                print("%-48s %12.6g %s" % (name, value, unit), file=output, flush=True)
         except Exception:
             traceback.print_exc()
             failed.append(path.stem)
@@ -30,14 +33,18 @@ def collect(folder):
 
 
 def main():
-    figures, failed = collect(Path(__file__).resolve().parent)
+    output = os.fdopen(os.dup(1), "w")
+    sys.stdout.flush()
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)  # FreeCAD's own progress bars
+    figures, failed = collect(Path(__file__).resolve().parent, output)
     target = os.environ.get("EVENLOAD_BENCH_JSON")
     if target:
         Path(target).write_text(json.dumps(figures, indent=1) + "\n")
     if failed:
-        print("failed: " + ", ".join(failed))
+        print("failed: " + ", ".join(failed), file=output)
     if not figures:
-        print("no figures: bench/ holds no benchmark that yields one")
+        print("no figures: bench/ holds no benchmark that yields one", file=output)
+    output.close()
     return 1 if failed or not figures else 0
 
 
