@@ -57,6 +57,6 @@ class Watch:
         self._bar.setMinimumWidth(WIDTH)
         self._bar.setRange(0, SCALE)
         grid = self._dialog.layout()
-        grid.addWidget(self._bar, grid.rowCount(), 0, 1, grid.columnCount())
+        grid.addWidget(self._bar, 1, grid.columnCount() - 1)
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.ArrowCursor)
         self._dialog.show()
