@@ -24,6 +24,10 @@ constexpr double kTightestTurn = 0.001;
 constexpr double kShortCorner = 0.02;
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
 constexpr double kNarrowestHelix = 0.08;
+// mm: of the place of an entry.
+constexpr double kEntryTolerance = 1e-3;
+// mm: a place of one stage's wall this near to another's is the same place.
+constexpr double kSamePlace = 1e-4;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // A ramp is no longer than this many tool diameters.
@@ -132,7 +136,7 @@ class RegionClearing {
       return;
     }
     Descent descent;
-    const Pose start = choose_entry(descent);
+    const Pose start = choose_entry(task_.centres, descent);
     samples_.update(0, everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
@@ -174,15 +178,15 @@ class RegionClearing {
   }
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  Pose choose_entry(Descent& descent) {
-    const Circle circle = largest_circle(task_.centres, 1e-3);
-    const double room = kHelixRoom * circle.radius;
+  Pose choose_entry(const Region& room, Descent& descent) {
+    const Circle circle = largest_circle(room, kEntryTolerance);
+    const double space = kHelixRoom * circle.radius;
     const bool ramp_wanted = params_.entry == EntryKind::kRamp;
-    if (room >= kNarrowestHelix * radius_ && !ramp_wanted) {
+    if (space >= kNarrowestHelix * radius_ && !ramp_wanted) {
       descent.kind = DescentKind::kHelix;
       descent.centre = circle.centre;
       // Wider than the tool's radius a helix would leave a post in its middle.
-      descent.radius = std::min({0.5 * params_.helix_diameter, room, 0.98 * radius_});
+      descent.radius = std::min({0.5 * params_.helix_diameter, space, 0.98 * radius_});
       descent.at = circle.centre + Vec2{descent.radius, 0};
       ground_.add_disc(circle.centre, descent.radius + radius_);
       return Pose{descent.at, kPi / 2};
@@ -287,31 +291,87 @@ class RegionClearing {
     while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
       if (starts.empty()) {
-        if (!cut_leftover()) return;
+        if (!enter_untouched() && !cut_leftover()) return;
         continue;
       }
       const PassStart start = choose(starts, last_start);
-      const Pose before = here_;
-      const std::size_t runs = result_.runs.size();
-      const std::size_t moves = result_.runs.back().moves.size();
-      const int links = result_.links, retracts = result_.retracts;
+      const Mark before = mark();
       go_to(start.pose, stages_[start.stage].turn_radius);
       const std::size_t first = ground_.size();
-      Steering steering(ground_, stages_[start.stage], params_.engagement_angle);
-      if (!take(steering.from_wall(start.place), first, stages_[start.stage].turn_radius)) {
+      double turn_radius = 0;
+      if (!take(pass_from(start, &turn_radius), first, turn_radius)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
-        if (ground_.size() == first) {  // no pass: the way to it is not needed
-          result_.runs.resize(runs);
-          result_.runs.back().moves.resize(moves);
-          result_.links = links;
-          result_.retracts = retracts;
-          here_ = before;
-        }
+        if (ground_.size() == first) back_to(before);  // no pass: the way to it is not needed
         continue;
       }
       last_start = start.pose.p;
       progress_.report(1 - static_cast<double>(samples_.uncleared_count()) / all);
     }
+  }
+
+  // The pass from `start` with the widest turn, no wider than its stage's, that can enter there.
+  Pass pass_from(const PassStart& start, double* turn_radius) {
+    for (std::size_t k = start.stage; k < stages_.size(); ++k) {
+      WallPlace place = start.place;
+      if (k != start.stage) {
+        if (stages_[k].turn_radius <= 0) break;
+        const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+        if (hit.distance > kSamePlace) break;
+        place = {hit.curve, hit.segment, hit.t};
+      }
+      *turn_radius = stages_[k].turn_radius;
+      Steering steering(ground_, stages_[k], params_.engagement_angle);
+      Pass pass = steering.from_wall(place);
+      if (!pass.empty()) return pass;
+    }
+    return {};
+  }
+
+  // How far the result has come, to go back to when an attempt comes to nothing.
+  struct Mark {
+    Pose here;
+    std::size_t runs, moves;
+    int links, retracts, passes;
+  };
+  Mark mark() const {
+    return {here_,         result_.runs.size(), result_.runs.back().moves.size(),
+            result_.links, result_.retracts,    result_.passes};
+  }
+  void back_to(const Mark& mark) {
+    result_.runs.resize(mark.runs);
+    result_.runs.back().moves.resize(mark.moves);
+    result_.links = mark.links;
+    result_.retracts = mark.retracts;
+    here_ = mark.here;
+  }
+
+  // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
+  // cut within the limit.
+  bool enter_untouched() {
+    for (const Stage& stage : stages_) {
+      for (const Region& room : stage.rooms) {
+        const Circle circle = largest_circle(room, kEntryTolerance);
+        if (circle.radius < kNarrowestHelix * radius_ || !is_untouched(room, circle.centre))
+          continue;
+        Descent descent;
+        const Pose start = choose_entry(room, descent);
+        const std::size_t first = ground_.size();
+        begin_run(descent);
+        ++result_.retracts;
+        samples_.update(first - 1, descent.at, descent.at);
+        cut_from(start);
+        return true;
+      }
+    }
+    return false;
+  }
+
+  bool is_untouched(const Region& room, Vec2 centre) const {
+    if (ground_.is_cleared_point(centre)) return false;
+    for (const Curve& curve : room.curves())
+      for (const Segment& segment : curve.segments())
+        if (ground_.is_clear(segment.a) || ground_.is_clear(segment.point(0.5))) return false;
+    return true;
   }
 
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
@@ -338,14 +398,10 @@ class RegionClearing {
     while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
       const std::size_t k = widest_stage_at(*start);
       if (k == stages_.size()) continue;
-      const Pose before = here_;
-      const std::size_t runs = result_.runs.size();
-      const std::size_t moves = result_.runs.back().moves.size();
+      const Mark before = mark();
       go_to(*start, stages_[k].turn_radius);
       if (cut_from(*start)) return true;
-      result_.runs.resize(runs);
-      result_.runs.back().moves.resize(moves);
-      here_ = before;
+      if (result_.passes == before.passes) back_to(before);
     }
     return false;
   }

@@ -43,11 +43,13 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     stage.centres = Area(opened);
     stage.turns = Area(offset(opened, -turn));
     if (stage.turns.empty()) continue;
+    stage.rooms = opened;
     const double left = deepest_rest(centres, stage.centres);
     stages.push_back(std::move(stage));
     if (left < limits.rest) break;
   }
   Stage exact;
+  exact.rooms = {centres};
   exact.centres = Area({centres});
   stages.push_back(std::move(exact));
   return stages;

@@ -13,9 +13,10 @@
 namespace evenload {
 
 struct Stage {
-  double turn_radius = 0;  // mm, of left turns; 0: the exact border, sharp corners and all
-  Area centres;            // where the tool's centre may be; its border is the wall to follow
-  Area turns;              // where the centre of a left turn may be
+  double turn_radius = 0;     // mm, of left turns; 0: the exact border, sharp corners and all
+  std::vector<Region> rooms;  // where the tool's centre may be, piece by piece
+  Area centres;  // the same: where the tool's centre may be; its border is the wall to follow
+  Area turns;    // where the centre of a left turn may be
 };
 
 struct StageLimits {
