@@ -15,7 +15,7 @@ from PySide import QtCore, QtGui
 OUT = os.environ["EVENLOAD_GUI_OUT"]
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 result = {}
-faulthandler.dump_traceback_later(60, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
+faulthandler.dump_traceback_later(240, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
 
 
 def later(milliseconds=300):

@@ -41,7 +41,7 @@ def session(tmp_path_factory):
         stderr=subprocess.STDOUT,
         text=True,
         errors="replace",
-        timeout=150,
+        timeout=300,
     ).stdout
     result = folder / "result.json"
     assert result.exists(), log[-2000:] + (folder / "hang.txt").read_text()
