@@ -32,6 +32,9 @@ constexpr double kSamePlace = 1e-4;
 constexpr double kHelixRoom = 0.98;
 // A ramp is no longer than this many tool diameters.
 constexpr double kLongestRamp = 1.5;
+// s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
+// staying down is gentler.
+constexpr double kRetractPrice = 0.3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-3;
 
@@ -269,7 +272,7 @@ class RegionClearing {
     const double gap = distance(here_.p, to.p);
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return;
     const double rise = params_.safe_height - params_.levels.front();
-    const double retract_minutes = (2 * rise + gap) / params_.rapid_feed;
+    const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
     const std::vector<Segment> link =
         shortest_link(ground_, exact_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
                       retract_minutes * params_.link_feed);
