@@ -1,0 +1,394 @@
+// Properties of constant-engagement clearing over the whole corpus, by a judge that shares no code
+// with it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "corpus.h"
+#include "path_check.h"
+#include "strategy/constant_engagement.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+using corpus::Case;
+using path_check::check_path;
+using path_check::Findings;
+
+constexpr double kDegree = kPi / 180;
+
+Toolpath clear(const Case& pocket, const ClearingParams& params) {
+  Progress progress;
+  return clear_pocket({pocket.region}, params, progress);
+}
+
+Findings judge(const Case& pocket, const Toolpath& path) {
+  path_check::Stock stock;
+  stock.regions = {pocket.region};
+  if (pocket.hole) {
+    stock.hole = pocket.hole->centre;
+    stock.hole_radius = 0.5 * pocket.hole->diameter;
+  }
+  return check_path(stock, 0.5 * pocket.tool_diameter, path.moves);
+}
+
+std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.y); }
+
+void expect_within_limits(const Case& pocket, const Toolpath& path, const Findings& found) {
+  EXPECT_EQ(path.report.termination, Termination::kComplete)
+      << (path.report.notes.empty() ? "" : path.report.notes.front());
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 3 * kDegree)
+      << found.cut_engagement / kDegree << " degrees at " << text(found.cut_engagement_at);
+  EXPECT_LE(found.gouge, 0.005) << "at " << text(found.gouge_at);
+  EXPECT_LE(found.left_share, 0.001) << "at " << text(found.left_at);
+  EXPECT_LE(found.link_engagement, 1 * kDegree)
+      << found.link_engagement / kDegree << " degrees at " << text(found.link_engagement_at);
+  EXPECT_EQ(found.bad_plunges, 0) << "at " << text(found.bad_plunge_at);
+  EXPECT_LE(found.arc_mismatch, 5e-6);
+  EXPECT_LE(found.largest_sweep, kPi * 1.001);
+}
+
+class EveryPocket : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryPocket, IsClearedWithinTheLimits) {
+  const Case pocket = corpus::load(GetParam());
+  const ClearingParams params = pocket.params();
+  const Toolpath path = clear(pocket, params);
+  const Findings found = judge(pocket, path);
+  expect_within_limits(pocket, path, found);
+  EXPECT_NEAR(path.report.max_engagement, found.cut_engagement, 2 * kDegree);
+  EXPECT_GE(path.report.cutting_time, 0.9 * path.report.ideal_time);
+  EXPECT_NEAR(path.report.cut_length, found.cut_length, 1e-3 * found.cut_length);
+  EXPECT_NEAR(path.report.link_length, found.link_length, 1e-3 * found.link_length + 1e-3);
+  EXPECT_LE(path.report.uncut_area, 0.001 * found.reachable_area);
+  EXPECT_GE(found.climb_length, 0.99 * (found.climb_length + found.conventional_length));
+
+  // The removal rate never exceeds what was asked for, nor does any feed its cap.
+  const double radius = 0.5 * params.tool_diameter;
+  const double nominal = radius * (1 - std::cos(params.engagement_angle)) * params.feed;
+  EXPECT_LE(found.removal_rate, 1.05 * nominal) << "at " << text(found.removal_rate_at);
+  for (const Move& move : path.moves) {
+    if (move.kind == MoveKind::kCut) {
+      EXPECT_LE(move.feed, params.maximum_feed);
+      EXPECT_GT(move.feed, 0);
+    }
+    if (move.kind == MoveKind::kLink) {
+      EXPECT_EQ(move.feed, params.link_feed);
+    }
+    if (move.kind == MoveKind::kEntry) {
+      EXPECT_EQ(move.feed, params.plunge_feed);
+    }
+  }
+}
+
+std::vector<std::string> clearable() {
+  std::vector<std::string> result = corpus::names();
+  std::erase(result, "too_small");
+  return result;
+}
+
+std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
+
+INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(clearable()), name_of);
+
+TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 24u); }
+
+TEST(Corpus, APocketThatIsTooSmallNamesTheLargestToolThatFits) {
+  const Case pocket = corpus::load("too_small");
+  try {
+    clear(pocket, pocket.params());
+    FAIL() << "no error";
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.code(), GeometryErrorCode::kToolTooLarge);
+    const std::string sentence = error.what();
+    const std::size_t at = sentence.find("has ");
+    ASSERT_NE(at, std::string::npos) << sentence;
+    EXPECT_NEAR(std::stod(sentence.substr(at + 4)), 5, 0.01) << sentence;
+  }
+}
+
+// Six pockets stand for all: a hole, islands, two rooms, round and straight walls, an open border.
+class APocket : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Corpus, APocket,
+                         testing::Values("star", "square_island", "two_rooms", "ring", "lame_hex50",
+                                         "boss_open"),
+                         name_of);
+
+TEST_P(APocket, IsClearedTheSameWhereverItLies) {
+  const Case original = corpus::load(GetParam());
+  const Toolpath at_home = clear(original, original.params());
+  struct Motion {
+    const char* name;
+    double angle;
+    bool mirrored;
+    Vec2 shift;
+  };
+  for (const Motion& motion :
+       {Motion{"turned", 17 * kDegree, false, {}}, Motion{"mirrored", 0, true, {}},
+        Motion{"shifted", 0, false, {1000, -500}}}) {
+    SCOPED_TRACE(motion.name);
+    const Case pocket = corpus::moved(original, motion.angle, motion.mirrored, motion.shift);
+    const Toolpath path = clear(pocket, pocket.params());
+    expect_within_limits(pocket, path, judge(pocket, path));
+    EXPECT_NEAR(path.report.cutting_time, at_home.report.cutting_time,
+                0.03 * at_home.report.cutting_time);
+    EXPECT_NEAR(path.report.cut_length, at_home.report.cut_length,
+                0.03 * at_home.report.cut_length);
+  }
+}
+
+TEST_P(APocket, IsClearedConventionallyAsItsMirrorImageIsByClimb) {
+  const Case original = corpus::load(GetParam());
+  const Case image = corpus::moved(original, 0, true, {});
+  ClearingParams params = original.params();
+  params.cut_mode = CutMode::kConventional;
+  const Toolpath conventional = clear(original, params);
+  const Toolpath climb = clear(image, image.params());
+  EXPECT_NEAR(conventional.report.cutting_time, climb.report.cutting_time,
+              0.03 * climb.report.cutting_time);
+  const Findings found = judge(original, conventional);
+  expect_within_limits(original, conventional, found);
+  EXPECT_GE(found.conventional_length, 0.99 * (found.climb_length + found.conventional_length));
+}
+
+TEST_P(APocket, IsClearedDownToTheExactFinalDepthLevelByLevel) {
+  const Case pocket = corpus::load(GetParam());
+  ClearingParams params = pocket.params();
+  params.levels = {-1.7, -3.1000000000000001};
+  const Toolpath path = clear(pocket, params);
+  const Toolpath one = clear(pocket, pocket.params());
+  expect_within_limits(pocket, path, judge(pocket, path));
+  std::vector<double> heights;
+  double deepest = 0;
+  for (const Move& move : path.moves) {
+    if (move.kind == MoveKind::kCut && (heights.empty() || heights.back() != move.z))
+      heights.push_back(move.z);
+    deepest = std::min(deepest, move.z);
+  }
+  // Region by region, each level after the one above it.
+  EXPECT_EQ(deepest, params.levels.back());
+  EXPECT_EQ(heights.back(), params.levels.back());
+  for (const double z : heights)
+    EXPECT_TRUE(std::count(params.levels.begin(), params.levels.end(), z)) << z;
+  EXPECT_NEAR(path.report.cut_length, 2 * one.report.cut_length, 0.01 * one.report.cut_length);
+  EXPECT_NEAR(path.report.removed_volume,
+              one.report.removed_volume / pocket.axial_depth * -params.levels.back(),
+              0.01 * one.report.removed_volume);
+}
+
+TEST_P(APocket, IsClearedByLinesAloneWithoutGouging) {
+  const Case pocket = corpus::load(GetParam());
+  ClearingParams params = pocket.params();
+  params.arcs = false;
+  const Toolpath path = clear(pocket, params);
+  for (const Move& move : path.moves) ASSERT_EQ(move.sweep, 0);
+  const Findings found = judge(pocket, path);
+  EXPECT_LE(found.gouge, 0.005);
+  EXPECT_LE(found.left_share, 0.002);
+  // The chords' sagittas add to the side step.
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 4 * kDegree);
+  EXPECT_EQ(found.bad_plunges, 0);
+}
+
+TEST_P(APocket, IsCutAtOneFeedWhenTheFeedIsConstant) {
+  const Case pocket = corpus::load(GetParam());
+  ClearingParams params = pocket.params();
+  params.feed_control = FeedControl::kConstantFeed;
+  const Toolpath path = clear(pocket, params);
+  for (const Move& move : path.moves)
+    if (move.kind == MoveKind::kCut) {
+      ASSERT_EQ(move.feed, params.feed);
+    }
+  expect_within_limits(pocket, path, judge(pocket, path));
+}
+
+TEST_P(APocket, KeepsItsStockToLeave) {
+  Case pocket = corpus::load(GetParam());
+  ClearingParams params = pocket.params();
+  params.stock_to_leave = 0.3;
+  const Toolpath path = clear(pocket, params);
+  const Findings found = judge(pocket, path);
+  EXPECT_EQ(found.gouge, 0);
+  // A tool that is wider by the stock goes as deep as the tolerance into the wall.
+  path_check::Stock stock;
+  stock.regions = {pocket.region};
+  const Findings grown = check_path(stock, 0.5 * pocket.tool_diameter + 0.3, path.moves);
+  EXPECT_LE(grown.gouge, 0.005);
+}
+
+TEST_P(APocket, StopsSoonWhenItIsCancelled) {
+  const Case pocket = corpus::load(GetParam());
+  int calls = 0, calls_after = 0;
+  bool refused = false;
+  Progress counting([&](double) {
+    ++calls;
+    return true;
+  });
+  clear_pocket({pocket.region}, pocket.params(), counting);
+  ASSERT_GT(calls, 1);
+  int left = calls / 2;
+  double last = 0;
+  Progress cancelling([&](double share) {
+    EXPECT_GE(share, 0);
+    EXPECT_LE(share, 1);
+    last = share;
+    calls_after += refused ? 1 : 0;
+    refused = --left <= 0;
+    return !refused;
+  });
+  const Toolpath path = clear_pocket({pocket.region}, pocket.params(), cancelling);
+  EXPECT_EQ(path.report.termination, Termination::kCancelled);
+  EXPECT_EQ(calls_after, 0);
+  EXPECT_LE(last, 1);
+  // What exists is sound.
+  const Findings found = judge(pocket, path);
+  EXPECT_LE(found.gouge, 0.005);
+  EXPECT_EQ(found.bad_plunges, 0);
+  EXPECT_GT(found.left_share, 0.001);
+}
+
+TEST(Clearing, GivesTheSameBytesTwice) {
+  const Case pocket = corpus::load("square_island");
+  const Toolpath a = clear(pocket, pocket.params()), b = clear(pocket, pocket.params());
+  ASSERT_EQ(a.moves.size(), b.moves.size());
+  for (std::size_t i = 0; i < a.moves.size(); ++i) {
+    EXPECT_EQ(a.moves[i].x, b.moves[i].x);
+    EXPECT_EQ(a.moves[i].y, b.moves[i].y);
+    EXPECT_EQ(a.moves[i].feed, b.moves[i].feed);
+  }
+}
+
+TEST(Clearing, NeverMovesRapidlyBelowTheSafeHeightButStraightUpAndDown) {
+  for (const char* name : {"two_rooms_closed", "square_island", "boss_open"}) {
+    const Case pocket = corpus::load(name);
+    const ClearingParams params = pocket.params();
+    const Toolpath path = clear(pocket, params);
+    const Move& first = path.moves.front();
+    EXPECT_EQ(first.kind, MoveKind::kRapid);
+    EXPECT_EQ(first.z, params.clearance_height);
+    for (std::size_t i = 1; i < path.moves.size(); ++i) {
+      const Move &from = path.moves[i - 1], &to = path.moves[i];
+      if (to.kind != MoveKind::kRapid) continue;
+      if (from.x != to.x || from.y != to.y) {
+        EXPECT_GE(std::min(from.z, to.z), params.safe_height) << name;
+      }
+    }
+  }
+}
+
+// The documented range of every parameter.
+TEST(Clearing, RefusesEveryParameterOutOfRange) {
+  const Case pocket = corpus::load("slot9");
+  const double nan = std::nan("");
+  const auto refused = [&](const char* what, auto change) {
+    ClearingParams params = pocket.params();
+    change(params);
+    EXPECT_THROW(clear(pocket, params), std::invalid_argument) << what;
+  };
+  struct Number {
+    const char* name;
+    double ClearingParams::*member;
+    std::vector<double> bad;
+  };
+  const std::vector<Number> numbers = {
+      {"tool_diameter", &ClearingParams::tool_diameter, {0, -6, nan}},
+      {"engagement_angle", &ClearingParams::engagement_angle, {0, -1, kPi, 4, nan}},
+      {"feed", &ClearingParams::feed, {0, -1, nan}},
+      {"plunge_feed", &ClearingParams::plunge_feed, {0, -1, nan}},
+      {"link_feed", &ClearingParams::link_feed, {0, -1, nan}},
+      {"maximum_feed", &ClearingParams::maximum_feed, {0, -1, 254, nan}},
+      {"rapid_feed", &ClearingParams::rapid_feed, {0, -1, nan}},
+      {"roll_radius", &ClearingParams::roll_radius, {0, -1, nan}},
+      {"minimum_radius", &ClearingParams::minimum_radius, {0, -1, nan}},
+      {"helix_angle", &ClearingParams::helix_angle, {0, -1, kPi / 2, nan}},
+      {"helix_diameter", &ClearingParams::helix_diameter, {0, -1, nan}},
+      {"stock_to_leave", &ClearingParams::stock_to_leave, {-0.1, nan}},
+      {"tolerance", &ClearingParams::tolerance, {0, -1, nan}},
+      {"link_lift", &ClearingParams::link_lift, {-1, nan}},
+      {"top", &ClearingParams::top, {nan, -10}},
+      {"safe_height", &ClearingParams::safe_height, {-1, nan}},
+      {"clearance_height", &ClearingParams::clearance_height, {4, nan}},
+  };
+  for (const Number& number : numbers)
+    for (const double value : number.bad)
+      refused((std::string(number.name) + " = " + std::to_string(value)).c_str(),
+              [&](ClearingParams& p) { p.*number.member = value; });
+  for (const std::vector<double>& levels :
+       {std::vector<double>{}, {0.0}, {1.0}, {-1.0, -1.0}, {-2.0, -1.0}, {nan}, {-1.0, nan}})
+    refused("levels", [&](ClearingParams& p) { p.levels = levels; });
+  refused("no entry point", [&](ClearingParams& p) { p.entry = EntryKind::kPredrilledHole; });
+  refused("small hole", [&](ClearingParams& p) {
+    p.entry = EntryKind::kPredrilledHole;
+    p.entry_point = Vec2{20, 4.5};
+    p.hole_diameter = 5.9;
+  });
+  refused("hole not a number", [&](ClearingParams& p) {
+    p.entry = EntryKind::kPredrilledHole;
+    p.entry_point = Vec2{20, 4.5};
+    p.hole_diameter = nan;
+  });
+}
+
+// What would stand in the G-code.
+TEST(Clearing, RefusesInfiniteFeedsAndHeights) {
+  const Case pocket = corpus::load("slot9");
+  const double infinity = std::numeric_limits<double>::infinity();
+  struct Number {
+    const char* name;
+    double ClearingParams::*member;
+  };
+  for (const Number& number : {Number{"feed", &ClearingParams::feed},
+                               {"plunge_feed", &ClearingParams::plunge_feed},
+                               {"link_feed", &ClearingParams::link_feed},
+                               {"maximum_feed", &ClearingParams::maximum_feed},
+                               {"clearance_height", &ClearingParams::clearance_height}}) {
+    ClearingParams params = pocket.params();
+    params.*number.member = infinity;
+    EXPECT_THROW(clear(pocket, params), std::invalid_argument) << number.name;
+  }
+  ClearingParams params = pocket.params();
+  params.levels = {-infinity};
+  EXPECT_THROW(clear(pocket, params), std::invalid_argument);
+}
+
+TEST(Clearing, RefusesAHoleOutsideThePocket) {
+  const Case pocket = corpus::load("slot9");
+  ClearingParams params = pocket.params();
+  params.entry = EntryKind::kPredrilledHole;
+  params.hole_diameter = 8;
+  for (const Vec2 place : {Vec2{-100, 0}, Vec2{0, 0}, Vec2{std::nan(""), 0}}) {
+    params.entry_point = place;
+    try {
+      clear(pocket, params);
+      FAIL() << "no error at " << text(place);
+    } catch (const GeometryError& error) {
+      EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
+    }
+  }
+}
+
+TEST(Clearing, EntersByTheKindThatWasAskedFor) {
+  const Case pocket = corpus::load("square60");
+  for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp}) {
+    ClearingParams params = pocket.params();
+    params.entry = entry;
+    const Toolpath path = clear(pocket, params);
+    expect_within_limits(pocket, path, judge(pocket, path));
+    bool arcs = false, any = false;
+    for (const Move& move : path.moves) {
+      if (move.kind != MoveKind::kEntry) continue;
+      any = true;
+      arcs |= move.sweep != 0;
+    }
+    EXPECT_TRUE(any);
+    EXPECT_EQ(arcs, entry == EntryKind::kHelix);
+  }
+}
+
+}  // namespace
+}  // namespace evenload
