@@ -1,0 +1,245 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "cutting/cleared_ground.h"
+#include "geometry_shapes.h"
+
+namespace evenload {
+namespace {
+
+constexpr double kRadius = 3;
+const Bounds kField{{-30, -30}, {30, 30}};
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+struct Swept {
+  Segment move;
+  double radius = 0;
+};
+
+Swept random_move(std::mt19937& random) {
+  const Vec2 a{uniform(random, -10, 10), uniform(random, -10, 10)};
+  switch (random() % 4) {
+    case 0:
+      return {Segment::line(a, {uniform(random, -10, 10), uniform(random, -10, 10)}), kRadius};
+    case 1:
+      return {Segment::line(a, a), uniform(random, 0.5, 6)};
+    default: {
+      const double radius = random() % 2 ? uniform(random, 0.01, 3) : uniform(random, 3, 12);
+      const double sweep = uniform(random, 0.1, 6.2) * (random() % 2 ? 1 : -1);
+      return {Segment::arc(a, radius, uniform(random, -kPi, kPi), sweep), kRadius};
+    }
+  }
+}
+
+// Distance to many points of the move, each of them on it.
+double sampled_distance(const Segment& move, Vec2 q) {
+  if (move.length() == 0) return distance(move.a, q);
+  double best = 1e9, at = 0;
+  const int n = 400;
+  for (int i = 0; i <= n; ++i) {
+    const double d = distance(move.point(static_cast<double>(i) / n), q);
+    if (d < best) {
+      best = d;
+      at = static_cast<double>(i) / n;
+    }
+  }
+  double low = std::max(0.0, at - 1.0 / n), high = std::min(1.0, at + 1.0 / n);
+  for (int i = 0; i < 60; ++i) {
+    const double a = low + (high - low) / 3, b = high - (high - low) / 3;
+    (distance(move.point(a), q) < distance(move.point(b), q) ? high : low) =
+        distance(move.point(a), q) < distance(move.point(b), q) ? b : a;
+  }
+  return std::min(best, distance(move.point(0.5 * (low + high)), q));
+}
+
+double depth_of_material(const std::vector<Swept>& moves, Vec2 q) {
+  double depth = 1e9;
+  for (const Swept& s : moves) depth = std::min(depth, sampled_distance(s.move, q) - s.radius);
+  return depth;
+}
+
+bool in_any(const std::vector<AngularInterval>& arcs, double angle) {
+  for (const AngularInterval& arc : arcs)
+    if (angle >= arc.low && angle <= arc.high) return true;
+  return false;
+}
+
+TEST(ClearedGround, UncoversTheArcsThatSamplingFinds) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 60; ++round) {
+    ClearedGround ground(kField, kRadius, nullptr);
+    std::vector<Swept> moves;
+    const int count = 1 + static_cast<int>(random() % 6);
+    for (int i = 0; i < count; ++i) {
+      moves.push_back(random_move(random));
+      ground.add(moves.back().move, moves.back().radius);
+    }
+    for (int look = 0; look < 4; ++look) {
+      const Vec2 p{uniform(random, -9, 9), uniform(random, -9, 9)};
+      const double low = uniform(random, -7, 7), width = look ? uniform(random, 0.1, 2 * kPi) : kPi;
+      std::vector<AngularInterval> arcs;
+      ground.uncovered(p, low, low + width, arcs);
+      double last = low;
+      for (const AngularInterval& arc : arcs) {
+        EXPECT_GE(arc.low, last - 1e-9) << "in order and inside";
+        EXPECT_GE(arc.high, arc.low);
+        last = arc.high;
+      }
+      EXPECT_LE(last, low + width + 1e-9);
+      for (int k = 0; k < 120; ++k) {
+        const double angle = low + (k + 0.5) / 120 * width;
+        const double depth =
+            depth_of_material(moves, p + (kRadius - kCoverTolerance) * unit(angle));
+        if (std::abs(depth) < 1e-6) continue;
+        EXPECT_EQ(in_any(arcs, angle), depth > 0)
+            << "round " << round << " angle " << angle << " depth " << depth;
+      }
+    }
+  }
+}
+
+TEST(ClearedGround, KnowsWhichPointsAreCleared) {
+  std::mt19937 random(12);
+  ClearedGround ground(kField, kRadius, nullptr);
+  std::vector<Swept> moves;
+  for (int i = 0; i < 5; ++i) {
+    moves.push_back(random_move(random));
+    ground.add(moves.back().move, moves.back().radius);
+  }
+  const std::vector<Swept> newest(moves.begin() + 3, moves.end());
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 q{uniform(random, -15, 15), uniform(random, -15, 15)};
+    const double depth = depth_of_material(moves, q);
+    if (std::abs(depth) > 1e-4) {
+      EXPECT_EQ(ground.is_cleared_point(q), depth < 0);
+    }
+    const double since = depth_of_material(newest, q);
+    if (std::abs(since) > 1e-4) {
+      EXPECT_EQ(ground.is_cleared_since(q, 3), since < 0);
+    }
+  }
+}
+
+TEST(ClearedGround, GivesTheEngagementAtAStraightWall) {
+  for (const double step : {0.01, 0.2, 1.0, 1.5, 3.0, 5.0, 5.99}) {
+    ClearedGround ground(kField, kRadius, nullptr);
+    // The wall lies at y = -3; the tool goes to the right, `step` deep into it.
+    ground.add(Segment::line({-25, 0}, {25, 0}));
+    ground.add(Segment::line({-25, 2}, {25, 2}));
+    ground.add(Segment::line({-25, 5}, {25, 5}));
+    std::vector<AngularInterval> arcs;
+    ground.uncovered({0, -step}, -kPi / 2, kPi / 2, arcs, 0);
+    ASSERT_EQ(arcs.size(), 1u) << step;
+    EXPECT_NEAR(arcs[0].low, -kPi / 2, 1e-9);
+    EXPECT_NEAR(arcs[0].width(), std::acos(1 - step / kRadius), 1e-7) << step;
+  }
+}
+
+TEST(ClearedGround, LooksBackToBeforeAnyMove) {
+  ClearedGround ground(kField, kRadius, nullptr);
+  ground.add_disc({0, 0}, 2);
+  ground.add(Segment::line({-10, 0}, {10, 0}));
+  std::vector<AngularInterval> now, before;
+  ground.uncovered({5, 0}, 0, 2 * kPi, now);
+  ground.uncovered({5, 0}, 0, 2 * kPi, before, kCoverTolerance, 1);
+  EXPECT_TRUE(now.empty());
+  double width = 0;
+  for (const AngularInterval& arc : before) width += arc.width();
+  EXPECT_NEAR(width, 2 * kPi, 1e-9);
+}
+
+TEST(ClearedGround, IsAsItWasAfterTheNewestMoveIsTakenBack) {
+  std::mt19937 random(13);
+  for (int round = 0; round < 40; ++round) {
+    ClearedGround ground(kField, kRadius, nullptr);
+    for (int i = 0; i < 4; ++i) {
+      const Swept s = random_move(random);
+      ground.add(s.move, s.radius);
+    }
+    std::vector<Vec2> places;
+    std::vector<std::vector<AngularInterval>> before;
+    for (int i = 0; i < 30; ++i) {
+      places.push_back({uniform(random, -12, 12), uniform(random, -12, 12)});
+      before.emplace_back();
+      ground.uncovered(places.back(), 0, 2 * kPi, before.back());
+    }
+    for (int i = 0; i < 3; ++i) {
+      const Swept s = random_move(random);
+      ground.add(s.move, s.radius);
+    }
+    for (int i = 0; i < 3; ++i) ground.remove_last();
+    EXPECT_EQ(ground.size(), 4u);
+    for (std::size_t i = 0; i < places.size(); ++i) {
+      std::vector<AngularInterval> after;
+      ground.uncovered(places[i], 0, 2 * kPi, after);
+      ASSERT_EQ(after.size(), before[i].size());
+      for (std::size_t k = 0; k < after.size(); ++k) {
+        EXPECT_EQ(after[k].low, before[i][k].low);
+        EXPECT_EQ(after[k].high, before[i][k].high);
+      }
+    }
+  }
+}
+
+TEST(ClearedGround, IsClearExactlyWhereNothingIsUncovered) {
+  std::mt19937 random(14);
+  ClearedGround ground(kField, kRadius, nullptr);
+  for (int i = 0; i < 12; ++i) {
+    const Swept s = random_move(random);
+    ground.add(s.move, s.radius);
+  }
+  int clear = 0;
+  for (int i = 0; i < 3000; ++i) {
+    const Vec2 p{uniform(random, -12, 12), uniform(random, -12, 12)};
+    std::vector<AngularInterval> arcs;
+    ground.uncovered(p, 0, 2 * kPi, arcs);
+    EXPECT_EQ(ground.is_clear(p), arcs.empty());
+    clear += arcs.empty() ? 1 : 0;
+  }
+  EXPECT_GT(clear, 30);
+}
+
+TEST(ClearedGround, IsClearAlongEveryMoveThatClearedIt) {
+  std::mt19937 random(15);
+  for (int i = 0; i < 300; ++i) {
+    ClearedGround ground(kField, kRadius, nullptr);
+    Swept s = random_move(random);
+    s.radius = kRadius;
+    ground.add(s.move, s.radius);
+    for (int k = 0; k <= 20; ++k)
+      EXPECT_TRUE(ground.is_clear(s.move.length() > 0 ? s.move.point(k / 20.0) : s.move.a)) << i;
+  }
+}
+
+TEST(ClearedGround, HoldsMaterialOnlyWhereThereIsStock) {
+  std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
+  for (Vertex& x : v) x.open = true;
+  const std::vector<Region> stock = {
+      make_region(Curve(v, true), {shapes::rectangle(-4, -4, 4, 4)})};
+  const ClearedGround ground(kField, kRadius, &stock);
+  std::mt19937 random(16);
+  for (int i = 0; i < 1000; ++i) {
+    const Vec2 q{uniform(random, -15, 15), uniform(random, -15, 15)};
+    if (stock[0].outer.contains(q) && !(std::abs(q.x) <= 4 && std::abs(q.y) <= 4)) {
+      EXPECT_FALSE(ground.is_cleared_point(q));
+    }
+    if (!stock[0].outer.contains(q)) {
+      EXPECT_TRUE(ground.is_cleared_point(q));
+    }
+  }
+  EXPECT_TRUE(ground.is_clear({-14, 0}));
+  EXPECT_FALSE(ground.is_clear({-12, 0}));
+  std::vector<AngularInterval> arcs;
+  ground.uncovered({-12, 0}, -kPi, kPi, arcs);
+  ASSERT_EQ(arcs.size(), 1u);
+  EXPECT_NEAR(arcs[0].width(), 2 * std::acos(2.0 / 3), 1e-4);
+}
+
+}  // namespace
+}  // namespace evenload

@@ -1,0 +1,197 @@
+#include "feed/feed_control.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <random>
+
+#include "feed/load_profile.h"
+
+namespace evenload {
+namespace {
+
+constexpr double kRadius = 3;
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+// A few tangent moves, cuts and links.
+std::vector<PlanarRun> random_runs(std::mt19937& random) {
+  std::vector<PlanarRun> runs;
+  for (int r = 0; r < 2; ++r) {
+    PlanarRun run;
+    Vec2 p{uniform(random, -10, 10), uniform(random, -10, 10)};
+    run.descent.at = p;
+    double heading = uniform(random, -kPi, kPi);
+    for (int i = 0; i < 25; ++i) {
+      const MoveKind kind = random() % 5 ? MoveKind::kCut : MoveKind::kLink;
+      if (random() % 2) {
+        run.moves.push_back({kind, Segment::line(p, p + uniform(random, 0.05, 6) * unit(heading))});
+      } else {
+        const double side = random() % 2 ? 1 : -1, radius = uniform(random, 0.2, 8);
+        const double sweep = uniform(random, 0.02, 2);
+        run.moves.push_back({kind, Segment::arc(p + side * radius * left_normal(unit(heading)),
+                                                radius, heading - side * kPi / 2, side * sweep)});
+        heading += side * sweep;
+      }
+      p = run.moves.back().segment.b;
+    }
+    runs.push_back(run);
+  }
+  return runs;
+}
+
+// Loads that wander, in pieces of about half a millimetre.
+std::vector<LoadSample> random_profile(std::mt19937& random, const std::vector<PlanarRun>& runs) {
+  std::vector<LoadSample> profile;
+  double width = 1;
+  for (std::size_t r = 0; r < runs.size(); ++r)
+    for (std::size_t m = 0; m < runs[r].moves.size(); ++m) {
+      const double length = runs[r].moves[m].segment.length();
+      const int n = runs[r].moves[m].kind == MoveKind::kCut
+                        ? std::max(1, static_cast<int>(length / uniform(random, 0.05, 0.6)))
+                        : 1;
+      for (int i = 0; i < n; ++i) {
+        width = std::clamp(width + uniform(random, -0.5, 0.5), 0.0, 3.0);
+        if (random() % 40 == 0) width = 0;
+        LoadSample sample{r, m, (i + 0.5) / n, length / n, 0, 0, 0};
+        sample.width = width;
+        sample.peak_width = width * uniform(random, 1, 1.2);
+        profile.push_back(sample);
+      }
+    }
+  return profile;
+}
+
+TEST(FeedControl, GivesEveryCutTheFeedAndEveryLinkItsOwnWhenConstant) {
+  std::mt19937 random(1);
+  std::vector<PlanarRun> runs = random_runs(random);
+  set_constant_feed(runs, {});
+  for (const PlanarRun& run : runs)
+    for (const PlanarMove& move : run.moves)
+      EXPECT_EQ(move.feed, move.kind == MoveKind::kLink ? 1500 : 255);
+}
+
+TEST(FeedControl, NeverExceedsTheRateAndCoversEveryMoveExactly) {
+  std::mt19937 random(2);
+  for (int round = 0; round < 30; ++round) {
+    const std::vector<PlanarRun> before = random_runs(random);
+    const std::vector<LoadSample> profile = random_profile(random, before);
+    std::vector<PlanarRun> after = before;
+    const FeedParams params;
+    set_constant_removal_rate(after, profile, params);
+    ASSERT_EQ(after.size(), before.size());
+    std::size_t sample = 0;
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      EXPECT_EQ(after[r].descent.at, before[r].descent.at);
+      std::size_t k = 0;
+      for (std::size_t m = 0; m < before[r].moves.size(); ++m) {
+        const PlanarMove& whole = before[r].moves[m];
+        // The pieces of this move, one after the other.
+        double done = 0;
+        Vec2 at = whole.segment.a;
+        while (done < whole.segment.length() - 1e-6) {
+          ASSERT_LT(k, after[r].moves.size());
+          const PlanarMove& piece = after[r].moves[k++];
+          ASSERT_EQ(piece.kind, whole.kind);
+          EXPECT_LE(distance(piece.segment.a, at), 1e-7);
+          EXPECT_LE(whole.segment.distance_to(piece.segment.point(0.5)), 1e-7);
+          EXPECT_GT(piece.segment.length(), 0);
+          if (whole.kind == MoveKind::kLink) {
+            EXPECT_EQ(piece.feed, params.link_feed);
+          } else {
+            EXPECT_LE(piece.feed, params.maximum_feed);
+            EXPECT_GT(piece.feed, 0);
+          }
+          const double until = done + piece.segment.length();
+          for (; sample < profile.size() && profile[sample].run == r && profile[sample].move == m &&
+                 profile[sample].t * whole.segment.length() < until;
+               ++sample)
+            if (whole.kind == MoveKind::kCut) {
+              EXPECT_LE(piece.feed * profile[sample].peak_width,
+                        1.05 * params.feed * params.nominal_width);
+            }
+          done = until;
+          at = piece.segment.b;
+        }
+        EXPECT_NEAR(done, whole.segment.length(), 1e-6);
+        EXPECT_LE(distance(at, whole.segment.b), 1e-7);
+      }
+      EXPECT_EQ(k, after[r].moves.size());
+    }
+    EXPECT_EQ(sample, profile.size());
+  }
+}
+
+TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
+  std::mt19937 random(3);
+  for (int round = 0; round < 10; ++round) {
+    std::vector<PlanarRun> runs = random_runs(random);
+    const std::vector<LoadSample> profile = random_profile(random, runs);
+    const FeedParams params;
+    double worst_width_time = 0;
+    for (std::size_t r = 0; r < runs.size(); ++r)
+      for (std::size_t m = 0; m < runs[r].moves.size(); ++m) {
+        const PlanarMove& move = runs[r].moves[m];
+        double width = 1e-9;
+        for (const LoadSample& sample : profile)
+          if (sample.run == r && sample.move == m) width = std::max(width, sample.peak_width);
+        const double feed =
+            move.kind == MoveKind::kLink
+                ? params.link_feed
+                : std::min(params.maximum_feed, params.feed * params.nominal_width / width);
+        worst_width_time += move.segment.length() / feed;
+      }
+    set_constant_removal_rate(runs, profile, params);
+    double time = 0;
+    for (const PlanarRun& run : runs)
+      for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed;
+    EXPECT_LE(time, worst_width_time);
+  }
+}
+
+TEST(LoadProfile, SeesTheSideStepAlongAStraightWall) {
+  ClearedGround ground({{-40, -40}, {40, 40}}, kRadius, nullptr);
+  ground.add(Segment::line({-30, 0}, {30, 0}));
+  PlanarRun run;
+  run.descent.at = {-20, -1.5};
+  run.descent.over_cleared_ground = true;
+  run.moves = {{MoveKind::kCut, Segment::line({-20, -1.5}, {20, -1.5})}};
+  const std::vector<PlanarRun> runs = {run};
+  const std::vector<LoadSample> profile = load_profile(runs, ground, 0.5);
+  double length = 0, area = 0;
+  for (const LoadSample& sample : profile) {
+    EXPECT_LE(sample.length, 0.5 + 1e-9);
+    EXPECT_NEAR(sample.engagement, kPi / 3, 0.01);
+    EXPECT_NEAR(sample.width, 1.5, 0.01);
+    EXPECT_GE(sample.peak_width, sample.width - 1e-9);
+    length += sample.length;
+    area += sample.width * sample.length;
+  }
+  EXPECT_NEAR(length, 40, 1e-9);
+  EXPECT_NEAR(area, 60, 0.2);
+  EXPECT_NEAR(worst_engagement(runs, profile, 0.1), kPi / 3, 0.01);
+}
+
+TEST(LoadProfile, SeesAsMuchAreaAsWasRemoved) {
+  // A line across untouched ground, entered from a ramp: a capsule less the ramp's.
+  ClearedGround ground({{-40, -40}, {40, 40}}, kRadius, nullptr);
+  PlanarRun run;
+  run.descent.kind = DescentKind::kRamp;
+  run.descent.at = {0, 0};
+  run.descent.ramp_end = {5, 0};
+  run.moves = {{MoveKind::kLink, Segment::line({0, 0}, {5, 0})},
+               {MoveKind::kCut, Segment::line({5, 0}, {5, 12})}};
+  double area = 0;
+  for (const LoadSample& sample : load_profile({run}, ground, 0.5))
+    area += sample.width * sample.length;
+  // Beyond the ramp's capsule, whose top is y = 3 to the left of x = 5 and its round end to the
+  // right.
+  const double capsule = 12 * 6 + kPi * 9 / 2;
+  const double shared = 3 * 3 + kPi * 9 / 4;
+  EXPECT_NEAR(area, capsule - shared, 0.5);
+}
+
+}  // namespace
+}  // namespace evenload

@@ -1,0 +1,165 @@
+#include "strategy/steering.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "geometry_shapes.h"
+#include "path_check.h"
+#include "strategy/stage.h"
+
+namespace evenload {
+namespace {
+
+using shapes::rectangle;
+
+constexpr double kDegree = kPi / 180;
+constexpr double kRadius = 3;
+// mm: meeting a wall within the tolerance of offsets, far below what the output can tell.
+constexpr double kGap = 2e-6;
+
+void expect_tangent(const std::vector<Segment>& moves) {
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    EXPECT_LE(distance(moves[i - 1].b, moves[i].a), kGap) << "gap before move " << i;
+    const Vec2 before = moves[i - 1].tangent(1), after = moves[i].tangent(0);
+    EXPECT_LE(std::abs(std::atan2(cross(before, after), dot(before, after))), 0.01 * kDegree)
+        << "kink before move " << i << " of " << moves.size();
+  }
+}
+
+// Clears `x0` to `x1`, `y0` to `y1`.
+void clear_rectangle(ClearedGround& ground, double x0, double y0, double x1, double y1,
+                     std::vector<Segment>* lines = nullptr) {
+  for (double y = y0 + kRadius;; y += kRadius) {
+    y = std::min(y, y1 - kRadius);
+    const Segment line = Segment::line({x0 + kRadius, y}, {x1 - kRadius, y});
+    ground.add(line);
+    if (lines) lines->push_back(line);
+    if (y >= y1 - kRadius) break;
+  }
+}
+
+TEST(Steering, HoldsTheEngagementAlongAStraightFront) {
+  const Region centres = make_region(rectangle(-60, -40, 60, 40));
+  const std::vector<Stage> stages = make_stages(centres, {});
+  for (const double theta : {20.0, 40.0, 60.0, 90.0, 120.0}) {
+    SCOPED_TRACE(theta);
+    ClearedGround ground({{-70, -50}, {70, 50}}, kRadius, nullptr);
+    // Material below y = 0, to the right of a tool that goes to the right.
+    clear_rectangle(ground, -70, 0, 70, 50);
+    Steering steering(ground, stages.front(), theta * kDegree);
+    const Pass pass = steering.from_pose({{-30, kRadius}, 0});
+    ASSERT_FALSE(pass.empty());
+    expect_tangent(pass.moves);
+    double looked_at = 0;
+    for (const Segment& move : pass.moves)
+      for (const double t : {0.0, 0.5, 1.0}) {
+        const Vec2 p = move.point(t);
+        // Away from both ends; afterwards the pass may have turned back.
+        if (p.x > 15) {
+          EXPECT_GT(looked_at, 10);
+          return;
+        }
+        if (p.x < -15) continue;
+        looked_at += move.length() / 3;
+        EXPECT_NEAR(std::acos(1 - (kRadius - p.y) / kRadius), theta * kDegree, 0.5 * kDegree)
+            << "at " << p.x;
+      }
+  }
+}
+
+TEST(Steering, CutsFromWallToWall) {
+  const Region centres = make_region(rectangle(0, 0, 40, 30));
+  const std::vector<Stage> stages = make_stages(centres, {});
+  for (const double theta : {30.0, 60.0, 90.0}) {
+    SCOPED_TRACE(theta);
+    ClearedGround ground({{-3, -3}, {43, 33}}, kRadius, nullptr);
+    std::vector<Segment> lines;
+    clear_rectangle(ground, -3, -3, 13, 33, &lines);
+    for (const double y :
+         {0.0, 30.0}) {  // square off the front's ends, which the walls leave round
+      lines.push_back(Segment::line({0, y}, {10, y}));
+      ground.add(lines.back());
+    }
+    const Stage& stage = stages.front();
+    // The bottom wall, before the front, with room to roll in.
+    const BoundaryIndex::Hit hit = stage.centres.nearest({6, 0});
+    Steering steering(ground, stage, theta * kDegree);
+    const std::size_t before = ground.size();
+    const Pass pass = steering.from_wall({hit.curve, hit.segment, hit.t});
+    ASSERT_FALSE(pass.empty());
+    expect_tangent(pass.moves);
+    EXPECT_EQ(ground.size(), before + pass.moves.size());
+    EXPECT_GT(pass.cut_length, 25);
+    // A strip of nearly the straight wall's side step.
+    EXPECT_GT(pass.cut_area, 0.7 * 30 * kRadius * (1 - std::cos(theta * kDegree)));
+
+    std::vector<Move> moves;
+    const auto go = [&](MoveKind kind, const Segment& s) {
+      Move move;
+      move.kind = kind;
+      move.x = s.b.x;
+      move.y = s.b.y;
+      move.z = -1;
+      move.feed = 100;
+      move.sweep = s.sweep;
+      move.cx = s.centre.x;
+      move.cy = s.centre.y;
+      moves.push_back(move);
+    };
+    for (const Segment& line : lines) {
+      go(MoveKind::kEntry, Segment::line(line.a, line.a));
+      go(MoveKind::kEntry, line);
+    }
+    go(MoveKind::kEntry, Segment::line(pass.moves.front().a, pass.moves.front().a));
+    for (const Segment& move : pass.moves) go(MoveKind::kCut, move);
+    path_check::Stock stock;
+    stock.regions = {make_region(rectangle(-3, -3, 43, 33))};
+    const path_check::Findings found = path_check::check_path(stock, kRadius, moves);
+    EXPECT_LE(found.cut_engagement, (theta + 2) * kDegree);
+    EXPECT_LE(found.gouge, 1e-5);
+    EXPECT_NEAR(found.removed_area, pass.cut_area, 0.05 * found.removed_area);
+    EXPECT_GE(found.climb_length, 0.99 * (found.climb_length + found.conventional_length));
+  }
+}
+
+TEST(Steering, MakesNoPassWhereThereIsNoMaterial) {
+  const Region centres = make_region(rectangle(0, 0, 20, 20));
+  const std::vector<Stage> stages = make_stages(centres, {});
+  ClearedGround ground({{-3, -3}, {23, 23}}, kRadius, nullptr);
+  ground.add_disc({10, 10}, 40);
+  Steering steering(ground, stages.front(), kPi / 3);
+  EXPECT_TRUE(steering.from_pose({{10, 10}, 0}).empty());
+  const BoundaryIndex::Hit hit = stages.front().centres.nearest({10, 0});
+  EXPECT_TRUE(steering.from_wall({hit.curve, hit.segment, hit.t}).empty());
+  EXPECT_EQ(ground.size(), 1u);
+}
+
+TEST(Stages, TurnMoreAndMoreTightlyUpToTheExactBorder) {
+  for (const shapes::Named& pocket : shapes::pockets()) {
+    SCOPED_TRACE(pocket.name);
+    for (const Region& centres : offset({pocket.region}, -3)) {
+      const Area exact({centres});
+      const std::vector<Stage> stages = make_stages(centres, {});
+      ASSERT_FALSE(stages.empty());
+      EXPECT_LE(stages.front().turn_radius, 0.9);
+      for (std::size_t k = 0; k < stages.size(); ++k) {
+        if (k) {
+          EXPECT_LT(stages[k].turn_radius, stages[k - 1].turn_radius);
+        }
+        for (const Curve& curve : stages[k].centres.curves())
+          for (const Segment& s : curve.segments())
+            for (const double t : {0.0, 0.37, 0.81}) {
+              EXPECT_GE(exact.signed_distance(s.point(t)), -1e-5);
+              // Where the tool may be, a full left turn touches no wall.
+              if (stages[k].turn_radius > 0) {
+                EXPECT_LE(stages[k].turns.signed_distance(s.point(t)), 1e-5);
+              }
+            }
+      }
+    }
+  }
+}
+
+}  // namespace
+}  // namespace evenload

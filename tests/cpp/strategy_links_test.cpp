@@ -1,0 +1,72 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "geometry_shapes.h"
+#include "strategy/links.h"
+
+namespace evenload {
+namespace {
+
+using shapes::rectangle;
+
+constexpr double kRadius = 3, kTurn = 0.9;
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+TEST(Links, LeadFromPoseToPoseTangentToBoth) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add_disc({20, 20}, 60);
+  std::mt19937 random(5);
+  for (int i = 0; i < 500; ++i) {
+    const auto pose = [&]() {
+      return Pose{{uniform(random, 2, 38), uniform(random, 2, 38)}, uniform(random, -kPi, kPi)};
+    };
+    const Pose from = pose(), to = pose();
+    const std::vector<Segment> link = shortest_link(ground, centres, from, to, kTurn, 1e3);
+    ASSERT_FALSE(link.empty());
+    EXPECT_LE(distance(link.front().a, from.p), 1e-9);
+    EXPECT_LE(distance(link.back().b, to.p), 1e-7);
+    const auto angle_between = [](Vec2 a, Vec2 b) {
+      return std::abs(std::atan2(cross(a, b), dot(a, b)));
+    };
+    EXPECT_LE(angle_between(link.front().tangent(0), unit(from.heading)), 1e-5);
+    EXPECT_LE(angle_between(link.back().tangent(1), unit(to.heading)), 1e-5);
+    for (std::size_t k = 1; k < link.size(); ++k) {
+      EXPECT_LE(distance(link[k - 1].b, link[k].a), 1e-7);
+      EXPECT_LE(angle_between(link[k - 1].tangent(1), link[k].tangent(0)), 1e-5);
+    }
+    for (const Segment& move : link)
+      if (move.is_arc()) {
+        EXPECT_GE(move.radius, 0.5 * kTurn - 1e-9);
+      }
+    EXPECT_GE(length_of(link), distance(from.p, to.p) - 1e-9);
+    EXPECT_LE(length_of(link), distance(from.p, to.p) + 4 * kPi * kTurn + 1e-9);
+    EXPECT_TRUE(is_free(ground, centres, link));
+    EXPECT_TRUE(
+        shortest_link(ground, centres, from, to, kTurn, 0.9 * distance(from.p, to.p)).empty());
+  }
+}
+
+TEST(Links, KeepOutOfMaterialAndWalls) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40), {rectangle(15, 5, 25, 35)})});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  for (const double x : {0.0, 3.0, 6.0, 9.0}) ground.add(Segment::line({x, 0}, {x, 40}));
+  for (const double x : {31.0, 34.0, 37.0, 40.0}) ground.add(Segment::line({x, 0}, {x, 40}));
+  // Material lies in the way, then the island alone, then nothing below it.
+  const Pose left{{5, 20}, 0}, right{{35, 20}, 0};
+  EXPECT_TRUE(shortest_link(ground, centres, left, right, kTurn, 1e3).empty());
+  EXPECT_FALSE(is_free(ground, centres, {Segment::line(left.p, right.p)}));
+  EXPECT_FALSE(is_free(ground, centres, {Segment::line({5, 2}, {35, 2})}));
+  ground.add_disc({20, 20}, 60);
+  EXPECT_TRUE(shortest_link(ground, centres, left, right, kTurn, 1e3).empty());
+  EXPECT_FALSE(is_free(ground, centres, {Segment::line(left.p, right.p)}));
+  EXPECT_TRUE(is_free(ground, centres, {Segment::line({5, 2}, {35, 2})}));
+  EXPECT_FALSE(is_free(ground, centres, {Segment::line({5, 2}, {5, -1})}));
+}
+
+}  // namespace
+}  // namespace evenload

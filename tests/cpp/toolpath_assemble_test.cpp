@@ -1,0 +1,241 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "toolpath/assemble.h"
+
+namespace evenload {
+namespace {
+
+PlanarMove planar(MoveKind kind, const Segment& segment) { return {kind, segment, 100}; }
+
+AssemblyParams two_levels() {
+  AssemblyParams params;
+  params.top = 1;
+  params.levels = {-1.25, -3.1};
+  params.helix_angle = 0.05;
+  return params;
+}
+
+PlanarRun helix_run() {
+  PlanarRun run;
+  run.descent.kind = DescentKind::kHelix;
+  run.descent.centre = {10, 10};
+  run.descent.radius = 2.7;
+  run.descent.at = {12.7, 10};
+  run.moves = {
+      planar(MoveKind::kCut, Segment::arc({10, 10}, 2.7, 0, 1.9 * kPi)),
+      planar(MoveKind::kLink, Segment::line(Segment::arc({10, 10}, 2.7, 0, 1.9 * kPi).b, {10, 4})),
+      planar(MoveKind::kCut, Segment::line({10, 4}, {3, 4}))};
+  return run;
+}
+
+PlanarRun plunge_run(bool over_cleared_ground) {
+  PlanarRun run;
+  run.descent.at = {4, 5};
+  run.descent.over_cleared_ground = over_cleared_ground;
+  run.moves = {planar(MoveKind::kCut, Segment::line({4, 5}, {4, 9}))};
+  return run;
+}
+
+PlanarRun ramp_run() {
+  PlanarRun run;
+  run.descent.kind = DescentKind::kRamp;
+  run.descent.at = {0, 0};
+  run.descent.ramp_end = {6, 3};
+  run.moves = {planar(MoveKind::kCut, Segment::line({0, 0}, {0, 9}))};
+  return run;
+}
+
+double flat_length(const Move& from, const Move& to) {
+  return to.sweep != 0 ? std::abs(to.sweep) * std::hypot(to.x - to.cx, to.y - to.cy)
+                       : std::hypot(to.x - from.x, to.y - from.y);
+}
+
+std::vector<std::vector<PlanarRun>> jobs() {
+  return {{helix_run()},
+          {ramp_run()},
+          {plunge_run(false)},
+          {helix_run(), plunge_run(true), ramp_run(), plunge_run(false)}};
+}
+
+TEST(Assemble, ReachesEveryLevelExactlyAndTheLastLast) {
+  for (const std::vector<PlanarRun>& runs : jobs()) {
+    const AssemblyParams params = two_levels();
+    double above = params.top;
+    std::vector<double> levels;
+    for (const Move& move : assemble(runs, params)) {
+      if (move.kind != MoveKind::kCut) continue;
+      if (levels.empty() || levels.back() != move.z) levels.push_back(move.z);
+      EXPECT_LE(move.z, above);
+      above = move.z;
+    }
+    EXPECT_EQ(levels, params.levels);
+  }
+}
+
+TEST(Assemble, StartsHighAndEndsHigh) {
+  for (const std::vector<PlanarRun>& runs : jobs()) {
+    const AssemblyParams params = two_levels();
+    const std::vector<Move> moves = assemble(runs, params);
+    EXPECT_EQ(moves.front().kind, MoveKind::kRapid);
+    EXPECT_EQ(moves.front().z, params.clearance_height);
+    EXPECT_EQ(moves.front().x, runs.front().descent.at.x);
+    EXPECT_EQ(moves.front().y, runs.front().descent.at.y);
+    EXPECT_EQ(moves.back().kind, MoveKind::kRapid);
+    EXPECT_EQ(moves.back().z, params.clearance_height);
+    EXPECT_TRUE(assemble({}, params).size() <= 1);
+  }
+}
+
+TEST(Assemble, MovesRapidlyBelowTheSafeHeightOnlyStraightUpOrDownWhereItMay) {
+  for (const std::vector<PlanarRun>& runs : jobs()) {
+    const AssemblyParams params = two_levels();
+    const std::vector<Move> moves = assemble(runs, params);
+    double level = params.top;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      const Move &from = moves[i - 1], &to = moves[i];
+      if (to.kind == MoveKind::kCut) level = to.z;
+      if (to.kind != MoveKind::kRapid) continue;
+      EXPECT_EQ(to.sweep, 0);
+      EXPECT_EQ(to.feed, 0);
+      if (from.x != to.x || from.y != to.y) {
+        EXPECT_GE(std::min(from.z, to.z), params.safe_height);
+      } else if (to.z < from.z) {
+        // Down: to above what is left there, or over cleared ground to the level itself.
+        const bool onto_level = std::count(params.levels.begin(), params.levels.end(), to.z) > 0;
+        if (onto_level) {
+          EXPECT_TRUE(to.x == 4 && to.y == 5);
+        } else {
+          EXPECT_GT(to.z, level);
+        }
+      }
+    }
+  }
+}
+
+TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
+  for (const std::vector<PlanarRun>& runs : {std::vector<PlanarRun>{helix_run()}, {ramp_run()}})
+    for (const double angle : {0.01, 0.05, 0.5}) {
+      AssemblyParams params = two_levels();
+      params.helix_angle = angle;
+      const std::vector<Move> moves = assemble(runs, params);
+      double flat_at_level = 0;
+      for (std::size_t i = 1; i < moves.size(); ++i) {
+        const Move &from = moves[i - 1], &to = moves[i];
+        if (to.kind != MoveKind::kEntry) continue;
+        EXPECT_EQ(to.feed, params.plunge_feed);
+        const double flat = flat_length(from, to), drop = from.z - to.z;
+        EXPECT_GT(flat, 0);
+        EXPECT_GE(drop, -1e-12);
+        EXPECT_LE(drop, std::tan(angle) * flat + 1e-9);
+        flat_at_level += drop <= 1e-12 && to.z == params.levels.back() ? flat : 0;
+        if (moves[i + 1].kind == MoveKind::kCut) {
+          const Vec2 at = runs.front().descent.at;
+          EXPECT_LE(std::hypot(to.x - at.x, to.y - at.y), 1e-9);
+          EXPECT_TRUE(to.z == params.levels[0] || to.z == params.levels[1]);
+        }
+      }
+      // The floor under the slope is taken as well.
+      const double whole =
+          runs.front().descent.kind == DescentKind::kHelix ? 2 * kPi * 2.7 : std::hypot(6, 3);
+      EXPECT_GE(flat_at_level, whole - 1e-9);
+    }
+}
+
+TEST(Assemble, TurnsByHalfACircleAtMostAndNeverLeavesItsArcs) {
+  for (const std::vector<PlanarRun>& runs : jobs()) {
+    const std::vector<Move> moves = assemble(runs, two_levels());
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      const Move &from = moves[i - 1], &to = moves[i];
+      EXPECT_LE(std::abs(to.sweep), kPi * 1.001);
+      if (to.sweep == 0) continue;
+      const Vec2 centre{to.cx, to.cy};
+      const Vec2 end = centre + rotated(Vec2{from.x, from.y} - centre, to.sweep);
+      EXPECT_LE(distance(end, {to.x, to.y}), 1e-9);
+    }
+  }
+}
+
+// Arcs of any sweep, as long as they are arcs.
+TEST(Assemble, SplitsFullCircles) {
+  PlanarRun run = plunge_run(false);
+  run.moves = {planar(MoveKind::kCut, Segment::arc({0, 5}, 4, 0, 2 * kPi)),
+               planar(MoveKind::kCut, Segment::arc({0, 5}, 4, 0, -1.5 * kPi))};
+  double turned = 0;
+  for (const Move& move : assemble({run}, two_levels())) {
+    EXPECT_LE(std::abs(move.sweep), kPi * 1.001);
+    turned += std::abs(move.sweep);
+  }
+  EXPECT_NEAR(turned, 2 * 3.5 * kPi, 1e-9);
+}
+
+TEST(Assemble, KeepsLinesOnTheSideOfEachArcWhereTheToolMayBe) {
+  for (const bool wall_on_left : {false, true})
+    for (const double sweep : {2.0, -2.0, 5.5, -5.5}) {
+      const Segment arc = Segment::arc({0, 0}, 5, 0.3, sweep);
+      PlanarRun run;
+      run.descent.at = arc.a;
+      run.moves = {planar(MoveKind::kCut, arc)};
+      AssemblyParams params = two_levels();
+      params.arcs = false;
+      params.wall_on_left = wall_on_left;
+      const std::vector<Move> moves = assemble({run}, params);
+      const bool wall_outside = (sweep > 0) != wall_on_left;
+      for (std::size_t i = 1; i < moves.size(); ++i) {
+        const Move &from = moves[i - 1], &to = moves[i];
+        EXPECT_EQ(to.sweep, 0);
+        if (to.kind != MoveKind::kCut) continue;
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+          const double r = std::hypot(from.x + t * (to.x - from.x), from.y + t * (to.y - from.y));
+          EXPECT_LE(std::abs(r - 5), 1.001 * params.tolerance);
+          if (wall_outside) {
+            EXPECT_LE(r, 5 + 1e-9);
+          } else {
+            EXPECT_GE(r, 5 - 1e-9);
+          }
+        }
+      }
+    }
+}
+
+TEST(Assemble, LiftsLinksAndNothingElse) {
+  AssemblyParams params = two_levels();
+  for (const double lift : {0.3, 100.0}) {
+    params.link_lift = lift;
+    const std::vector<Move> moves = assemble({helix_run()}, params);
+    double highest = -1e9;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      if (moves[i].kind == MoveKind::kCut) {
+        EXPECT_NEAR(moves[i - 1].kind == MoveKind::kRapid ? moves[i].z : moves[i - 1].z, moves[i].z,
+                    1e-12)
+            << "a cut that slopes";
+      }
+      if (moves[i].kind == MoveKind::kLink) highest = std::max(highest, moves[i].z);
+    }
+    // On the first level from -1.25 up, never above the stock's top.
+    EXPECT_NEAR(highest, std::min(params.top, -1.25 + lift), 1e-9);
+  }
+}
+
+TEST(Assemble, TakesTheTimeOfEveryMove) {
+  std::vector<Move> moves(4);
+  moves[0].kind = moves[3].kind = MoveKind::kRapid;
+  moves[1].x = 10;
+  moves[1].feed = 100;
+  moves[2].sweep = kPi;
+  moves[2].cx = 10;
+  moves[2].cy = 2;
+  moves[2].x = 10;
+  moves[2].y = 4;
+  moves[2].feed = 200;
+  moves[3] = moves[2];
+  moves[3].kind = MoveKind::kRapid;
+  moves[3].sweep = 0;
+  moves[3].z = 50;
+  EXPECT_NEAR(duration(moves, 5000), 60 * (10.0 / 100 + 2 * kPi / 200 + 50.0 / 5000), 1e-9);
+}
+
+}  // namespace
+}  // namespace evenload
