@@ -11,7 +11,9 @@ namespace {
 constexpr double kDegree = kPi / 180;
 
 // Lengths as shares of the tool's radius.
-constexpr double kWallStep = 0.1;    // between two looks at the engagement along a wall
+constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
+constexpr double kFinestWallStep =
+    0.002;                           // the same along the exact border where the limit is passed
 constexpr double kFirstStep = 0.05;  // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 0.4;
@@ -239,11 +241,16 @@ void Steering::step_on_wall() {
     return;
   }
   step = std::min(step, left);
-  const double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
+  double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
   const auto engagement_at = [&](double t) {
     return contact({wall.point(t), angle_of(wall.tangent(t))}).total;
   };
-  const double total = engagement_at(t1);
+  double total = engagement_at(t1);
+  while (turn_ <= 0 && total > theta_ && step > kFinestWallStep * radius_) {
+    step *= 0.5;
+    t1 = wall_.t + step / length;
+    total = engagement_at(t1);
+  }
   if (turn_ > 0 && total > theta_ + 0.2 * kOverload) {
     double low = wall_.t, high = t1;
     while ((high - low) * length > 1e-3 * radius_) {
@@ -268,12 +275,14 @@ void Steering::step_on_wall() {
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
-// Along the exact border nothing can be steered: true where the mean engagement would exceed the
-// limit.
-bool Steering::over_mean(double total, double step) {
-  load_ += std::max(0.0, total - theta_) * step;
-  if (total <= theta_) load_ = std::max(0.0, load_ - (theta_ - total) * step);
-  return load_ > kOverload * 4 * kMeanLength;
+// Along the exact border nothing can be steered: true where `total` rad over the next `step` mm
+// would lift the mean engagement over the last kMeanLength mm above the limit.
+bool Steering::over_mean(double total, double step) const {
+  double sum = total * std::min(step, kMeanLength);
+  const double from = travelled_ + step - kMeanLength;
+  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
+    sum += met->total * (met->until - std::max(from, met->until - met->length));
+  return sum > (theta_ + kOverload) * kMeanLength;
 }
 
 // The share of `move` that can be made before the centre of the left turn meets the border of its
@@ -454,7 +463,6 @@ void Steering::reset(const Pose& start) {
   met_.clear();
   trouble_at_ = -1;
   troubles_ = 0;
-  load_ = 0;
   step_ = kFirstStep * radius_;
   curvature_ = 0;
 }

@@ -72,7 +72,7 @@ class Steering {
   void escape();
   void roll_out();
   void overload();
-  bool over_mean(double total, double step);
+  bool over_mean(double total, double step) const;
   double reach_of(const Segment& move) const;
   void note_contact(double total, double length);
   bool has_cut() const { return !met_.empty(); }
@@ -101,7 +101,6 @@ class Steering {
   double curvature_ = 0;    // of the last free step
   double trouble_at_ = -1;  // mm travelled where the last overload was met
   int troubles_ = 0;
-  double load_ = 0;  // rad mm above the limit, along the exact border
   mutable std::vector<AngularInterval> scratch_;
 };
 
