@@ -15,10 +15,10 @@
 namespace evenload {
 namespace {
 
-// mm: the tool stays this far from the wall, so that rounding in the G-code never takes it in.
-constexpr double kWallGap = 2e-4;
+// mm: the tool stays this far from the wall, so that rounding to three decimals never takes it in.
+constexpr double kWallGap = 8e-4;
 // mm of path between two looks at the load where it does not change.
-constexpr double kLoadSpacing = 0.5;
+constexpr double kLoadSpacing = 1.0;
 // mm of path over which the reported engagement is a mean.
 constexpr double kEngagementWindow = 0.1;
 // Outside open edges the tool may go this many of its diameters from the stock.
@@ -30,6 +30,17 @@ void require(bool condition, const char* sentence) {
 
 void check(const ClearingParams& p) {
   // Comparisons written so that NaN fails them.
+  for (const double number :
+       {p.tool_diameter, p.engagement_angle, p.feed, p.plunge_feed, p.link_feed, p.maximum_feed,
+        p.rapid_feed, p.roll_radius, p.minimum_radius, p.helix_angle, p.helix_diameter,
+        p.hole_diameter, p.stock_to_leave, p.tolerance, p.link_lift, p.top, p.safe_height,
+        p.clearance_height})
+    require(std::isfinite(number), "Every parameter must be a finite number.");
+  for (const double level : p.levels)
+    require(std::isfinite(level), "Every level must be a finite number.");
+  if (p.entry_point)
+    require(std::isfinite(p.entry_point->x) && std::isfinite(p.entry_point->y),
+            "The entry point must be finite.");
   require(p.tool_diameter > 0 && p.tool_diameter < 1e4, "The tool's diameter must be positive.");
   require(p.engagement_angle > 0 && p.engagement_angle < kPi,
           "The engagement angle must lie between 0 and 180 degrees.");
@@ -165,13 +176,21 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
   return result;
 }
 
+// mm: a tool this much wider than the one asked for would just fit; rounded down to what can be
+// printed.
+double largest_fitting_tool(const std::vector<Region>& regions, const ClearingParams& params) {
+  const double width = largest_tool(regions) - 2 * (params.stock_to_leave + kWallGap);
+  return std::floor(width * 1000) / 1000;
+}
+
 std::string too_large(const std::vector<Region>& regions, const ClearingParams& params) {
+  const double largest = largest_fitting_tool(regions, params);
   std::ostringstream sentence;
-  sentence.precision(4);
-  sentence << "The tool of " << params.tool_diameter
-           << " mm does not fit into the pocket: the largest tool that fits has "
-           << std::floor((largest_tool(regions) - 2 * params.stock_to_leave) * 1000) / 1000
-           << " mm.";
+  sentence << "The tool of " << params.tool_diameter << " mm does not fit into the pocket: ";
+  if (largest > 0)
+    sentence << "the largest tool that fits has " << largest << " mm.";
+  else
+    sentence << "no tool does, lower StockToLeave.";
   return sentence.str();
 }
 
@@ -204,12 +223,23 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   if (centres.empty())
     throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
 
+  if (regions.size() > 1)
+    for (const Region& region : allowed)
+      if (offset({region}, -(radius + params.stock_to_leave + kWallGap)).empty()) {
+        path.report.notes.push_back("One of several pockets was skipped. " +
+                                    too_large({region}, params));
+        path.report.termination = Termination::kIncomplete;
+      }
+
   std::size_t hole_region = centres.size();
   std::optional<Vec2> hole;
   if (params.entry == EntryKind::kPredrilledHole ||
       (params.entry == EntryKind::kAutomatic && params.entry_point &&
        params.hole_diameter >= params.tool_diameter)) {
     hole = hole_place(centres, *params.entry_point, &hole_region);
+    if (!hole && params.entry == EntryKind::kAutomatic)
+      path.report.notes.push_back(
+          "The pre-drilled hole is too near to a wall to come down in: it was not used.");
     if (!hole && params.entry == EntryKind::kPredrilledHole)
       throw GeometryError(
           GeometryErrorCode::kEntryOutside, *given.entry_point,
@@ -220,7 +250,15 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   const bool open = has_open_edges(regions);
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < centres.size() && !progress.cancelled(); ++i) {
-    RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt};
+    if (params.entry == EntryKind::kPredrilledHole && i != hole_region) {
+      path.report.notes.push_back(
+          "A region without the pre-drilled hole was left uncut: choose the entry 'Automatic', or "
+          "drill it and use an operation of its own.");
+      path.report.termination = Termination::kIncomplete;
+      path.report.uncut_area += centres[i].area();
+      continue;
+    }
+    RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt, mirror};
     Progress share([&](double done) {
       return progress.report((static_cast<double>(i) + done) / static_cast<double>(centres.size()));
     });
@@ -228,7 +266,6 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
     path.report.uncut_area += result.uncut_area;
     path.report.passes += result.passes;
     path.report.links += result.links;
-    path.report.retracts += result.retracts;
     for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
   }
@@ -237,14 +274,16 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
                        radius, open ? &regions : nullptr);
   if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
-  const std::vector<LoadSample> profile = load_profile(runs, ground, kLoadSpacing);
+  // Who cancels does not want to wait for feeds: constant ones, then.
+  std::vector<LoadSample> profile;
+  if (!progress.cancelled()) profile = load_profile(runs, ground, kLoadSpacing);
   path.report.max_engagement = worst_engagement(runs, profile, kEngagementWindow);
   double removed = 0;
   for (const LoadSample& sample : profile) removed += sample.width * sample.length;
 
   const double width = side_step(params.engagement_angle, radius);
   const FeedParams feed{params.feed, width, params.maximum_feed, params.link_feed};
-  if (params.feed_control == FeedControl::kConstantRemovalRate)
+  if (params.feed_control == FeedControl::kConstantRemovalRate && !profile.empty())
     set_constant_removal_rate(runs, profile, feed);
   else
     set_constant_feed(runs, feed);
@@ -292,7 +331,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   assembly.wall_on_left = mirror;
   path.moves = assemble(runs, assembly);
   path.report.cutting_time = duration(path.moves, params.rapid_feed);
-  path.report.retracts *= static_cast<int>(params.levels.size());
+  path.report.retracts = std::max(0, static_cast<int>(runs.size() * params.levels.size()) - 1);
   if (path.report.uncut_area > 0) path.report.termination = Termination::kIncomplete;
   if (progress.cancelled()) {
     path.report.termination = Termination::kCancelled;

@@ -30,6 +30,8 @@ constexpr double kEntryTolerance = 1e-3;
 constexpr double kSamePlace = 1e-4;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
+// Directions in which room for a ramp is looked for.
+constexpr int kRampDirections = 180;
 // A ramp is no longer than this many tool diameters.
 constexpr double kLongestRamp = 1.5;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
@@ -50,6 +52,7 @@ class RegionClearing {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         exact_({task.centres}),
+        widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr),
         stages_(stages()),
@@ -63,10 +66,12 @@ class RegionClearing {
   }
 
  private:
+  Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
+
   void report() {
     result_.uncut_area = leftover_.area(ground_);
     if (result_.uncut_area > 0) {
-      const Vec2 at = *leftover_.place();
+      const Vec2 at = shown(*leftover_.place());
       std::ostringstream note;
       note << std::fixed << std::setprecision(2) << "Left uncut: " << result_.uncut_area
            << " mm² near (" << at.x << ", " << at.y
@@ -78,7 +83,7 @@ class RegionClearing {
       std::ostringstream note;
       note << std::fixed << std::setprecision(3) << "Turned more tightly than the wished " << wish
            << " mm in corners and narrow places, down to " << tightest_ << " mm near ("
-           << std::setprecision(2) << tightest_at_.x << ", " << tightest_at_.y << ").";
+           << std::setprecision(2) << shown(tightest_at_).x << ", " << tightest_at_.y << ").";
       result_.notes.push_back(note.str());
     }
   }
@@ -86,13 +91,20 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest, kShortCorner};
+    return {std::max(wish, tightest), tightest, kShortCorner, widest_.radius};
   }
 
   std::vector<Stage> stages() const {
     std::vector<Stage> all = make_stages(task_.centres, limits());
     if (!params_.wall_pass && all.size() > 1) all.pop_back();  // the exact border
     return all;
+  }
+
+  // Right turns shrink with the stage's left turns.
+  Steering steering_at(std::size_t k) {
+    const double share = std::min(1.0, stages_[k].turn_radius / limits().widest);
+    return Steering(ground_, stages_[k], params_.engagement_angle,
+                    std::max(params_.minimum_radius * share, kTightestTurn * radius_));
   }
 
   std::size_t widest_stage_at(const Pose& pose) const {
@@ -105,7 +117,7 @@ class RegionClearing {
   }
 
   void begin_run(const Descent& descent) {
-    result_.runs.push_back({descent, {}});
+    result_.runs.push_back({descent, {}, result_.runs.empty()});
     here_ = {descent.at, 0};
   }
 
@@ -136,10 +148,14 @@ class RegionClearing {
     }
     if (task_.hole) {
       enter_hole();
+      if (result_.passes == 0 && leftover_to_cut())
+        throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
+                            "The pre-drilled hole is too tight to start from: drill it wider, or "
+                            "choose the entry 'Automatic' or 'Helix'.");
       return;
     }
     Descent descent;
-    const Pose start = choose_entry(task_.centres, descent);
+    const Pose start = choose_entry(widest_, descent);
     samples_.update(0, everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
@@ -162,6 +178,8 @@ class RegionClearing {
     return true;
   }
 
+  bool leftover_to_cut() const { return samples_.uncleared_count() > 0; }
+
   void enter_hole() {
     const double hole_radius = 0.5 * params_.hole_diameter, room = hole_radius - radius_;
     ground_.add_disc(*task_.hole, hole_radius);
@@ -181,8 +199,7 @@ class RegionClearing {
   }
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  Pose choose_entry(const Region& room, Descent& descent) {
-    const Circle circle = largest_circle(room, kEntryTolerance);
+  Pose choose_entry(const Circle& circle, Descent& descent) {
     const double space = kHelixRoom * circle.radius;
     const bool ramp_wanted = params_.entry == EntryKind::kRamp;
     if (space >= kNarrowestHelix * radius_ && !ramp_wanted) {
@@ -194,21 +211,23 @@ class RegionClearing {
       ground_.add_disc(circle.centre, descent.radius + radius_);
       return Pose{descent.at, kPi / 2};
     }
+    // The ramp begins and ends where there is most room, so that the tool can turn there.
+    if (params_.entry == EntryKind::kHelix)
+      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
     descent.kind = DescentKind::kRamp;
+    descent.at = circle.centre;
     double longest = -1;
-    const double limit = kLongestRamp * params_.tool_diameter;
-    for (int i = 0; i < 90; ++i) {
-      const Vec2 direction = unit(kPi * i / 90);
-      const double ahead = free_length(circle.centre, direction, limit / 2);
-      const double behind = free_length(circle.centre, -direction, limit / 2);
-      if (ahead + behind > longest + 1e-9) {
-        longest = ahead + behind;
-        descent.at = circle.centre - behind * direction;
-        descent.ramp_end = circle.centre + ahead * direction;
+    for (int i = 0; i < kRampDirections; ++i) {
+      const Vec2 direction = unit(2 * kPi * i / kRampDirections);
+      const double length =
+          free_length(circle.centre, direction, kLongestRamp * params_.tool_diameter);
+      if (length > longest + 1e-9) {
+        longest = length;
+        descent.ramp_end = circle.centre + length * direction;
       }
     }
     if (longest < 1e-3)
-      throw GeometryError(GeometryErrorCode::kToolTooLarge, circle.centre,
+      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(circle.centre),
                           "The tool has no room to descend in this pocket: drill a hole first and "
                           "choose the entry 'Predrilled hole', or take a smaller tool.");
     ground_.add(Segment::line(descent.at, descent.ramp_end));
@@ -250,7 +269,7 @@ class RegionClearing {
     const std::size_t k = widest_stage_at(start);
     if (k == stages_.size()) return false;
     const std::size_t first = ground_.size();
-    Steering steering(ground_, stages_[k], params_.engagement_angle);
+    Steering steering = steering_at(k);
     return take(steering.from_pose(start), first, stages_[k].turn_radius);
   }
 
@@ -271,7 +290,8 @@ class RegionClearing {
   void go_to(const Pose& to, double turn_radius) {
     const double gap = distance(here_.p, to.p);
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return;
-    const double rise = params_.safe_height - params_.levels.front();
+    const double rise =
+        params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
     const std::vector<Segment> link =
         shortest_link(ground_, exact_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
@@ -283,7 +303,6 @@ class RegionClearing {
     }
     begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
     here_ = to;
-    ++result_.retracts;
   }
 
   double link_turn() const { return stages_.size() > 1 ? stages_.front().turn_radius : radius_; }
@@ -323,7 +342,7 @@ class RegionClearing {
         place = {hit.curve, hit.segment, hit.t};
       }
       *turn_radius = stages_[k].turn_radius;
-      Steering steering(ground_, stages_[k], params_.engagement_angle);
+      Steering steering = steering_at(k);
       Pass pass = steering.from_wall(place);
       if (!pass.empty()) return pass;
     }
@@ -334,33 +353,32 @@ class RegionClearing {
   struct Mark {
     Pose here;
     std::size_t runs, moves;
-    int links, retracts, passes;
+    int links, passes;
   };
   Mark mark() const {
-    return {here_,         result_.runs.size(), result_.runs.back().moves.size(),
-            result_.links, result_.retracts,    result_.passes};
+    return {here_, result_.runs.size(), result_.runs.back().moves.size(), result_.links,
+            result_.passes};
   }
   void back_to(const Mark& mark) {
     result_.runs.resize(mark.runs);
     result_.runs.back().moves.resize(mark.moves);
     result_.links = mark.links;
-    result_.retracts = mark.retracts;
     here_ = mark.here;
   }
 
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
   // cut within the limit.
   bool enter_untouched() {
+    if (params_.entry == EntryKind::kPredrilledHole) return false;
     for (const Stage& stage : stages_) {
       for (const Region& room : stage.rooms) {
         const Circle circle = largest_circle(room, kEntryTolerance);
         if (circle.radius < kNarrowestHelix * radius_ || !is_untouched(room, circle.centre))
           continue;
         Descent descent;
-        const Pose start = choose_entry(room, descent);
+        const Pose start = choose_entry(circle, descent);
         const std::size_t first = ground_.size();
         begin_run(descent);
-        ++result_.retracts;
         samples_.update(first - 1, descent.at, descent.at);
         cut_from(start);
         return true;
@@ -414,6 +432,7 @@ class RegionClearing {
   Progress& progress_;
   double radius_;
   Area exact_;
+  Circle widest_;  // among the places of the tool's centre
   ClearedGround ground_;
   std::vector<Stage> stages_;
   WallSamples samples_;

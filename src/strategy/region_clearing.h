@@ -18,6 +18,7 @@ struct RegionTask {
   std::vector<Region> material;  // the pocket's floor; used where pieces of its border are open
   bool has_open_edges = false;
   std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region
+  bool mirrored = false;  // places named in notes and errors are to be mirrored back
 };
 
 struct RegionResult {
@@ -25,7 +26,6 @@ struct RegionResult {
   double uncut_area = 0;  // mm^2
   int passes = 0;
   int links = 0;
-  int retracts = 0;  // from the first run to the next ones
   std::vector<std::string> notes;
 };
 

@@ -46,7 +46,8 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     stage.rooms = opened;
     const double left = deepest_rest(centres, stage.centres);
     stages.push_back(std::move(stage));
-    if (left < limits.rest) break;
+    // A first pass starts in the middle of the room and must be able to turn there.
+    if (left < limits.rest && 2 * turn <= limits.room) break;
   }
   Stage exact;
   exact.rooms = {centres};

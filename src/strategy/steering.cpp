@@ -61,12 +61,14 @@ Segment joined(const Segment& a, const Segment& b) {
 
 }  // namespace
 
-Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement)
+Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement,
+                   double right_radius)
     : ground_(ground),
       stage_(stage),
       theta_(engagement),
       radius_(ground.tool_radius()),
-      turn_(stage.turn_radius) {}
+      turn_(stage.turn_radius),
+      right_radius_(right_radius) {}
 
 Steering::Contact Steering::contact(const Pose& at) const {
   const double right = at.heading - kPi / 2;
@@ -331,14 +333,14 @@ void Steering::overload() {
 
 void Steering::step_free() {
   const Pose from = pose();
-  const double sharpest = 1 / turn_;
+  const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
   for (;;) {
     const double length = step_;
     const auto excess = [&](double curvature) {
       return contact(end_of(move_of(from, curvature, length))).steer - theta_;
     };
     // excess falls as the curvature grows: bracket and solve.
-    double low = -sharpest, high = sharpest, curvature = std::clamp(curvature_, low, high);
+    double low = rightmost, high = sharpest, curvature = std::clamp(curvature_, low, high);
     double value = excess(curvature);
     double low_value = 1, high_value = -1;  // signs only, until known
     bool low_known = false, high_known = false;
@@ -353,7 +355,7 @@ void Steering::step_free() {
         high_value = value;
         high_known = true;
       }
-      if ((low_known && low >= sharpest) || (high_known && high <= -sharpest)) break;
+      if ((low_known && low >= sharpest) || (high_known && high <= rightmost)) break;
       if (low_known && high_known && high - low < 1e-7) break;
       double next = curvature - value / slope;
       if (low_known && high_known) {
@@ -363,8 +365,8 @@ void Steering::step_free() {
           next = low + (high - low) * low_value / (low_value - high_value);
       }
       if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : sharpest;
-      if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : -sharpest;
-      curvature = std::clamp(next, -sharpest, sharpest);
+      if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : rightmost;
+      curvature = std::clamp(next, rightmost, sharpest);
       value = excess(curvature);
     }
     if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less

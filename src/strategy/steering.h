@@ -42,8 +42,9 @@ struct Pass {
 
 class Steering {
  public:
-  // `engagement` rad: the limit and target. Both references must outlive this object.
-  Steering(ClearedGround& ground, const Stage& stage, double engagement);
+  // `engagement` rad: the limit and target. `right_radius` mm: of the tightest right turn, towards
+  // the material. Both references must outlive this object.
+  Steering(ClearedGround& ground, const Stage& stage, double engagement, double right_radius);
 
   // A pass that starts at a place of the wall, where the tool is clear of material, and follows the
   // wall into the material. Moves are added to the ground as they are made. Empty when no material
@@ -85,6 +86,7 @@ class Steering {
   double theta_;
   double radius_;
   double turn_;
+  double right_radius_;
   Pass pass_;
   Pose start_;
   Mode mode_ = Mode::kEnd;

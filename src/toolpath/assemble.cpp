@@ -10,6 +10,8 @@ namespace {
 constexpr double kApproach = 0.5;
 // Share of a link over which it rises, and sinks, when links are lifted.
 constexpr double kLiftShare = 0.25;
+// Rise and fall of a lifted link per mm of way: short links are lifted less.
+constexpr double kSteepestLift = 0.3;
 
 double helical_length(double dx, double dy, double dz, double sweep, double cx, double cy, double x,
                       double y) {
@@ -23,29 +25,38 @@ class Assembler {
   explicit Assembler(const AssemblyParams& params) : params_(params) {}
 
   std::vector<Move> build(const std::vector<PlanarRun>& runs) {
-    double top = params_.top;
-    for (const double level : params_.levels) {
-      for (const PlanarRun& run : runs) {
-        begin(run.descent, top, level);
-        for (std::size_t i = 0; i < run.moves.size();) {
-          std::size_t end = i;
-          while (end < run.moves.size() && run.moves[end].kind == run.moves[i].kind) ++end;
-          if (run.moves[i].kind == MoveKind::kLink)
-            link(run.moves, i, end, level, top);
-          else
-            for (std::size_t j = i; j < end; ++j)
-              go(run.moves[j].segment, MoveKind::kCut, level, run.moves[j].feed);
-          i = end;
-        }
-        rapid_z(params_.safe_height);
+    for (std::size_t first = 0; first < runs.size();) {
+      std::size_t last = first + 1;
+      while (last < runs.size() && !runs[last].new_region) ++last;
+      if (!moves_.empty()) rapid_z(params_.clearance_height);
+      double top = params_.top;
+      for (const double level : params_.levels) {
+        for (std::size_t i = first; i < last; ++i) add_run(runs[i], top, level);
+        top = level;
       }
-      top = level;
+      first = last;
     }
-    rapid_z(params_.clearance_height);
+    if (!moves_.empty()) rapid_z(params_.clearance_height);
     return std::move(moves_);
   }
 
  private:
+  void add_run(const PlanarRun& run, double top, double level) {
+    begin(run.descent, top, level);
+    for (std::size_t i = 0; i < run.moves.size();) {
+      std::size_t end = i;
+      while (end < run.moves.size() && run.moves[end].kind == run.moves[i].kind) ++end;
+      if (run.moves[i].kind == MoveKind::kLink) {
+        link(run.moves, i, end, level, top);
+      } else {
+        for (std::size_t j = i; j < end; ++j)
+          go(run.moves[j].segment, MoveKind::kCut, level, run.moves[j].feed);
+      }
+      i = end;
+    }
+    rapid_z(params_.safe_height);
+  }
+
   void rapid_z(double z) {
     Move move = at_;
     move.kind = MoveKind::kRapid;
@@ -122,15 +133,16 @@ class Assembler {
 
   void link(const std::vector<PlanarMove>& moves, std::size_t first, std::size_t last, double level,
             double top) {
-    const double lift = std::min(params_.link_lift, std::max(0.0, top - level));
+    double whole = 0;
+    for (std::size_t i = first; i < last; ++i) whole += moves[i].segment.length();
+    const double slope = kLiftShare * whole;
+    const double lift =
+        std::min({params_.link_lift, std::max(0.0, top - level), kSteepestLift * slope});
     if (lift <= 0) {
       for (std::size_t i = first; i < last; ++i)
         go(moves[i].segment, MoveKind::kLink, level, moves[i].feed);
       return;
     }
-    double whole = 0;
-    for (std::size_t i = first; i < last; ++i) whole += moves[i].segment.length();
-    const double slope = kLiftShare * whole;
     const auto height = [&](double s) {
       return level + lift * std::clamp(std::min(s, whole - s) / slope, 0.0, 1.0);
     };

@@ -34,6 +34,7 @@ struct Descent {
 struct PlanarRun {
   Descent descent;
   std::vector<PlanarMove> moves;
+  bool new_region = false;  // the first run of its region
 };
 
 }  // namespace evenload
