@@ -372,22 +372,30 @@ TEST(Clearing, RefusesAHoleOutsideThePocket) {
   }
 }
 
-TEST(Clearing, EntersByTheKindThatWasAskedFor) {
-  const Case pocket = corpus::load("square60");
-  for (const EntryKind entry : {EntryKind::kHelix, EntryKind::kRamp}) {
-    ClearingParams params = pocket.params();
-    params.entry = entry;
-    const Toolpath path = clear(pocket, params);
-    expect_within_limits(pocket, path, judge(pocket, path));
-    bool arcs = false, any = false;
-    for (const Move& move : path.moves) {
-      if (move.kind != MoveKind::kEntry) continue;
-      any = true;
-      arcs |= move.sweep != 0;
-    }
-    EXPECT_TRUE(any);
-    EXPECT_EQ(arcs, entry == EntryKind::kHelix);
+class AWayIn : public testing::TestWithParam<std::string> {};
+INSTANTIATE_TEST_SUITE_P(Corpus, AWayIn, testing::Values("lshape", "slot9", "square60"), name_of);
+
+void expect_entry(const Case& pocket, EntryKind entry) {
+  ClearingParams params = pocket.params();
+  params.entry = entry;
+  const Toolpath path = clear(pocket, params);
+  expect_within_limits(pocket, path, judge(pocket, path));
+  bool arcs = false, any = false;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::kEntry) continue;
+    any = true;
+    arcs |= move.sweep != 0;
   }
+  EXPECT_TRUE(any);
+  EXPECT_EQ(arcs, entry == EntryKind::kHelix);
+}
+
+TEST_P(AWayIn, IsAHelixWhereOneWasAskedFor) {
+  expect_entry(corpus::load(GetParam()), EntryKind::kHelix);
+}
+
+TEST_P(AWayIn, IsARampWhereOneWasAskedFor) {
+  expect_entry(corpus::load(GetParam()), EntryKind::kRamp);
 }
 
 }  // namespace
