@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "support/errors.h"
 
@@ -268,8 +269,10 @@ bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
   for (int i = 0; i < count; ++i)
     crossings.at[static_cast<std::size_t>(i)].angle =
         wrap_positive(angle_of(crossings.at[static_cast<std::size_t>(i)].direction));
-  std::sort(crossings.at.begin(), crossings.at.begin() + count,
-            [](const Crossing& a, const Crossing& b) { return a.angle < b.angle; });
+  // At most eight: sorted by insertion.
+  for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
+    for (std::size_t k = i; k > 0 && crossings.at[k].angle < crossings.at[k - 1].angle; --k)
+      std::swap(crossings.at[k], crossings.at[k - 1]);
   bool changed = false;
   for (int i = 0; i < count; ++i) {
     const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
