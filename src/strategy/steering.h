@@ -45,6 +45,9 @@ class Steering {
   // `engagement` rad: the limit and target. `right_radius` mm: of the tightest right turn, towards
   // the material. Both references must outlive this object.
   Steering(ClearedGround& ground, const Stage& stage, double engagement, double right_radius);
+  // Right turns as tight as left ones.
+  Steering(ClearedGround& ground, const Stage& stage, double engagement)
+      : Steering(ground, stage, engagement, stage.turn_radius) {}
 
   // A pass that starts at a place of the wall, where the tool is clear of material, and follows the
   // wall into the material. Moves are added to the ground as they are made. Empty when no material
