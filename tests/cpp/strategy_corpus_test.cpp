@@ -327,6 +327,11 @@ TEST(Clearing, RefusesEveryParameterOutOfRange) {
     p.entry_point = Vec2{20, 4.5};
     p.hole_diameter = 5.9;
   });
+  refused("entry point not a number", [&](ClearingParams& p) {
+    p.entry = EntryKind::kPredrilledHole;
+    p.entry_point = Vec2{nan, 4.5};
+    p.hole_diameter = 6.5;
+  });
   refused("hole not a number", [&](ClearingParams& p) {
     p.entry = EntryKind::kPredrilledHole;
     p.entry_point = Vec2{20, 4.5};
@@ -361,7 +366,7 @@ TEST(Clearing, RefusesAHoleOutsideThePocket) {
   ClearingParams params = pocket.params();
   params.entry = EntryKind::kPredrilledHole;
   params.hole_diameter = 8;
-  for (const Vec2 place : {Vec2{-100, 0}, Vec2{0, 0}, Vec2{std::nan(""), 0}}) {
+  for (const Vec2 place : {Vec2{-100, 0}, Vec2{0, 0}}) {
     params.entry_point = place;
     try {
       clear(pocket, params);

@@ -200,23 +200,36 @@ TEST(Assemble, KeepsLinesOnTheSideOfEachArcWhereTheToolMayBe) {
     }
 }
 
+// mm in the plane.
+double way(const Move& from, const Move& to) {
+  return to.sweep != 0 ? std::abs(to.sweep) * std::hypot(to.x - to.cx, to.y - to.cy)
+                       : std::hypot(to.x - from.x, to.y - from.y);
+}
+
 TEST(Assemble, LiftsLinksAndNothingElse) {
-  AssemblyParams params = two_levels();
-  for (const double lift : {0.3, 100.0}) {
-    params.link_lift = lift;
-    const std::vector<Move> moves = assemble({helix_run()}, params);
-    double highest = -1e9;
-    for (std::size_t i = 1; i < moves.size(); ++i) {
-      if (moves[i].kind == MoveKind::kCut) {
-        EXPECT_NEAR(moves[i - 1].kind == MoveKind::kRapid ? moves[i].z : moves[i - 1].z, moves[i].z,
-                    1e-12)
-            << "a cut that slopes";
+  PlanarRun far = plunge_run(false);
+  far.moves.push_back(planar(MoveKind::kLink, Segment::line({4, 9}, {64, 9})));
+  far.moves.push_back(planar(MoveKind::kCut, Segment::line({64, 9}, {64, 12})));
+  for (const double lift : {0.3, 100.0})
+    for (const bool is_long : {false, true}) {
+      AssemblyParams params = two_levels();
+      params.link_lift = lift;
+      const std::vector<Move> moves = assemble({is_long ? far : helix_run()}, params);
+      double highest = -1e9;
+      for (std::size_t i = 1; i < moves.size(); ++i) {
+        if (moves[i].kind == MoveKind::kCut) {
+          EXPECT_NEAR(moves[i - 1].z, moves[i].z, 1e-12) << "a cut that slopes";
+        }
+        if (moves[i].kind == MoveKind::kLink) highest = std::max(highest, moves[i].z);
       }
-      if (moves[i].kind == MoveKind::kLink) highest = std::max(highest, moves[i].z);
+      // From the first level, -1.25, and never above the stock's top; short links may rise less.
+      const double whole = std::min(params.top, -1.25 + lift);
+      EXPECT_LE(highest, whole + 1e-9);
+      EXPECT_GT(highest, -1.25);
+      if (is_long) {
+        EXPECT_NEAR(highest, whole, 1e-9);
+      }
     }
-    // On the first level from -1.25 up, never above the stock's top.
-    EXPECT_NEAR(highest, std::min(params.top, -1.25 + lift), 1e-9);
-  }
 }
 
 TEST(Assemble, TakesTheTimeOfEveryMove) {
