@@ -200,12 +200,6 @@ TEST(Assemble, KeepsLinesOnTheSideOfEachArcWhereTheToolMayBe) {
     }
 }
 
-// mm in the plane.
-double way(const Move& from, const Move& to) {
-  return to.sweep != 0 ? std::abs(to.sweep) * std::hypot(to.x - to.cx, to.y - to.cy)
-                       : std::hypot(to.x - from.x, to.y - from.y);
-}
-
 TEST(Assemble, LiftsLinksAndNothingElse) {
   PlanarRun far = plunge_run(false);
   far.moves.push_back(planar(MoveKind::kLink, Segment::line({4, 9}, {64, 9})));
@@ -220,7 +214,12 @@ TEST(Assemble, LiftsLinksAndNothingElse) {
         if (moves[i].kind == MoveKind::kCut) {
           EXPECT_NEAR(moves[i - 1].z, moves[i].z, 1e-12) << "a cut that slopes";
         }
-        if (moves[i].kind == MoveKind::kLink) highest = std::max(highest, moves[i].z);
+        if (moves[i].kind == MoveKind::kLink) {
+          highest = std::max(highest, moves[i].z);
+          EXPECT_LE(std::abs(moves[i].z - moves[i - 1].z),
+                    0.3 * flat_length(moves[i - 1], moves[i]) + 1e-9)
+              << "a link that is too steep";
+        }
       }
       // From the first level, -1.25, and never above the stock's top; short links may rise less.
       const double whole = std::min(params.top, -1.25 + lift);
