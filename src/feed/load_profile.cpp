@@ -6,11 +6,11 @@
 namespace evenload {
 namespace {
 
-// mm: material thinner than this is not seen; what rounding the G-code can bring about.
-constexpr double kLoadTolerance = 1e-4;
+// mm: material thinner than this is not seen; above the noise of rounding.
+constexpr double kLoadTolerance = 1e-6;
 // Two looks whose engagement and width (as a share of the tool's radius) differ less than this need
 // none between them.
-constexpr double kLikeEngagement = 4 * kPi / 180;
+constexpr double kLikeEngagement = 2 * kPi / 180;
 constexpr double kLikeWidth = 0.03;
 // mm: no two looks are nearer.
 constexpr double kFinestLook = 0.02;
@@ -131,7 +131,9 @@ double worst_engagement(const std::vector<PlanarRun>& runs, const std::vector<Lo
       sum -= profile[first].engagement * profile[first].length;
       ++first;
     }
-    worst = std::max(worst, sum / std::max(length, window));
+    // The window ends with this sample and begins within the first.
+    const double beyond = std::max(0.0, length - window);
+    worst = std::max(worst, (sum - beyond * profile[first].engagement) / window);
   }
   return worst;
 }

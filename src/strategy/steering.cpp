@@ -302,7 +302,8 @@ double Steering::reach_of(const Segment& move) const {
   while (t < 1) {
     const BoundaryIndex::Hit hit = stage_.turns.nearest(turn_centre(t));
     const double next =
-        std::min(1.0, t + std::max(hit.distance - kOutside, kNearBorder) / (speed * length));
+        std::min(1.0, t + std::max(hit.distance - kOutside, std::min(kNearBorder, 0.3 * turn_)) /
+                              (speed * length));
     const Vec2 q = turn_centre(next);
     if (outside(q)) {
       double low = t, high = next;
@@ -334,6 +335,9 @@ void Steering::overload() {
 void Steering::step_free() {
   const Pose from = pose();
   const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
+  // A step turns by a radian at most, so that its end says what happens on the way.
+  step_ = std::min(step_, std::min(turn_, right_radius_));
+  const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
   for (;;) {
     const double length = step_;
     const auto excess = [&](double curvature) {
@@ -373,10 +377,10 @@ void Steering::step_free() {
       curvature = high;
       value = high_value;
     }
-    const bool smallest = length <= kSmallestStep * radius_ * 1.001;
+    const bool smallest = length <= smallest_step * 1.001;
     if (value > kOverload) {
       if (!smallest) {
-        step_ = std::max(kSmallestStep * radius_, 0.5 * length);
+        step_ = std::max(smallest_step, 0.5 * length);
         continue;
       }
       overload();
@@ -393,7 +397,7 @@ void Steering::step_free() {
       error = std::max(error, steady ? std::abs(above) : above);
     }
     if (error > kSmooth && !smallest) {
-      step_ = std::max(kSmallestStep * radius_, 0.5 * length);
+      step_ = std::max(smallest_step, 0.5 * length);
       continue;
     }
     const double share = reach_of(move);
