@@ -18,6 +18,8 @@ constexpr double kClearedCell = 0.125;
 constexpr double kContact = kPi / 180;
 // Halvings of the gap between two points of the half circle.
 constexpr int kBisections = 6;
+// rad: arcs are looked at at least once in this much of a turn.
+constexpr double kTurn = kPi / 30;
 constexpr double kKink = kPi / 180;
 
 double distance_to_line(Vec2 q, Vec2 a, Vec2 b) {
@@ -370,7 +372,8 @@ class Check {
   }
 
   int looks(const Piece& piece) const {
-    return std::max(1, static_cast<int>(std::ceil(piece.length() / settings_.step)));
+    return std::max(1, static_cast<int>(std::ceil(std::max(piece.length() / settings_.step,
+                                                           std::abs(piece.sweep) / kTurn))));
   }
 
   void bad_plunge(Vec2 p) {
