@@ -1,0 +1,482 @@
+"""Makes the pictures of docs/ from paths that the built core computes.
+
+    python3 docs/make_pictures.py [FOLDER]
+
+FOLDER holds the module _core: a build tree, by default build/release of this checkout, or
+Mod/evenload of an installed addon. Run it with the Python that the module was built for. Needs
+numpy and matplotlib; no display.
+
+What the tool removes is counted here on a grid of cells, so that the removal rates shown are not
+the core's own opinion of them.
+"""
+
+import io
+import math
+import sys
+from pathlib import Path
+
+import numpy
+from matplotlib.backends.backend_agg import FigureCanvasAgg
+from matplotlib.collections import LineCollection
+from matplotlib.figure import Figure
+from matplotlib.patches import Arc, Circle
+from PIL import Image
+
+DOCS = Path(__file__).resolve().parent
+RAPID, LINK, ENTRY, CUT = range(4)
+WALL_GAP = 8e-4  # mm, and the shares below: as in src/strategy
+STAGE_RATIO, OPENING_RATIO = 0.6, 1.25
+STEP = 0.1  # mm along the path between two looks
+INK, GROUND, STOCK = "#202124", "#ffffff", "#e3dccb"
+BLUE, ORANGE, GREEN, RED, GREY, VIOLET = (
+    "#1a73e8",
+    "#e8710a",
+    "#188038",
+    "#d93025",
+    "#80868b",
+    "#7b3fa0",
+)
+
+
+# ---- pockets and paths ----
+
+
+def star():
+    """A star of five rounded points, tool 6 mm: the shape of the source's experiment."""
+    tip, valley, bulge_tip, bulge_valley = (2.8696, 18.1081), (6.798, 10.1483), 0.6216, -0.2468
+    chain = []
+    for k in range(5):
+        turn = 2 * math.pi * k / 5
+        c, s = math.cos(turn), math.sin(turn)
+        last = (math.cos(turn + 2 * math.pi / 5), math.sin(turn + 2 * math.pi / 5))
+        for (x, y), bulge, (a, b) in (
+            (tip, bulge_tip, (c, s)),
+            ((-tip[0], tip[1]), 0.0, (c, s)),
+            ((-valley[0], valley[1]), bulge_valley, (c, s)),
+            (valley, 0.0, last),
+        ):
+            chain.append((a * x - b * y, b * x + a * y, bulge))
+    return chain
+
+
+def rectangle(width, height):
+    return [(0, 0, 0), (width, 0, 0), (width, height, 0), (0, height, 0)]
+
+
+class Job:
+    """A pocket and the path that clears it: tool 6 mm, 60 degrees, one level of 3 mm."""
+
+    diameter, radius, angle, depth, feed = 6.0, 3.0, math.radians(60), 3.0, 255.0
+    wish = 1.0  # mm, turn radius
+
+    def __init__(self, core, chain, hole=None, control="constant removal rate"):
+        self.core, self.chain, self.hole = core, chain, hole
+        self.region = core.Region(chain, [])
+        self.path = core.clear_pocket(
+            [self.region],
+            tool_diameter=self.diameter,
+            engagement_angle=self.angle,
+            feed_control=control,
+            feed=self.feed,
+            plunge_feed=self.feed,
+            link_feed=1500.0,
+            maximum_feed=1000.0,
+            roll_radius=self.wish,
+            minimum_radius=0.15 * self.diameter,
+            helix_diameter=0.9 * self.diameter,
+            entry_point=hole and hole[:2],
+            hole_diameter=hole[2] if hole else 0.0,
+            levels=[-self.depth],
+            safe_height=5.0,
+            clearance_height=10.0,
+        )
+
+    @property
+    def nominal_width(self):
+        return self.radius * (1 - math.cos(self.angle))
+
+    def centres(self):
+        """Where the tool's centre may be."""
+        return self.core.offset([self.region], -(self.radius + WALL_GAP))
+
+    def stages(self, count):
+        """[(turn radius, region of centres, region of turn centres)] of the first stages."""
+        result, turn = [], self.wish
+        while len(result) < count:
+            opening = OPENING_RATIO * turn
+            opened = self.core.offset(self.core.offset(self.centres(), -opening), opening)
+            result.append((turn, opened, self.core.offset(opened, -turn)))
+            turn *= STAGE_RATIO
+        return result
+
+    def samples(self, step=STEP):
+        """[(x, y, heading, kind, feed, length)] every `step` mm at the level."""
+        result = []
+        for before, after in zip(self.path.moves, self.path.moves[1:]):
+            kind, x, y, z, sweep, cx, cy, feed = after
+            ax, ay = before[1], before[2]
+            if z > -self.depth + 1e-6:
+                continue
+            radius = math.hypot(ax - cx, ay - cy)
+            length = abs(sweep) * radius if sweep else math.hypot(x - ax, y - ay)
+            n = max(1, math.ceil(length / step))
+            for k in range(1, n + 1):
+                if length < 1e-9:
+                    continue
+                if sweep:
+                    at = math.atan2(ay - cy, ax - cx) + sweep * k / n
+                    place = (cx + radius * math.cos(at), cy + radius * math.sin(at))
+                    heading = at + math.copysign(math.pi / 2, sweep)
+                else:
+                    place = (ax + (x - ax) * k / n, ay + (y - ay) * k / n)
+                    heading = math.atan2(y - ay, x - ax)
+                result.append((*place, heading, kind, feed, length / n))
+        return result
+
+    def stretches(self, step=STEP):
+        """[(kind, [(x, y), ...])] of the moves at the level, cut where their kind changes."""
+        return stretches(self.samples(step), step)
+
+
+def stretches(samples, step=STEP):
+    result, last = [], None
+    for x, y, _, kind, _, _ in samples:
+        gap = last is not None and math.dist(last, (x, y)) > 1.01 * step  # a retract
+        if not result or result[-1][0] != kind or gap:
+            result.append((kind, [last] if last and not gap else []))
+        result[-1][1].append((x, y))
+        last = (x, y)
+    return result
+
+
+class Grid:
+    """Cells of a pocket that still hold material."""
+
+    def __init__(self, job, cell):
+        xs, ys = zip(*outline(job.chain))
+        self.cell, self.low = cell, (min(xs) - 1, min(ys) - 1)
+        self.x = numpy.arange(self.low[0] + cell / 2, max(xs) + 1, cell)
+        self.y = numpy.arange(self.low[1] + cell / 2, max(ys) + 1, cell)
+        from matplotlib.path import Path as Polygon
+
+        points = numpy.stack(numpy.meshgrid(self.x, self.y), axis=-1)
+        inside = Polygon(outline(job.chain)).contains_points(points.reshape(-1, 2))
+        self.full = inside.reshape(len(self.y), len(self.x))
+        if job.hole:
+            self.take(job.hole[0], job.hole[1], job.hole[2] / 2)
+
+    def take(self, x, y, radius):
+        """Clears a disc; returns the area that held material, in mm2."""
+        i0, i1 = numpy.searchsorted(self.x, (x - radius, x + radius))
+        j0, j1 = numpy.searchsorted(self.y, (y - radius, y + radius))
+        away = (self.x[None, i0:i1] - x) ** 2 + (self.y[j0:j1, None] - y) ** 2
+        part = self.full[j0:j1, i0:i1]
+        hit = part & (away <= radius * radius)
+        part[hit] = False
+        return numpy.count_nonzero(hit) * self.cell**2
+
+
+# ---- drawing ----
+
+
+def outline(chain):
+    """[(x, y), ...] of a closed chain of (x, y, bulge, ...), arcs as short chords."""
+    points = []
+    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
+        points.append((x0, y0))
+        if bulge:
+            sweep, k = 4 * math.atan(bulge), (1 - bulge * bulge) / (4 * bulge)
+            cx, cy = (x0 + x1) / 2 - k * (y1 - y0), (y0 + y1) / 2 + k * (x1 - x0)
+            start, radius = math.atan2(y0 - cy, x0 - cx), math.hypot(x0 - cx, y0 - cy)
+            n = max(2, math.ceil(abs(sweep) / 0.05))
+            points += [
+                (
+                    cx + radius * math.cos(start + sweep * k / n),
+                    cy + radius * math.sin(start + sweep * k / n),
+                )
+                for k in range(1, n)
+            ]
+    return points + points[:1]
+
+
+def canvas(width, height):
+    figure = Figure(figsize=(width, height), dpi=110)
+    FigureCanvasAgg(figure)
+    return figure, figure.add_subplot()
+
+
+def save(figure, name, note=None, fit=True):
+    if fit:
+        figure.tight_layout()
+    raw = io.BytesIO()
+    figure.savefig(raw, format="png")
+    image = Image.open(raw).convert("RGB").quantize(256, dither=Image.Dither.NONE)
+    image.save(DOCS / name, optimize=True)
+    size = (DOCS / name).stat().st_size / 1000
+    print("%-14s %4d kB%s" % (name, size, "   " + note if note else ""))
+
+
+def lines(axes, regions, **style):
+    for region in regions:
+        for chain in (region.outer, *region.islands):
+            axes.plot(*zip(*outline(chain)), **style)
+            style.pop("label", None)
+
+
+def plan(axes, x=None, y=None):
+    axes.set_aspect("equal")
+    axes.set_xlabel("x, mm")
+    axes.set_ylabel("y, mm")
+    if x:
+        axes.set_xlim(*x)
+        axes.set_ylim(*y)
+
+
+def stock(axes, grid):
+    """What still holds material, shaded."""
+    axes.contourf(
+        grid.x, grid.y, grid.full.astype(float), levels=(0.5, 1.5), colors=[STOCK], zorder=0
+    )
+
+
+def draw_star(core):
+    job = Job(core, star(), hole=(0.0, 0.0, 11.0))
+    profile = core.engagement_profile([job.region], job.path, job.diameter, hole=job.hole)
+    figure, axes = canvas(8.2, 6.4)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8, label="pocket")
+    axes.add_patch(Circle((0, 0), 5.5, fill=False, ls="--", color=INK, label="drilled hole"))
+    cuts, values, links = [], [], []
+    for a, b in zip(profile, profile[1:]):
+        if math.dist(a[:2], b[:2]) > 0.35:
+            continue  # a retract lies between
+        if b[3] == CUT:
+            cuts.append((a[:2], b[:2]))
+            values.append(b[2])
+        elif b[3] == LINK:
+            links.append((a[:2], b[:2]))
+    coloured = LineCollection(cuts, array=values, cmap="turbo", linewidths=1.5, zorder=3)
+    coloured.set_clim(0, 70)
+    axes.add_collection(coloured)
+    axes.add_collection(LineCollection(links, colors=GREY, linewidths=0.8, label="link"))
+    figure.colorbar(coloured, ax=axes, label="engagement angle, degrees (set: 60)", shrink=0.95)
+    plan(axes)
+    axes.legend(loc="upper right", fontsize=9)
+    report = job.path.report
+    save(
+        figure,
+        "star.png",
+        "%.0f s, %.2f of the ideal; engagement at most %.1f; %d passes, %d links, %d retracts; "
+        "left %.2f mm2"
+        % (
+            report.cutting_time,
+            report.cutting_time / report.ideal_time,
+            math.degrees(report.max_engagement),
+            report.passes,
+            report.links,
+            report.retracts,
+            report.uncut_area,
+        ),
+    )
+
+
+def draw_square(core):
+    job = Job(core, rectangle(60, 60))
+    figure, axes = canvas(7, 6.6)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8)
+    helix = [(m[1], m[2]) for m in job.path.moves if m[0] == ENTRY][-1]
+    names = {"spiral": BLUE, "passes": ORANGE, "links": GREY}
+    first = True
+    for kind, points in job.stretches():
+        if kind == ENTRY:
+            continue
+        name = "links" if kind == LINK else "spiral" if first else "passes"
+        first = first and kind == LINK
+        axes.plot(
+            *zip(*points),
+            color=names[name],
+            linewidth=1.3 if kind == CUT else 0.8,
+            label=name if name in names else None,
+        )
+    axes.add_patch(Circle((30, 30), helix[0] - 30, fill=False, color=VIOLET, lw=1.6, label="helix"))
+    handles, labels = axes.get_legend_handles_labels()
+    once = dict(zip(labels, handles))
+    place = {"loc": "lower center", "bbox_to_anchor": (0.5, 1.0), "ncol": 4, "frameon": False}
+    axes.legend(once.values(), once.keys(), fontsize=9, **place)
+    plan(axes)
+    save(figure, "square.png")
+
+
+def draw_step(core):
+    """One place of a pass in a slot: the tool, what it touches, the turn that it could make."""
+    job = Job(core, rectangle(60, 14))
+    grid = Grid(job, 0.02)
+    samples = job.samples()
+    at = None
+    for i, (x, y, heading, kind, _, _) in enumerate(samples):
+        if kind == CUT and x > 39 and math.sin(heading) > 0.75 and 6.6 < y < 7.0:
+            at = i
+            break
+        grid.take(x, y, job.radius)
+    x, y, heading, *_ = samples[at]
+    turn = job.wish
+    figure, axes = canvas(7.6, 6.2)
+    stock(axes, grid)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8)
+    ahead = [s[:2] for s in samples[at : at + 45]]
+    axes.plot(*zip(*[s[:2] for s in samples[at - 40 : at + 1]]), color=BLUE, lw=2)
+    axes.plot(*zip(*ahead), color=BLUE, lw=1.4, ls=":")
+    axes.add_patch(Circle((x, y), job.radius, fill=False, color=INK, lw=1.2))
+    right = math.degrees(heading) - 90
+    engaged = math.degrees(job.angle)
+    axes.add_patch(
+        Arc((x, y), 6, 6, theta1=right, theta2=right + engaged, color=RED, lw=4, zorder=4)
+    )
+    c = math.radians(right + engaged)
+    cx, cy = x + job.radius * math.cos(c), y + job.radius * math.sin(c)
+    axes.plot([x, cx], [y, cy], color=RED, lw=1)
+    r = math.radians(right)
+    axes.plot([x, x + job.radius * math.cos(r)], [y, y + job.radius * math.sin(r)], color=RED, lw=1)
+    axes.add_patch(Arc((x, y), 2, 2, theta1=right, theta2=right + engaged, color=RED, lw=1))
+    middle = math.radians(right + engaged / 2)
+    text = {"ha": "center", "va": "center", "fontsize": 13}
+    axes.text(x + 1.4 * math.cos(middle), y + 1.4 * math.sin(middle), "θ", color=RED, **text)
+    axes.text(cx + 0.35, cy + 0.35, "C", color=RED, **text)
+    axes.text(x + 0.3, y - 0.4, "P", color=INK, **text)
+    axes.annotate(
+        "",
+        (x + 2.2 * math.cos(heading), y + 2.2 * math.sin(heading)),
+        (x, y),
+        arrowprops={"arrowstyle": "-|>", "color": BLUE, "lw": 2},
+        zorder=5,
+    )
+    qx, qy = x - turn * math.sin(heading), y + turn * math.cos(heading)
+    axes.add_patch(Circle((qx, qy), turn, fill=False, color=GREEN, lw=1.4, ls="--"))
+    axes.plot(qx, qy, "o", color=GREEN, ms=4)
+    axes.text(qx - 0.38, qy, "Q", color=GREEN, **text)
+    lines(axes, job.centres(), color=VIOLET, lw=1.3, label="walls of the tool's centre")
+    stage = job.stages(1)[0]
+    lines(axes, stage[2], color=GREEN, lw=1.3, ls=":", label="border of the place of Q")
+    axes.plot([], [], color=BLUE, lw=2, label="pass, and what follows (dotted)")
+    axes.plot([], [], color=RED, lw=4, label="engaged arc")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=2, fontsize=9, frameon=False)
+    plan(axes, (x - 6.5, x + 7), (-0.7, 14.7))
+    save(figure, "step.png")
+
+
+def draw_slot(core):
+    job = Job(core, rectangle(100, 9))
+    grid = Grid(job, 0.02)
+    samples, passes = job.samples(), 0
+    begin = next(i for i, s in enumerate(samples) if s[3] == CUT and s[0] > 61.5)
+    while samples[begin][3] != LINK:
+        begin += 1
+    end, last = begin, None
+    while passes < 4:
+        if samples[end][3] == LINK and last == CUT:
+            passes += 1
+        last = samples[end][3]
+        end += 1
+    while samples[end - 1][3] == LINK:
+        end -= 1
+    for x, y, *_ in samples[:begin]:
+        grid.take(x, y, job.radius)
+    figure, axes = canvas(8.0, 6.2)
+    stock(axes, grid)
+    axes.plot(*zip(*outline(job.chain)), color=INK, lw=1.8)
+    lines(axes, job.centres(), color=VIOLET, lw=1.2, label="walls of the tool's centre")
+    part = samples[begin:end]
+    for kind, name, style in (
+        (CUT, "pass", {"colors": BLUE, "linewidths": 2}),
+        (LINK, "link", {"colors": ORANGE, "linewidths": 1.3, "linestyles": "--"}),
+    ):
+        pieces = [points for k, points in stretches(part) if k == kind]
+        axes.add_collection(LineCollection(pieces, label=name, zorder=3, **style))
+    starts = [a[:2] for a, b in zip(part, part[1:]) if a[3] == LINK and b[3] == CUT]
+    axes.plot(*zip(*starts), "o", color=GREEN, ms=6, zorder=5, label="start, at a wall sample")
+    x, y = starts[0]
+    axes.add_patch(Circle((x, y), job.radius, fill=False, color=INK, lw=1, ls=":", label="tool"))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=5, fontsize=9, frameon=False)
+    plan(axes, (x - 4.5, x + 6), (-0.4, 9.4))
+    save(figure, "slot.png")
+
+
+def draw_corner(core):
+    job = Job(core, rectangle(60, 60))
+    figure = Figure(figsize=(9.4, 5.2), dpi=110)
+    FigureCanvasAgg(figure)
+    parts = job.stretches(0.005)
+    shades = ("#0b3d91", "#1a73e8", "#5fa8ff", "#b3d4ff")
+    for axes, low in zip(figure.subplots(1, 2), (54.4, 56.4)):
+        for (turn, opened, _), shade in zip(job.stages(4), shades):
+            label = "stage, turn radius %.2f mm" % turn
+            lines(axes, opened, color=shade, lw=4.5, label=label)
+        lines(axes, job.centres(), color=RED, lw=2.4, label="last stage: exact border")
+        first = job.stages(1)[0][2]
+        lines(axes, first, color=GREEN, lw=1.3, ls=":", label="border of Q's place, first stage")
+        for kind, colour, name in ((CUT, INK, "passes"), (LINK, ORANGE, "links")):
+            pieces = [points for k, points in parts if k == kind]
+            axes.add_collection(
+                LineCollection(pieces, colors=colour, linewidths=0.8, label=name, zorder=3)
+            )
+        plan(axes, (low, 57.06), (low, 57.06))
+    figure.axes[1].set_ylabel("")
+    handles, labels = figure.axes[0].get_legend_handles_labels()
+    figure.legend(handles, labels, loc="upper center", ncol=4, fontsize=8.5, frameon=False)
+    figure.tight_layout(rect=(0, 0, 1, 0.92))
+    save(figure, "corner.png", fit=False)
+
+
+def draw_feed(core):
+    window = 0.5  # mm, over which rates are means
+    figure, axes = canvas(8.6, 4.4)
+    notes = []
+    for control, colour in (("constant feed", GREY), ("constant removal rate", BLUE)):
+        job = Job(core, star(), hole=(0.0, 0.0, 11.0), control=control)
+        grid, way, removed, area, minutes = Grid(job, 0.01), 0.0, 0.0, 0.0, 0.0
+        nominal, along, rates = job.nominal_width * job.feed * job.depth, [], []
+        length_before = 0.0
+        for x, y, _, kind, feed, length in job.samples(0.05):
+            took = grid.take(x, y, job.radius)
+            if kind != CUT:
+                continue
+            way, area, minutes = way + length, area + took, minutes + length / feed
+            if way - length_before >= window:
+                along.append((way + length_before) / 2)
+                rates.append((area * job.depth / minutes, area))
+                removed += area
+                length_before, area, minutes = way, 0.0, 0.0
+        axes.plot(along, [r for r, _ in rates], color=colour, lw=1.4, label=control)
+        near = sum(a for r, a in rates if r >= 0.9 * nominal) / removed
+        notes.append(
+            "%s: %.0f s, %.0f %% of the area at 0.9 of the rate or more, mean over %g mm at most "
+            "%.3f of it"
+            % (
+                control,
+                job.path.report.cutting_time,
+                100 * near,
+                window,
+                max(r for r, _ in rates) / nominal,
+            )
+        )
+    axes.axhline(nominal, color=RED, lw=1, ls="--", label="nominal: %.1f mm³/min" % nominal)
+    axes.set_xlim(200, 330)
+    axes.set_ylim(0, 1.15 * nominal)
+    axes.set_xlabel("way along the cuts of the star, mm (the spiral ends at about 230)")
+    axes.set_ylabel("removal rate, mm³/min")
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3, fontsize=9, frameon=False)
+    save(figure, "feed.png", "; ".join(notes))
+
+
+def main():
+    folder = Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS.parent / "build" / "release"
+    sys.path.insert(0, str(folder.resolve()))
+    try:
+        import _core
+    except ImportError as error:
+        sys.exit("No module _core for this Python in %s: %s." % (folder, error))
+    for draw in (draw_star, draw_square, draw_step, draw_slot, draw_corner, draw_feed):
+        draw(_core)
+
+
+if __name__ == "__main__":
+    main()
