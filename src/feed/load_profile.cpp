@@ -12,7 +12,7 @@ constexpr double kLoadTolerance = 1e-6;
 // none between them.
 constexpr double kLikeEngagement = 2 * kPi / 180;
 constexpr double kLikeWidth = 0.03;
-// mm: no two looks are nearer.
+// mm: no two looks are nearer, but on moves so short that a fifth of them is less.
 constexpr double kFinestLook = 0.02;
 
 }  // namespace
@@ -69,7 +69,8 @@ class MoveProfile {
   void cover(double t0, const Load& at0, double t1, const Load& at1) {
     const double t = 0.5 * (t0 + t1), piece = (t1 - t0) * length_;
     const Load middle = load_at(t);
-    if (piece > kFinestLook && !(alike(at0, middle) && alike(middle, at1))) {
+    if (piece > std::min(kFinestLook, 0.2 * length_) &&
+        !(alike(at0, middle) && alike(middle, at1))) {
       cover(t0, at0, t, middle);
       cover(t, middle, t1, at1);
       return;
