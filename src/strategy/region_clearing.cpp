@@ -5,6 +5,7 @@
 #include <iomanip>
 #include <limits>
 #include <sstream>
+#include <utility>
 
 #include "geometry/medial_axis.h"
 #include "strategy/leftover.h"
@@ -321,7 +322,8 @@ class RegionClearing {
       go_to(start.pose, stages_[start.stage].turn_radius);
       const std::size_t first = ground_.size();
       double turn_radius = 0;
-      if (!take(pass_from(start, &turn_radius), first, turn_radius)) {
+      Pass pass = pass_from(start, &turn_radius);
+      if (!take(std::move(pass), first, turn_radius)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         if (ground_.size() == first) back_to(before);  // no pass: the way to it is not needed
         continue;
