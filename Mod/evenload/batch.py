@@ -4,9 +4,10 @@
     freecadcmd Mod/evenload/batch.py jobs.json
 
 The job file is described in docs/batch.md. Exit code 0: every job was done; 1: a job failed, the
-others were done; 2: the job file could not be used.
+others were done, or the report could not be written; 2: the job file could not be used.
 """
 
+import contextlib
 import json
 import os
 import sys
@@ -78,8 +79,9 @@ def run_file(path, say=print):
     """Runs every job of a job file. say: takes one line of progress.
 
     Returns the report: {"jobs": [{"name", "ok", "error", "seconds", "figures", "output"}, ...],
-    "failed": number}. It is also written where the file's "report" says. Raises ValueError for a
-    file that cannot be used at all; a job that cannot be done is in the report.
+    "failed": number}. It is also written where the file's "report" says; where that cannot be, the
+    returned report has an "error" with the reason. Raises ValueError for a file that cannot be
+    used at all; a job that cannot be done is in the report.
     """
     folder = os.path.dirname(os.path.abspath(path))
     try:
@@ -87,7 +89,7 @@ def run_file(path, say=print):
             content = json.load(file)
     except OSError as error:
         raise ValueError("The job file %s cannot be read: %s." % (path, error.strerror)) from None
-    except ValueError as error:
+    except (ValueError, RecursionError) as error:
         raise ValueError("The job file %s is no JSON: %s." % (path, error)) from None
     _check_keys(content, FILE_KEYS, "The job file %s" % path)
     missing = compiled.missing()
@@ -99,7 +101,12 @@ def run_file(path, say=print):
         jobs.append(_run_job(job, number, folder, lambda text: say("%s: %s" % (label, text))))
     result = {"jobs": jobs, "failed": sum(not job["ok"] for job in jobs)}
     if "report" in content:
-        _write(os.path.join(folder, content["report"]), json.dumps(result, indent=2) + "\n")
+        text = json.dumps(result, indent=2) + "\n"
+        try:
+            with _output(folder, content["report"], "The report") as path:
+                _write(path, text)
+        except ValueError as error:  # the jobs are done: what they came to is not lost
+            result["error"] = str(error)
     return result
 
 
@@ -146,6 +153,14 @@ def _do(job, number, folder, say, result):
             "Job %d: there is no operation '%s'; there is %s."
             % (number, kind, ", ".join(OPERATIONS))
         )
+    if not job["output"].get("document", ".FCStd").endswith(".FCStd"):
+        raise ValueError(
+            "Job %d, output: the document is '%s': its name must end in .FCStd."
+            % (number, job["output"]["document"])
+        )
+    for key, name in job["output"].items():  # before the work, which would be in vain
+        with _output(folder, name, "Job %d, output: the %s" % (number, key)) as path:
+            _try(path)
     operation = import_module("evenload.operations." + kind)
     say("reading " + job["model"])
     doc, model = _open(os.path.join(folder, job["model"]), job.get("object"))
@@ -189,9 +204,9 @@ def _do(job, number, folder, say, result):
         ("document", lambda path: doc.saveCopy(path)),
     ):
         if key in job["output"]:
-            path = os.path.abspath(os.path.join(folder, job["output"][key]))
-            os.makedirs(os.path.dirname(path), exist_ok=True)
-            write(path)
+            what = "Job %d, output: the %s" % (number, key)
+            with _output(folder, job["output"][key], what) as path:
+                write(path)
             result["output"][key] = path
             say("wrote " + os.path.relpath(path))
 
@@ -273,12 +288,11 @@ def _set_parameters(op, parameters, number):
         kind = op.getTypeIdOfProperty(name)
         if kind == "App::PropertySpeed" and isinstance(value, NUMBER):
             value = "%.12g mm/min" % value
-        if kind == "App::PropertyVectorDistance" and isinstance(value, list):
-            value = FreeCAD.Vector(*value)
         if any(path == name for path, _ in op.ExpressionEngine):
             op.setExpression(name, None)
         try:
-            setattr(op, name, value)
+            is_point = kind == "App::PropertyVectorDistance" and isinstance(value, list)
+            setattr(op, name, FreeCAD.Vector(*value) if is_point else value)
         except Exception as error:
             choices = op.getEnumerationsOfProperty(name) or []
             remedy = "; it can be %s" % ", ".join(choices) if choices else ""
@@ -316,8 +330,33 @@ def _check_keys(content, keys, where):
             raise ValueError("%s: '%s' must be %s." % (where, key, KINDS[kind]))
 
 
+@contextlib.contextmanager
+def _output(folder, name, what):
+    """A context with the absolute path of an output file, whose folder is made.
+
+    name: relative to the job file's folder. Raises ValueError with a sentence, of which `what` is
+    the subject, where the file cannot be written.
+    """
+    path = os.path.abspath(os.path.join(folder, name))
+    try:
+        os.makedirs(os.path.dirname(path), exist_ok=True)
+        yield path
+    except OSError as error:
+        raise ValueError(
+            "%s cannot be written to %s (%s): name another file."
+            % (what, path, error.strerror or error)
+        ) from None
+
+
+def _try(path):
+    """Raises OSError where a file cannot be written; leaves what is there as it is."""
+    known = os.path.exists(path)
+    open(path, "ab").close()
+    if not known:
+        os.remove(path)
+
+
 def _write(path, text):
-    os.makedirs(os.path.dirname(os.path.abspath(path)), exist_ok=True)
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
 
@@ -348,7 +387,9 @@ def main(arguments):
             continue
         say("")
         say(report.table(result["jobs"]))
-        code = code or int(result["failed"] > 0)
+        if "error" in result:
+            say(result["error"])
+        code = code or int(result["failed"] > 0 or "error" in result)
     return code
 
 

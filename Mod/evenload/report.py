@@ -241,4 +241,4 @@ def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
     axes.set_title(title)
     axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
     figure.tight_layout()
-    figure.savefig(path)
+    figure.savefig(path, format="png")  # whatever the name: nothing is added to it

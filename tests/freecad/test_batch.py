@@ -1,6 +1,7 @@
 """Job files: G-code, pictures and reports without a GUI, and clear words for what is wrong."""
 
 import copy
+import errno
 import json
 import os
 import shutil
@@ -158,6 +159,7 @@ def changed(job, path, value):
         ("operation/type", "spiral", ["no operation 'spiral'", "adaptive"]),
         ("operation/parameters/CutMode", "Up", ["CutMode cannot be 'Up'", "Climb, Conventional"]),
         ("operation/parameters/LinkFeed", "fast", ["LinkFeed cannot be 'fast'"]),
+        ("operation/parameters/EntryPoint", ["a", 0], ["EntryPoint cannot be ['a', 0]"]),
         ("operation/parameters/EngagementAngle", 200, ["EngagementAngle is 200", "180"]),
         ("tool/diameter", None, ["tool: the key 'diameter' is missing"]),
         ("tool/diameter", "six", ["tool: 'diameter' must be a number"]),
@@ -213,6 +215,122 @@ def test_a_job_file_that_is_not_there_is_refused(tmp_path):
         batch.run_file(str(tmp_path / "none.json"), lambda line: None)
 
 
+def test_a_job_file_that_cannot_be_read_is_refused(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match="cannot be read: Is a directory"):
+        batch.run_file(str(tmp_path), lambda line: None)
+    path = tmp_path / "jobs.json"
+    path.write_bytes(b"\xff\xfe{}")
+    with pytest.raises(ValueError, match="jobs.json is no JSON: 'utf-8' codec can't decode"):
+        batch.run_file(str(path), lambda line: None)
+    path.write_text("[" * 100000)
+    with pytest.raises(ValueError, match="jobs.json is no JSON: "):
+        batch.run_file(str(path), lambda line: None)
+    forbid(monkeypatch, "jobs.json")
+    with pytest.raises(ValueError, match="jobs.json cannot be read: Permission denied"):
+        batch.run_file(str(path), lambda line: None)
+
+
+# ---- outputs that cannot be written ----
+
+
+def forbid(monkeypatch, ending):
+    """Makes opening files whose path ends so fail as without permission, which root never lacks."""
+
+    def refuse(path, *arguments, **options):
+        if str(path).endswith(ending):
+            raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
+        return open(path, *arguments, **options)
+
+    monkeypatch.setattr(batch, "open", refuse, raising=False)
+
+
+# Names of files that cannot be written, and what the system says of them. The first two are found
+# before the work, the third when there is something to write.
+UNWRITABLE = [
+    ("folder.d", "Is a directory"),
+    ("file/below.d/x", "Not a directory"),
+    ("/dev/full", "No space left on device"),
+]
+
+
+@pytest.fixture
+def obstacles(folder):
+    """The job folder with what UNWRITABLE needs in it."""
+    (folder / "folder.d").mkdir()
+    (folder / "file").write_text("kept")
+    return folder
+
+
+@pytest.mark.parametrize("key", ["gcode", "picture"])
+@pytest.mark.parametrize("name, reason", UNWRITABLE)
+def test_an_output_that_cannot_be_written_fails_its_job_only(obstacles, key, name, reason):
+    bad = changed(a_job(obstacles, name="bad"), "output/" + key, name)
+    report, lines = run(obstacles, bad, a_job(obstacles, name="good"), report="report.json")
+    assert [job["ok"] for job in report["jobs"]] == [False, True]
+    assert report["jobs"][0]["error"] == (
+        "Job 1, output: the %s cannot be written to %s (%s): name another file."
+        % (key, os.path.join(obstacles, name), reason)
+    )
+    assert json.loads((obstacles / "report.json").read_text()) == report
+    assert (obstacles / "out" / "plate.ngc").exists()
+    assert (obstacles / "file").read_text() == "kept"
+    computed = any(line == "[1/2] bad: computing" for line in lines)
+    assert computed == (reason == "No space left on device")
+
+
+@pytest.mark.parametrize(
+    "name, words",
+    [
+        ("folder.FCStd", "/folder.FCStd (Is a directory): name another file."),
+        ("file/below/x.FCStd", "/file/below/x.FCStd (Not a directory): name another file."),
+        ("job", "output: the document is 'job': its name must end in .FCStd."),
+    ],
+)
+def test_a_document_that_cannot_be_written_fails_its_job(obstacles, name, words):
+    (obstacles / "folder.FCStd").mkdir()
+    report, lines = run(obstacles, changed(a_job(obstacles), "output/document", name))
+    assert report["jobs"][0]["error"].endswith(words)
+    assert not any("computing" in line for line in lines)
+    assert not (obstacles / "out" / "plate.ngc").exists()
+
+
+def test_outputs_without_permission_are_named(folder, monkeypatch):
+    forbid(monkeypatch, "plate.ngc")
+    report, _ = run(folder, a_job(folder))
+    assert "plate.ngc (Permission denied): name another file." in report["jobs"][0]["error"]
+    monkeypatch.undo()
+    forbid(monkeypatch, "report.json")
+    report, _ = run(folder, a_job(folder), report="report.json")
+    assert report["failed"] == 0 and "report.json (Permission denied)" in report["error"]
+
+
+def test_trying_whether_an_output_can_be_written_changes_no_file(folder):
+    (folder / "out").mkdir()
+    (folder / "out" / "plate.ngc").write_text("of an earlier run")
+    report, _ = run(folder, a_job(folder, tool={"diameter": 40}))
+    assert report["failed"] == 1
+    assert (folder / "out" / "plate.ngc").read_text() == "of an earlier run"
+
+
+@pytest.mark.parametrize("name, reason", UNWRITABLE)
+def test_a_report_that_cannot_be_written_leaves_the_jobs_done(obstacles, name, reason):
+    report, _ = run(obstacles, a_job(obstacles), report=name)
+    assert report["jobs"][0]["ok"] and report["failed"] == 0
+    assert (obstacles / "out" / "plate.ngc").exists()
+    assert report["error"] == (
+        "The report cannot be written to %s (%s): name another file."
+        % (os.path.join(obstacles, name), reason)
+    )
+
+
+def test_an_output_is_written_under_its_very_name(folder):
+    job = changed(a_job(folder), "output/picture", "out/drawing")
+    report, _ = run(folder, job)
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    assert (folder / "out" / "drawing").read_bytes()[:4] == b"\x89PNG"
+    assert sorted(os.listdir(folder / "out")) == ["drawing", "plate.ngc"]
+
+
 # ---- as a program ----
 
 
@@ -250,11 +368,27 @@ def test_the_program_takes_the_job_file_as_an_argument_and_fails_when_a_job_does
     assert "Traceback" not in output
 
 
+def test_the_program_fails_when_a_file_cannot_be_written(obstacles):
+    jobs = [changed(a_job(obstacles), "output/gcode", "folder.d"), a_job(obstacles, name="good")]
+    content = {"jobs": jobs, "report": "folder.d"}
+    (obstacles / "jobs.json").write_text(json.dumps(content))
+    code, output = program(obstacles, "jobs.json")
+    assert code == 1 and "Traceback" not in output, output
+    assert "[1/2] plate: FAILED: Job 1, output: the gcode cannot be written" in output
+    assert "[2/2] good: done" in output and "engagement, largest" in output
+    assert output.splitlines()[-1].startswith("The report cannot be written to ")
+    (obstacles / "jobs.json").write_text(json.dumps({**content, "jobs": jobs[1:]}))
+    code, output = program(obstacles, "jobs.json")
+    assert code == 1 and "[1/1] good: done" in output, output
+
+
 def test_the_program_without_a_usable_job_file_says_so(folder):
     code, output = program(folder)
     assert code == 2 and "EVENLOAD_JOB" in output
     code, output = program(folder, EVENLOAD_JOB="none.json")
     assert code == 2 and "none.json cannot be read" in output and "Traceback" not in output
+    code, output = program(folder, str(folder))
+    assert code == 2 and "cannot be read: Is a directory" in output and "Traceback" not in output
 
 
 def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
