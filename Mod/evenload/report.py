@@ -2,7 +2,7 @@
 
 import math
 
-from evenload import commands
+from evenload import commands, shape
 
 # (key, property, unit, decimals) in the table's order
 FIGURES = (
@@ -118,14 +118,7 @@ def picture(op, path):
 
 def outline(chain):
     """[(x, y), ...] of a closed chain of (x, y, bulge, ...), arcs as short chords."""
-    points = []
-    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
-        points.append((x0, y0))
-        if bulge:
-            sweep = 4 * math.atan(bulge)
-            k = (1 - bulge**2) / (4 * bulge)
-            cx, cy = (x0 + x1) / 2 - k * (y1 - y0), (y0 + y1) / 2 + k * (x1 - x0)
-            points += _arc(x0, y0, cx, cy, sweep)[:-1]
+    points = [(x, y) for x, y in shape.flattened(chain)]
     return points + points[:1]
 
 

@@ -49,7 +49,7 @@ class Floor:
 
     def contains(self, x, y):
         """True for points in mm inside of the outer boundary and of no island."""
-        polygons = [_flattened(chain) for chain in [self.outer, *self.islands]]
+        polygons = [flattened(chain) for chain in [self.outer, *self.islands]]
         return bool(_inside(numpy.array([[x, y]]), polygons)[0])
 
 
@@ -92,9 +92,16 @@ def heights(base):
 
 @dataclass
 class _Item:
-    name: str
+    parts: list  # of (label of the object, sub-element or '' for a whole object)
     shape: object
     is_face: bool
+
+    @property
+    def name(self):
+        """Such as 'Face7, Face9 of Model'."""
+        labels = list(dict.fromkeys(label for label, _ in self.parts))
+        names = [", ".join(n for other, n in self.parts if other == label) for label in labels]
+        return " and ".join("%s of %s" % (n, k) if n else k for n, k in zip(names, labels))
 
 
 def _placed(obj):
@@ -119,22 +126,25 @@ def _element(shape, name):
 
 
 def _items(base):
-    """What to read one by one: every face, what is left of each object's edges together, whole
-    objects.
+    """What to read one by one: faces, those that adjoin each other as one; each object's edges
+    together; whole objects.
     """
-    result = []
+    names_of = {}
     for obj, names in base:
+        names_of.setdefault(obj, []).extend(names or ("",))
+    result = []
+    for obj, names in names_of.items():
         label = obj.Label
         shape = _placed(obj)
         if shape is None:
             raise ValueError("'%s' has no shape: pick a face or a sketch." % label)
-        faces, edges = [], []
-        for name in names or ("",):
+        edges = []
+        for name in names:
             part = _element(shape, name)
             if part is None:
                 raise ValueError("There is no %s on %s: pick the geometry anew." % (name, label))
             if part.ShapeType == "Face":
-                faces.append(_Item("%s of %s" % (name, label) if name else label, part, True))
+                result.append(_Item([(label, name)], part, True))
             elif name and part.ShapeType in ("Edge", "Wire"):
                 edges.append((name, part))
             elif name:
@@ -144,33 +154,45 @@ def _items(base):
             elif part.Solids or part.Shells:
                 raise ValueError("%s is a solid: pick faces of it, or a sketch." % label)
             else:
-                result.append(_Item(label, part, bool(part.Faces)))
-        result += _merged(faces)
+                result.append(_Item([(label, "")], part, bool(part.Faces)))
         if edges:
-            name = "%s of %s" % (", ".join(n for n, _ in edges), label)
-            result.append(_Item(name, Part.Compound([e for _, e in edges]), False))
-    return result
+            shapes = Part.Compound([edge for _, edge in edges])
+            result.append(_Item([(label, name) for name, _ in edges], shapes, False))
+    return _merged(result)
 
 
-def _merged(faces):
-    """Faces at one height that have an edge in common, as one face."""
-    result = []
-    for item in faces:
-        for k, other in enumerate(result):
-            boxes = item.shape.BoundBox, other.shape.BoundBox
-            if abs(boxes[0].ZMax - boxes[1].ZMin) > SAME_HEIGHT or boxes[0].ZLength > SAME_HEIGHT:
-                continue
-            if not boxes[0].intersect(boxes[1]):
-                continue
-            both = other.shape.fuse(item.shape).removeSplitter()
-            if len(both.Faces) == 1:
-                names = other.name.split(" of ", 1)
-                name = "%s, %s" % (names[0], item.name) if len(names) == 2 else other.name
-                result[k] = _Item(name, both.Faces[0], True)
-                break
-        else:
-            result.append(item)
-    return result
+def _merged(items):
+    """The items, with faces at one height that have edges in common as one. It is the same shape
+    whichever of them was picked first; its place among the items is that of the first.
+    """
+    groups = []
+    for item in items:
+        touched = [g for g in groups if any(_adjoin(item.shape, other.shape) for other in g)]
+        if not touched:
+            groups.append([item])
+            continue
+        touched[0] += [other for group in touched[1:] for other in group] + [item]
+        groups = [g for g in groups if not any(g is gone for gone in touched[1:])]
+    return [_joined(group) for group in groups]
+
+
+def _adjoin(a, b):
+    """Whether two shapes are level faces at one height with an edge in common, or that overlap."""
+    if a.ShapeType != "Face" or b.ShapeType != "Face":
+        return False
+    if max(a.BoundBox.ZLength, b.BoundBox.ZLength) > SAME_HEIGHT:
+        return False
+    if abs(a.BoundBox.ZMax - b.BoundBox.ZMax) > SAME_HEIGHT or not a.BoundBox.intersect(b.BoundBox):
+        return False
+    return len(a.fuse(b).removeSplitter().Faces) == 1
+
+
+def _joined(group):
+    if len(group) == 1:
+        return group[0]
+    group = sorted(group, key=lambda item: [(k, len(n), n) for k, n in item.parts])  # Face9, Face10
+    fused = group[0].shape.fuse([item.shape for item in group[1:]]).removeSplitter()
+    return _Item([part for item in group for part in item.parts], Part.Compound(fused.Faces), True)
 
 
 def _read(item, tolerance):
@@ -282,7 +304,7 @@ def _open_all_round(floor, walls, z, tolerance):
         within = numpy.vstack([_beside(floor.outer, i, nearest=-BESIDE) for i in pieces])
         wires = [w for w in walls.stock.slice(UP, z) if w.isClosed()]
         around = [w for w in wires if _inside(within, [_points(w)]).all()]
-        outline = [_flattened(floor.outer)]
+        outline = [flattened(floor.outer)]
         others = [
             polygon
             for height in [z, *walls.heights_above(z)]
@@ -367,7 +389,10 @@ def _points(wire):
     return numpy.array([(p.x, p.y) for p in wire.discretize(Deflection=DEFLECTION)])
 
 
-def _flattened(chain):
+def flattened(chain):
+    """Points (x, y) in mm of a closed chain of (x, y, bulge, ...): arcs become chords, which leave
+    them by DEFLECTION at the most. The first point is not repeated.
+    """
     points = []
     for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
         points.append((x0, y0))
