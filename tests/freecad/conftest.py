@@ -2,6 +2,7 @@
 
 import math
 import os
+import shutil
 import subprocess
 import sys
 
@@ -104,6 +105,28 @@ def rs274():
         return result.stdout
 
     return interpret
+
+
+def freecad(*arguments, cwd=None, command=None, timeout=120, **environment):
+    """Runs FreeCAD without a GUI, or the command in place of it; returns (exit code, output).
+
+    environment: variables besides this process's own, of which those that steer the tests and job
+    files stay out. timeout in s.
+    """
+    program = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
+    inherited = {k: v for k, v in os.environ.items() if k not in ("EVENLOAD_JOB", "PYTEST_ADDOPTS")}
+    result = subprocess.run(
+        [*(command or [program]), *arguments],
+        cwd=cwd,
+        env={**inherited, **environment},
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.STDOUT,
+        text=True,
+        errors="replace",
+        timeout=timeout,
+    )
+    return result.returncode, result.stdout
 
 
 # ---- reading paths ----

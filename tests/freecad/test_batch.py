@@ -11,6 +11,7 @@ import sys
 import FreeCAD
 import Part
 import pytest
+from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
 from evenload import batch
 from FreeCAD import Vector
@@ -336,19 +337,7 @@ def test_an_output_is_written_under_its_very_name(folder):
 
 def program(folder, *arguments, **environment):
     """Runs batch.py with freecadcmd; returns (exit code, output)."""
-    freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
-    result = subprocess.run(
-        [freecadcmd, os.path.abspath(batch.__file__), *arguments],
-        env={k: v for k, v in os.environ.items() if k != "EVENLOAD_JOB"} | environment,
-        cwd=str(folder),
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        timeout=120,
-    )
-    return result.returncode, result.stdout
+    return freecad(os.path.abspath(batch.__file__), *arguments, cwd=folder, **environment)
 
 
 def test_the_program_takes_the_job_file_from_the_environment(folder):
@@ -396,19 +385,10 @@ def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
     bare = folder / "bare" / "Mod" / "evenload"
     shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "_build.py", "__pycache__"))
     (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))
-    home = folder / "home"
-    freecadcmd = shutil.which("freecadcmd") or shutil.which("FreeCADCmd")
-    result = subprocess.run(
-        [freecadcmd, str(bare / "batch.py"), str(folder / "jobs.json")],
-        env=dict(os.environ, FREECAD_USER_HOME=str(home)),
-        stdin=subprocess.DEVNULL,
-        capture_output=True,
-        text=True,
-        errors="replace",
-        timeout=60,
+    code, output = freecad(
+        str(bare / "batch.py"), "jobs.json", cwd=folder, FREECAD_USER_HOME=str(folder / "home")
     )
-    output = result.stdout + result.stderr
-    assert result.returncode == 2, output
+    assert code == 2, output
     assert "compiled modules are missing: run './run install'" in output
     assert "Traceback" not in output
 

@@ -3,10 +3,9 @@
 import json
 import os
 import shutil
-import subprocess
 
 import pytest
-from conftest import Bench
+from conftest import Bench, freecad
 from models import SQUARE, block_with, face_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -25,24 +24,15 @@ def session(tmp_path_factory):
     FreeCAD.closeDocument(doc.Name)
     program = shutil.which("freecad") or shutil.which("FreeCAD")
     assert program and shutil.which("xvfb-run"), "freecad and xvfb are needed"
-    environment = dict(
-        os.environ,
+    _, log = freecad(
+        os.path.join(HERE, "gui_session.py"),
+        command=["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program],
+        timeout=300,
         EVENLOAD_GUI_OUT=str(folder),
         EVENLOAD_GUI_DOCUMENT=str(folder / "headless.FCStd"),
         QTWEBENGINE_DISABLE_SANDBOX="1",
         LIBGL_ALWAYS_SOFTWARE="1",
     )
-    log = subprocess.run(
-        ["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program]
-        + [os.path.join(HERE, "gui_session.py")],
-        env=environment,
-        stdin=subprocess.DEVNULL,
-        stdout=subprocess.PIPE,
-        stderr=subprocess.STDOUT,
-        text=True,
-        errors="replace",
-        timeout=300,
-    ).stdout
     result = folder / "result.json"
     assert result.exists(), log[-2000:] + (folder / "hang.txt").read_text()
     content = json.loads(result.read_text())
