@@ -1,5 +1,6 @@
 """Jobs and operations for the tests, and how to read what they make."""
 
+import contextlib
 import math
 import os
 import shutil
@@ -107,6 +108,18 @@ def rs274():
     return interpret
 
 
+@contextlib.contextmanager
+def reopened(doc, path):
+    """Saves a document, closes it, and opens it for the context's length."""
+    doc.saveAs(str(path))
+    FreeCAD.closeDocument(doc.Name)
+    again = FreeCAD.openDocument(str(path))
+    try:
+        yield again
+    finally:
+        FreeCAD.closeDocument(again.Name)
+
+
 def freecad(*arguments, cwd=None, command=None, timeout=120, **environment):
     """Runs FreeCAD without a GUI, or the command in place of it; returns (exit code, output).
 
@@ -148,6 +161,15 @@ def moves_of(op):
     return result
 
 
+def sweep_of(name, start, end, centre):
+    """The signed sweep of an arc of moves_of, in rad; ends that coincide make a full circle."""
+    turn = math.atan2(end[1] - centre[1], end[0] - centre[0])
+    turn -= math.atan2(start[1] - centre[1], start[0] - centre[0])
+    if name == "G2":
+        return -((-turn) % (2 * math.pi) or 2 * math.pi)
+    return turn % (2 * math.pi) or 2 * math.pi
+
+
 def points_of(op, step=0.05):
     """[(x, y, z, name)] along the feed moves of a path, at most `step` mm apart."""
     result = []
@@ -163,9 +185,7 @@ def points_of(op, step=0.05):
         cx, cy = centre
         radius = math.hypot(start[0] - cx, start[1] - cy)
         first = math.atan2(start[1] - cy, start[0] - cx)
-        turn = (math.atan2(end[1] - cy, end[0] - cx) - first) % (2 * math.pi) or 2 * math.pi
-        if name == "G2":
-            turn = turn - 2 * math.pi if turn < 2 * math.pi else -turn
+        turn = sweep_of(name, start, end, centre)
         count = max(2, math.ceil(radius * abs(turn) / step))
         for k in range(1, count + 1):
             angle, t = first + turn * k / count, k / count

@@ -4,6 +4,7 @@ import re
 import FreeCAD
 import Part
 import pytest
+from conftest import reopened
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle
 from FreeCAD import Vector
 
@@ -235,12 +236,9 @@ def test_a_failed_operation_saves_reopens_and_works_when_mended(square, tmp_path
     op = square.done(square.operation(RollRadius=0.7))
     op.EngagementAngle = 200
     square.refused(op)
-    name, path = op.Name, str(tmp_path / "failed.FCStd")
+    name = op.Name
     base = [tuple(names) for _, names in op.Base]
-    square.doc.saveAs(path)
-    FreeCAD.closeDocument(square.doc.Name)
-    doc = FreeCAD.openDocument(path)
-    try:
+    with reopened(square.doc, tmp_path / "failed.FCStd") as doc:
         op = doc.getObject(name)
         assert op.Path.Commands == [] and "EngagementAngle is 200" in op.Report
         assert [tuple(names) for _, names in op.Base] == base
@@ -251,8 +249,6 @@ def test_a_failed_operation_saves_reopens_and_works_when_mended(square, tmp_path
         doc.recompute()
         assert op.isValid() and len(op.Path.Commands) > 10 and "200" not in op.Report
         assert op.RollRadius.Value == pytest.approx(0.7)
-    finally:
-        FreeCAD.closeDocument(doc.Name)
 
 
 def test_a_failed_operation_leaves_no_motion_in_the_posted_program(square):

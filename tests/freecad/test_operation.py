@@ -7,7 +7,7 @@ import evenload
 import FreeCAD
 import Part
 import pytest
-from conftest import check_path, moves_of
+from conftest import check_path, moves_of, reopened, sweep_of
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, wire
 
@@ -146,10 +146,7 @@ def ways_round(op):
     total = 0.0
     for name, start, end, centre, feed in moves_of(op):
         if centre and end[2] == op.FinalDepth.Value and feed < 60 * op.LinkFeed.Value:
-            turn = math.atan2(end[1] - centre[1], end[0] - centre[0])
-            turn -= math.atan2(start[1] - centre[1], start[0] - centre[0])
-            turn %= 2 * math.pi
-            total += turn if name == "G3" else turn - 2 * math.pi
+            total += sweep_of(name, start, end, centre)
     return total
 
 
@@ -426,11 +423,8 @@ def test_it_survives_saving_and_recomputes_the_same(square, tmp_path):
         EngagementAngle=50, Entry="Helix", RollRadius=0.7, FeedControl="Constant removal rate"
     )
     before = square.done(op).Path.toGCode()
-    name, path = op.Name, str(tmp_path / "saved.FCStd")
-    square.doc.saveAs(path)
-    FreeCAD.closeDocument(square.doc.Name)
-    doc = FreeCAD.openDocument(path)
-    try:
+    name = op.Name
+    with reopened(square.doc, tmp_path / "saved.FCStd") as doc:
         op = doc.getObject(name)
         assert type(op.Proxy).__name__ == "Adaptive"
         assert type(op.Proxy).__module__ == "evenload.operations.adaptive"
@@ -443,22 +437,15 @@ def test_it_survives_saving_and_recomputes_the_same(square, tmp_path):
         assert op.isValid() and op.Path.toGCode() == before
         op.EngagementAngle = 90
         assert op.SideStep.Value == pytest.approx(3)
-    finally:
-        FreeCAD.closeDocument(doc.Name)
 
 
 def test_a_document_without_newer_properties_gets_them(square, tmp_path):
     op = square.done(square.operation())
-    name, path = op.Name, str(tmp_path / "old.FCStd")
+    name = op.Name
     op.removeProperty("LinkLift")
-    square.doc.saveAs(path)
-    FreeCAD.closeDocument(square.doc.Name)
-    doc = FreeCAD.openDocument(path)
-    try:
+    with reopened(square.doc, tmp_path / "old.FCStd") as doc:
         assert doc.getObject(name).LinkLift.Value == 0
         assert "LinkLift" not in doc.getObject(name).OwnValues
-    finally:
-        FreeCAD.closeDocument(doc.Name)
 
 
 def test_the_addon_manager_can_read_the_package():
