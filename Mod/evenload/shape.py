@@ -19,6 +19,10 @@ SAME_HEIGHT = 1e-5  # mm: faces nearer than this are at one height
 ABOVE_FLOOR = (
     0.01  # mm: walls are looked for this far above a face; finds the foot of a fillet, too
 )
+# Share of the tolerance within which arcs follow an ellipse or a spline. They leave it to both
+# sides, and the tool keeps as far away from them: together that is half of the tolerance, and the
+# output has the rest.
+CURVE_SHARE = 0.25
 DEFLECTION = 0.005  # mm: of polygons that stand for the model's outline at a height
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
@@ -36,6 +40,7 @@ class Floor:
     outer: list  # of (x, y, bulge, open)
     islands: list
     is_face: bool  # a floor of the model; else an outline drawn at any height
+    slack: float = 0.0  # mm, by which the chains may leave the geometry, to either side
     notes: list = field(default_factory=list)
 
     def region(self):
@@ -197,12 +202,15 @@ def _joined(group):
 
 def _read(item, tolerance):
     occt = compiled.occt()
+    within = CURVE_SHARE * tolerance
     try:
-        found = occt.regions_from_brep(item.shape.exportBrepToString(), tolerance)
+        found = occt.regions_from_brep(item.shape.exportBrepToString(), within)
     except occt.ShapeError as error:
         raise ValueError(_sentence(item, error)) from None
+    exact = all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in item.shape.Edges)
+    slack = 0.0 if exact else within
     return [
-        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face)
+        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face, slack)
         for z, outer, islands in found
     ]
 

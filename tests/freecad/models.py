@@ -57,6 +57,21 @@ def block_with(*faces, depth=DEPTH):
     return block
 
 
+def sketch_of(doc, chain, z=-DEPTH, name="Sketch"):
+    """A sketch object with the chain's lines and arcs at a height."""
+    sketch = doc.addObject("Sketcher::SketchObject", name)
+    for edge in wire(chain).Edges:
+        if isinstance(edge.Curve, Part.Circle):
+            middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
+            ends = edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)
+            sketch.addGeometry(Part.Arc(ends[0], middle, ends[1]), False)
+        else:
+            sketch.addGeometry(Part.LineSegment(*(v.Point for v in edge.Vertexes)), False)
+    sketch.Placement.Base = Vector(0, 0, z)
+    doc.recompute()
+    return sketch
+
+
 def floors_of(shape, z=-DEPTH):
     """Names of the level faces at a height."""
     return [

@@ -7,24 +7,9 @@ import evenload
 import FreeCAD
 import Part
 import pytest
-from conftest import check_path, moves_of, reopened, sweep_of
+from conftest import check_path, moves_of, reopened
 from FreeCAD import Vector
-from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, wire
-
-
-def sketch_of(doc, chain, z=-DEPTH, name="Sketch"):
-    """A sketch object with the chain's lines and arcs at a height."""
-    sketch = doc.addObject("Sketcher::SketchObject", name)
-    for edge in wire(chain).Edges:
-        if isinstance(edge.Curve, Part.Circle):
-            middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
-            ends = edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)
-            sketch.addGeometry(Part.Arc(ends[0], middle, ends[1]), False)
-        else:
-            sketch.addGeometry(Part.LineSegment(*(v.Point for v in edge.Vertexes)), False)
-    sketch.Placement.Base = Vector(0, 0, z)
-    doc.recompute()
-    return sketch
+from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, sketch_of
 
 
 def at_floor(face, depth=DEPTH):
@@ -86,14 +71,6 @@ def test_closed_edges_are_cleared(square):
     check_path(square.done(op), [at_floor(face_of(SQUARE))])
 
 
-def test_two_regions_are_both_cleared(bench):
-    faces = [face_of(SQUARE), face_of(circle(60, 15, 12))]
-    b = bench(block_with(*faces))
-    op = b.done(b.operation())
-    assert len(op.Proxy.last.regions) == 2
-    check_path(op, [at_floor(face) for face in faces])
-
-
 def test_two_faces_that_share_an_edge_are_cleared_as_one(bench):
     shape = block_with(face_of(rectangle(0, 0, 40, 20)))
     shape = shape.cut(Part.makeCylinder(2, 1, Vector(5, 5, -1)))  # keeps the solid one piece
@@ -141,28 +118,6 @@ def test_depths_that_miss_the_floor_are_reported(square):
     assert "FinalDepth lies 0.5 mm below Face" in square.done(op).Report
 
 
-def ways_round(op):
-    """Sum of the signed sweeps of the cutting arcs at the final depth, in rad."""
-    total = 0.0
-    for name, start, end, centre, feed in moves_of(op):
-        if centre and end[2] == op.FinalDepth.Value and feed < 60 * op.LinkFeed.Value:
-            total += sweep_of(name, start, end, centre)
-    return total
-
-
-def test_climb_and_conventional_go_round_in_opposite_ways(bench):
-    face = face_of(circle(0, 0, 20))
-    b = bench(block_with(face))
-    op = b.operation(LinkFeed="1500 mm/min")
-    assert op.CutMode == "Climb"
-    climb = ways_round(b.done(op))
-    check_path(op, [at_floor(face)])
-    op.CutMode = "Conventional"
-    conventional = ways_round(b.done(op))
-    check_path(op, [at_floor(face)])
-    assert climb > 10 and conventional < -10
-
-
 def test_arcs_can_be_switched_off(square):
     op = square.done(square.operation(Arcs=False))
     assert {name for name, *_ in moves_of(op)} == {"G0", "G1"}
@@ -197,22 +152,6 @@ def test_a_predrilled_hole_is_entered_straight_and_without_helix(square):
     first = descents[0][1]
     assert first[:2] == (10, 12) and first[2] == -DEPTH
     check_path(op, [at_floor(face_of(SQUARE))])
-
-
-def test_feeds_keep_to_their_limits(square):
-    op = square.operation(
-        FeedControl="Constant removal rate", MaximumFeed="600 mm/min", LinkFeed="1500 mm/min"
-    )
-    square.done(op)
-    feeds = [feed for name, *_, feed in moves_of(op) if name != "G0"]
-    assert max(f for f in feeds if abs(f - 1500) > 1) <= 600.001
-    assert any(abs(f - 1500) < 1e-6 for f in feeds)
-
-
-def test_stock_to_leave_keeps_the_tool_away_from_the_walls(square):
-    op = square.done(square.operation(StockToLeave=0.4))
-    reach = [v for _, _, end, *_ in moves_of(op) if end[2] == -DEPTH for v in end[:2]]
-    assert 3.39 < min(reach) < 3.45 and 26.55 < max(reach) < 26.61
 
 
 # ---- properties ----

@@ -431,7 +431,8 @@ class Operation(host.operation_base()):
         regions = [floor.region() for floor in floors]
         hole = self._hole(obj, tool, floors)
         with self._watch(obj) as watch:
-            parameters = self._parameters(obj, tool, data, levels, hole)
+            slack = max(floor.slack for floor in floors)
+            parameters = self._parameters(obj, tool, data, levels, hole, slack)
             toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
         self._check_entries(obj, tool, toolpath)
         moves = toolpath.moves
@@ -563,8 +564,10 @@ class Operation(host.operation_base()):
             )
         return at.x, at.y, diameter
 
-    def _parameters(self, obj, tool, data, levels, hole):
-        """Keyword arguments of the core's generators; mm, rad, mm/min."""
+    def _parameters(self, obj, tool, data, levels, hole, slack):
+        """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may
+        be too large by, for which the tool keeps away from the walls.
+        """
         return {
             "tool_diameter": tool.diameter,
             "engagement_angle": math.radians(obj.EngagementAngle.Value),
@@ -582,9 +585,9 @@ class Operation(host.operation_base()):
             "helix_diameter": obj.HelixDiameter.Value,
             "entry_point": hole[:2] if hole else None,
             "hole_diameter": hole[2] if hole else 0.0,
-            "stock_to_leave": obj.StockToLeave.Value,
+            "stock_to_leave": obj.StockToLeave.Value + slack,
             "wall_pass": obj.WallPass,
-            "tolerance": obj.Tolerance.Value,
+            "tolerance": obj.Tolerance.Value - 2 * slack,
             "arcs": obj.Arcs,
             "link_lift": obj.LinkLift.Value,
             "top": obj.StartDepth.Value,
