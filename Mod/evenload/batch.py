@@ -214,7 +214,7 @@ def _do(job, number, folder, say, result):
 def _open(path, wanted):
     """(document, object to machine) of a FreeCAD document or a STEP, IGES or BREP file."""
     if not os.path.isfile(path):
-        raise ValueError("There is no model file %s." % path)
+        raise ValueError("There is no model file %s: mend the key 'model'." % path)
     extension = os.path.splitext(path)[1].lower()
     try:
         if extension == ".fcstd":
@@ -227,7 +227,10 @@ def _open(path, wanted):
             doc.addObject("Part::Feature", "Model").Shape = shape
             doc.recompute()
     except Exception as error:
-        raise ValueError("The model %s cannot be read: %s." % (path, str(error).strip())) from None
+        raise ValueError(
+            "The model %s cannot be read (%s): save it anew as FCStd, STEP, IGES or BREP."
+            % (path, str(error).strip().rstrip("."))
+        ) from None
     solids = [o for o in doc.Objects if getattr(o, "Shape", None) and o.Shape.Solids]
     if wanted:
         found = [o for o in doc.Objects if wanted in (o.Name, o.Label)]

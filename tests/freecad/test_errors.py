@@ -79,16 +79,6 @@ def test_settings_out_of_range_are_refused(square, properties, words):
         assert word in sentence
 
 
-def test_a_tool_without_diameter_is_refused(square):
-    op = square.done(square.operation())
-    for diameter in (0, -2):  # FreeCAD makes the second one 0, too
-        square.controller.Tool.Diameter = diameter
-        sentence = square.refused(op)
-        assert "diameter of the tool" in sentence and "is 0 mm: set it" in sentence
-    square.controller.Tool.Diameter = 6
-    square.done(op)
-
-
 @pytest.mark.parametrize(
     "shape, word",
     [
@@ -167,45 +157,21 @@ def test_a_pocket_too_small_for_the_tool_names_the_largest_that_fits(bench):
 # ---- geometry ----
 
 
-def test_a_tilted_face_is_named(square):
-    box = square.doc.addObject("Part::Box", "Wedge")
-    box.Placement.Rotation = FreeCAD.Rotation(Vector(1, 0, 0), 10)
-    square.doc.recompute()
-    op = square.operation(base=[(box, ("Face6",))])
-    assert square.refused(op) == "Face6 of Wedge is tilted: pick a face parallel to XY."
-    op.Base = [(square.model, tuple(floors_of(square.model.Shape)))]
-    square.done(op)
-
-
-def test_a_round_face_is_named(square):
-    cylinder = square.doc.addObject("Part::Cylinder", "Cylinder")
-    square.doc.recompute()
-    op = square.operation(base=[(cylinder, ("Face1",))])
-    assert square.refused(op) == ("Face1 of Cylinder is not flat: pick a flat face parallel to XY.")
-
-
-def test_an_open_sketch_is_named_and_can_be_closed(square):
-    sketch = lines_sketch(square.doc, [(0, 0), (30, 0), (30, 20), (0, 20), (0, 0.5)])
-    op = square.operation(base=[(sketch, "")])
-    sentence = square.refused(op)
-    assert sentence.startswith("Outline: ") and "open" in sentence and "close it" in sentence
-    sketch.addGeometry(Part.LineSegment(Vector(0, 0.5, 0), Vector(0, 0, 0)), False)
-    square.doc.recompute()
-    square.done(op)
-
-
-def test_a_sketch_that_crosses_itself_is_named(square):
-    sketch = lines_sketch(square.doc, [(0, 0), (30, 20), (30, 0), (0, 10), (0, 0)])
-    sentence = square.refused(square.operation(base=[(sketch, "")]))
-    assert (
-        sentence.startswith("Outline: ") and "crosses" in sentence and "(10, 6.66667)" in sentence
-    )
-
-
 def test_edges_that_do_not_close_are_named(square):
-    op = square.operation(base=[(square.model, ("Edge1", "Edge2"))])
-    sentence = square.refused(op)
-    assert sentence.startswith("Edge1, Edge2 of ") and sentence.count(":") >= 1
+    level = [
+        "Edge%d" % n
+        for n, edge in enumerate(square.model.Shape.Edges, 1)
+        if all(abs(v.Z + DEPTH) < 1e-6 for v in edge.Vertexes)
+    ]
+    sentence = square.refused(square.operation(base=[(square.model, tuple(level[:3]))]))
+    assert sentence.startswith(", ".join(level[:3]) + " of ")
+    assert "open" in sentence and "close it" in sentence
+
+
+def test_edges_that_are_not_level_are_named(square):
+    sentence = square.refused(square.operation(base=[(square.model, ("Edge1", "Edge2"))]))
+    assert sentence.startswith("Edge1, Edge2 of ") and "climbs by 12 mm" in sentence
+    assert "pick edges and sketches that are parallel to XY" in sentence
 
 
 def test_a_whole_solid_is_refused(square):
@@ -232,22 +198,170 @@ def test_an_object_without_a_shape_is_named(square):
 # ---- nothing is lost ----
 
 
-def test_a_failed_operation_saves_reopens_and_works_when_mended(square, tmp_path):
+def crossed(doc, op):
+    sketch = lines_sketch(doc, [(0, 0), (30, 20), (30, 0), (0, 10), (0, 0)])
+    op.Base = [(sketch, "")]
+
+
+def uncross(doc, op):
+    sketch = doc.Outline
+    for k in reversed(range(sketch.GeometryCount)):
+        sketch.delGeometry(k)
+    for a, b in zip(SQUARE, SQUARE[1:] + SQUARE[:1]):
+        sketch.addGeometry(Part.LineSegment(Vector(*a[:2]), Vector(*b[:2])), False)
+
+
+def left_open(doc, op):
+    sketch = lines_sketch(doc, [(0, 0), (30, 0), (30, 20), (0, 20), (0, 0.5)])
+    op.Base = [(sketch, "")]
+
+
+def tilted(doc, op):
+    box = doc.addObject("Part::Box", "Wedge")
+    box.Placement.Rotation = FreeCAD.Rotation(Vector(1, 0, 0), 10)
+    op.Base = [(box, ("Face6",))]
+
+
+def round_face(doc, op):
+    op.Base = [(doc.addObject("Part::Cylinder", "Cylinder"), ("Face1",))]
+
+
+def floor_again(doc, op):
+    model = doc.Job.Model.Group[0]
+    op.Base = [(model, tuple(floors_of(model.Shape)))]
+
+
+def other_tool(shape):
+    def change_tool(doc, op):
+        from evenload import host
+
+        op.ToolController.Tool = host.create_tool(shape, {"Diameter": 6}) if shape else None
+
+    return change_tool
+
+
+def prop(**properties):
+    """Sets properties of the operation, or those of its tool that it has not."""
+
+    def set_them(doc, op):
+        for name, value in properties.items():
+            setattr(op if hasattr(op, name) else op.ToolController.Tool, name, value)
+
+    return set_them
+
+
+def controller_again(doc, op):
+    op.ToolController = doc.Job.Tools.Group[0]
+
+
+HOLE = {"Entry": "Predrilled hole", "HoleDiameter": 8, "EntryPoint": Vector(15, 15, 0)}
+
+# What spoils a square pocket, words of the sentence about it, and what mends it.
+MISTAKES = {
+    "an open wire": (
+        left_open,
+        ["Outline: ", "open", "close it"],
+        lambda doc, op: doc.Outline.addGeometry(
+            Part.LineSegment(Vector(0, 0.5, 0), Vector(0, 0, 0)), False
+        ),
+    ),
+    "a sketch that crosses itself": (crossed, ["Outline: ", "crosses", "(10, 6.66667)"], uncross),
+    "a tilted face": (
+        tilted,
+        ["Face6 of Wedge is tilted", "pick a face parallel to XY"],
+        lambda doc, op: setattr(doc.Wedge, "Placement", FreeCAD.Placement()),
+    ),
+    "a round face": (
+        round_face,
+        ["Face1 of Cylinder is not flat", "pick a flat face parallel to XY"],
+        floor_again,
+    ),
+    "no tool controller": (
+        prop(ToolController=None),
+        ["has no tool", "choose a tool controller"],
+        controller_again,
+    ),
+    "a controller without tool": (
+        other_tool(None),
+        ["tool controller", "has no tool", "choose one"],
+        other_tool("endmill"),
+    ),
+    "a tool of zero diameter": (prop(Diameter=0), ["is 0 mm", "set it"], prop(Diameter=6)),
+    "a tool of negative diameter": (prop(Diameter=-2), ["is 0 mm", "set it"], prop(Diameter=6)),
+    "a ball end mill": (
+        other_tool("ballend"),
+        ["a ball end mill", "choose a flat or bull-nosed end mill"],
+        other_tool("endmill"),
+    ),
+    "a V bit": (
+        other_tool("v-bit"),
+        ["a V bit", "choose a flat or bull-nosed end mill"],
+        other_tool("bullnose"),
+    ),
+    "a depth beyond the cutting length": (
+        prop(CuttingEdgeHeight=2),
+        ["depth of 3 mm", "cutting length of 2 mm", "longer tool or raise FinalDepth"],
+        prop(CuttingEdgeHeight=30),
+    ),
+    "an angle of zero": (
+        prop(EngagementAngle=0),
+        ["EngagementAngle is 0 degrees", "between 0 and 180"],
+        prop(EngagementAngle=60),
+    ),
+    "an angle of 200 degrees": (
+        prop(EngagementAngle=200),
+        ["EngagementAngle is 200 degrees", "between 0 and 180"],
+        prop(EngagementAngle=60),
+    ),
+    "a pocket too small for the tool": (
+        prop(Diameter=40),
+        ["tool of 40 mm does not fit", "largest tool that fits has 29.99"],
+        prop(Diameter=29),
+    ),
+    "a start below the final depth": (
+        prop(StartDepth=-4),
+        ["StartDepth (-4 mm)", "FinalDepth (-3 mm)", "raise StartDepth or lower FinalDepth"],
+        prop(StartDepth=0),
+    ),
+    "an entry point outside": (
+        prop(**{**HOLE, "EntryPoint": Vector(40, 15, 0)}),
+        ["EntryPoint (40, 15)", "lies outside", "move it inside"],
+        prop(**HOLE),
+    ),
+    "a hole smaller than the tool": (
+        prop(**{**HOLE, "HoleDiameter": 5}),
+        ["HoleDiameter (5 mm)", "diameter of 6 mm", "drill a larger hole"],
+        prop(**HOLE),
+    ),
+    "an unknown face": (
+        lambda doc, op: setattr(op, "Base", [(doc.Job.Model.Group[0], ("Face99",))]),
+        ["no Face99", "pick the geometry anew"],
+        floor_again,
+    ),
+}
+
+
+@pytest.mark.parametrize("mistake", MISTAKES)
+def test_a_mistake_is_named_saved_reopened_and_mended(square, tmp_path, mistake):
+    spoil, words, mend = MISTAKES[mistake]
     op = square.done(square.operation(RollRadius=0.7))
-    op.EngagementAngle = 200
-    square.refused(op)
-    name = op.Name
-    base = [tuple(names) for _, names in op.Base]
-    with reopened(square.doc, tmp_path / "failed.FCStd") as doc:
+    spoil(square.doc, op)
+    sentence = square.refused(op)
+    for word in words:
+        assert word in sentence, sentence
+    name, base = op.Name, [(o.Name, names) for o, names in op.Base]
+    with reopened(square.doc, tmp_path / "spoilt.FCStd") as doc:
         op = doc.getObject(name)
-        assert op.Path.Commands == [] and "EngagementAngle is 200" in op.Report
-        assert [tuple(names) for _, names in op.Base] == base
+        assert op.Path.Commands == [] and op.Report == sentence
+        assert [(o.Name, names) for o, names in op.Base] == base
         op.touch()
         doc.recompute()
-        assert not op.isValid()
-        op.EngagementAngle = 60
+        assert not op.isValid() and op.Path.Commands == [] and op.Report == sentence
+        mend(doc, op)
+        op.touch()
         doc.recompute()
-        assert op.isValid() and len(op.Path.Commands) > 10 and "200" not in op.Report
+        assert op.isValid(), op.Report
+        assert len(op.Path.Commands) > 10 and sentence not in op.Report
         assert op.RollRadius.Value == pytest.approx(0.7)
 
 
