@@ -324,12 +324,13 @@ def test_a_report_that_cannot_be_written_leaves_the_jobs_done(obstacles, name, r
     )
 
 
-def test_an_output_is_written_under_its_very_name(folder):
+def test_outputs_are_written_under_their_very_names_in_folders_made_for_them(folder):
     job = changed(a_job(folder), "output/picture", "out/drawing")
-    report, _ = run(folder, job)
+    report, _ = run(folder, job, report="a/new/folder/report")
     assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
     assert (folder / "out" / "drawing").read_bytes()[:4] == b"\x89PNG"
     assert sorted(os.listdir(folder / "out")) == ["drawing", "plate.ngc"]
+    assert os.listdir(folder / "a" / "new" / "folder") == ["report"]
 
 
 # ---- as a program ----
