@@ -29,6 +29,9 @@ constexpr double kNarrowestHelix = 0.08;
 constexpr double kEntryTolerance = 1e-3;
 // mm: a place of one stage's wall this near to another's is the same place.
 constexpr double kSamePlace = 1e-4;
+// There is a stage that turns as tightly as this share of the entry's radius: a first pass that
+// turns less tightly than the entry's circle would run into more material than the limit allows.
+constexpr double kFirstTurn = 0.5;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // Directions in which room for a ramp is looked for.
@@ -92,7 +95,17 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest, kShortCorner, widest_.radius};
+    return {std::max(wish, tightest), tightest, kShortCorner, kFirstTurn * entry_radius()};
+  }
+
+  // mm: of the circle that the tool's centre runs on before the first pass.
+  double entry_radius() const {
+    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(widest_);
+  }
+
+  // Wider than the tool's radius a helix would leave a post in its middle.
+  double helix_radius(const Circle& room) const {
+    return std::min({0.5 * params_.helix_diameter, kHelixRoom * room.radius, 0.98 * radius_});
   }
 
   std::vector<Stage> stages() const {
@@ -201,13 +214,11 @@ class RegionClearing {
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
   Pose choose_entry(const Circle& circle, Descent& descent) {
-    const double space = kHelixRoom * circle.radius;
     const bool ramp_wanted = params_.entry == EntryKind::kRamp;
-    if (space >= kNarrowestHelix * radius_ && !ramp_wanted) {
+    if (kHelixRoom * circle.radius >= kNarrowestHelix * radius_ && !ramp_wanted) {
       descent.kind = DescentKind::kHelix;
       descent.centre = circle.centre;
-      // Wider than the tool's radius a helix would leave a post in its middle.
-      descent.radius = std::min({0.5 * params_.helix_diameter, space, 0.98 * radius_});
+      descent.radius = helix_radius(circle);
       descent.at = circle.centre + Vec2{descent.radius, 0};
       ground_.add_disc(circle.centre, descent.radius + radius_);
       return Pose{descent.at, kPi / 2};
@@ -266,12 +277,15 @@ class RegionClearing {
     return Pose{best->point(0.5) + 1.02 * radius_ * outwards, angle_of(-outwards) + kPi / 2};
   }
 
+  // A pass from a free pose with the widest turn that can be made from there.
   bool cut_from(const Pose& start) {
-    const std::size_t k = widest_stage_at(start);
-    if (k == stages_.size()) return false;
-    const std::size_t first = ground_.size();
-    Steering steering = steering_at(k);
-    return take(steering.from_pose(start), first, stages_[k].turn_radius);
+    for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
+      if (stages_[k].turn_radius <= 0) break;
+      const std::size_t first = ground_.size();
+      Pass pass = steering_at(k).from_pose(start);
+      if (!pass.empty()) return take(std::move(pass), first, stages_[k].turn_radius);
+    }
+    return false;
   }
 
   // Takes a pass into the result. False when it cuts next to nothing.

@@ -46,8 +46,7 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     stage.rooms = opened;
     const double left = deepest_rest(centres, stage.centres);
     stages.push_back(std::move(stage));
-    // A first pass starts in the middle of the room and must be able to turn there.
-    if (left < limits.rest && 2 * turn <= limits.room) break;
+    if (left < limits.rest && turn <= limits.first_turn) break;
   }
   Stage exact;
   exact.rooms = {centres};

@@ -23,7 +23,7 @@ struct StageLimits {
   double widest = 0.9;      // mm, the turn radius of the first stage
   double tightest = 0.003;  // mm, the smallest turn radius
   double rest = 0.02;       // mm: no further stages once the corners that are left are shorter
-  double room = 1e9;        // mm, the radius of the largest circle among the tool's centres
+  double first_turn = 1e9;  // mm: the first pass must be able to turn as tightly as this
 };
 
 // The stages of one connected region of tool centres, from the widest turn radius to the exact

@@ -34,6 +34,7 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
           Sample sample;
           sample.place = {c, i, static_cast<double>(j) / n};
           sample.p = segment.point(sample.place.t);
+          sample.stage = k;
           sample.shared = k > 0 && stages[k - 1].centres.nearest(sample.p).distance < kShared;
           samples_.push_back(sample);
         }
@@ -49,19 +50,17 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
     return (static_cast<long long>(std::floor(p.x / near)) + dx) * 1000003LL +
            static_cast<long long>(std::floor(p.y / near)) + dy;
   };
-  std::vector<std::size_t> stage_of(samples_.size());
-  for (const Track& track : tracks_)
-    for (std::size_t i = track.first; i < track.first + track.count; ++i) stage_of[i] = track.stage;
   for (std::size_t i = 0; i < samples_.size(); ++i)
     if (!samples_[i].shared) cells[key(samples_[i].p, 0, 0)].push_back(i);
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (samples_[i].shared || stage_of[i] == 0) continue;
+    if (samples_[i].shared || samples_[i].stage == 0) continue;
     for (int dx = -1; dx <= 1; ++dx)
       for (int dy = -1; dy <= 1; ++dy) {
         const auto cell = cells.find(key(samples_[i].p, dx, dy));
         if (cell == cells.end()) continue;
         for (const std::size_t other : cell->second)
-          if (stage_of[other] < stage_of[i] && distance(samples_[other].p, samples_[i].p) < near)
+          if (samples_[other].stage < samples_[i].stage &&
+              distance(samples_[other].p, samples_[i].p) < near)
             samples_[i].earlier.push_back(other);
       }
   }
@@ -89,8 +88,20 @@ void WallSamples::update(std::size_t first, Vec2 low, Vec2 high) {
         sample.p.y > high.y + reach)
       continue;
     if (sample.has_witness && !ground_.is_cleared_since(sample.witness, first)) continue;
+    sample.failures = 0;
     look(sample);
   }
+}
+
+void WallSamples::give_up(std::size_t sample) {
+  const Sample& failed = samples_[sample];
+  if (++samples_[sample].failures < kTries) return;
+  const double near = kSpacing * ground_.tool_radius();
+  for (Sample& other : samples_)
+    if (other.shared && other.stage == failed.stage + 1 && distance(other.p, failed.p) < near) {
+      other.shared = false;
+      look(other);
+    }
 }
 
 bool WallSamples::waits(const Sample& sample) const {

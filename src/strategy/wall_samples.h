@@ -34,15 +34,16 @@ class WallSamples {
   // work left nearby, unless there are no others.
   std::vector<PassStart> starts() const;
   bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
-  // Says that a pass from `start` came to nothing; after a few times it is not offered again until
-  // its surroundings change.
-  void give_up(std::size_t sample) { ++samples_[sample].failures; }
+  // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
+  // its surroundings change, and the next stage takes its place.
+  void give_up(std::size_t sample);
   std::size_t uncleared_count() const;
 
  private:
   struct Sample {
     WallPlace place;
     Vec2 p;
+    std::size_t stage = 0;
     Vec2 witness;  // a point of the tool's circle that is not cleared
     bool has_witness = false;
     bool shared = false;  // belongs to the stage before as well
