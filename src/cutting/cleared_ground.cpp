@@ -78,6 +78,11 @@ bool cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
   return changed;
 }
 
+// `v` turned counter-clockwise by the angle of unit vector `turn`.
+Vec2 rotated(Vec2 v, Vec2 turn) {
+  return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+}
+
 // The middle of the arc that runs counter-clockwise from unit vector `from` to unit vector `to`.
 Vec2 between(Vec2 from, Vec2 to) {
   const Vec2 chord = to - from;
@@ -299,9 +304,12 @@ void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<Angul
     for (const AngularInterval& interval : out) {
       const int n = std::min(kMostDiscs, 1 + static_cast<int>(interval.width() / kDiscAngle));
       const double half = 0.5 * interval.width() / n;
-      const double c = radius * std::cos(half), s = radius * std::sin(half);
-      for (int k = 0; k < n; ++k)
-        discs.push_back({p + c * unit(interval.low + (2 * k + 1) * half), s});
+      const Vec2 turn = unit(half);
+      Vec2 towards = unit(interval.low + half);
+      for (int k = 0; k < n; ++k) {
+        discs.push_back({p + radius * turn.x * towards, radius * turn.y});
+        towards = rotated(rotated(towards, turn), turn);
+      }
     }
   };
   describe();

@@ -8,12 +8,18 @@ namespace {
 
 // mm: material thinner than this is not seen; above the noise of rounding.
 constexpr double kLoadTolerance = 1e-6;
-// Two looks whose engagement and width (as a share of the tool's radius) differ less than this need
-// none between them.
+// Samples whose engagements, and whose widths as a share of the larger, differ less than this are
+// alike.
 constexpr double kLikeEngagement = 2 * kPi / 180;
 constexpr double kLikeWidth = 0.03;
-// mm: no two looks are nearer, but on moves so short that a fifth of them is less.
+// Share of the tool's radius: widths below are too little to be told apart.
+constexpr double kThinWidth = 0.02;
+// mm: between looks that differ more no two are further apart,
+constexpr double kCoarseLook = 0.25;
+// and none nearer, but on moves so short that a fifth of them is less.
 constexpr double kFinestLook = 0.02;
+// Of unit vectors along the path at a joint.
+constexpr double kSameDirection = 1e-3;
 
 }  // namespace
 
@@ -26,29 +32,52 @@ void add_descent(const Descent& descent, ClearedGround& ground) {
 
 namespace {
 
-// Looks along one move, finer where the load changes.
+struct Load {
+  double engagement = 0, width = 0;
+};
+
+// mm
+double like_width(const Load& a, const Load& b, double radius) {
+  return kLikeWidth * std::max({a.width, b.width, kThinWidth * radius});
+}
+
+bool alike(const Load& a, const Load& b, double radius) {
+  return std::abs(a.engagement - b.engagement) < kLikeEngagement &&
+         std::abs(a.width - b.width) < like_width(a, b, radius);
+}
+
+Load mean(const Load& a, const Load& b) {
+  return {0.5 * (a.engagement + b.engagement), 0.5 * (a.width + b.width)};
+}
+
+// The parabola through the loads at 0, 1/2 and 1, never below zero.
+Load between(const Load& at0, const Load& middle, const Load& at1, double t) {
+  const double a = (1 - t) * (1 - 2 * t), b = 4 * t * (1 - t), c = t * (2 * t - 1);
+  return {std::max(0.0, a * at0.engagement + b * middle.engagement + c * at1.engagement),
+          std::max(0.0, a * at0.width + b * middle.width + c * at1.width)};
+}
+
+// Looks along one move, finer where the load bends.
 class MoveProfile {
  public:
   MoveProfile(const ClearedGround& ground, const Segment& segment, const LoadSample& where,
               std::vector<LoadSample>& out)
       : ground_(ground), segment_(segment), length_(segment.length()), where_(where), out_(out) {}
 
-  void cover(double spacing) {
+  // `at_start`: the load there, where the move before has hidden it. Returns the load at the end.
+  Load cover(double spacing, const Load* at_start) {
     const int n = std::max(1, static_cast<int>(std::ceil(length_ / spacing)));
-    Load before = load_at(0);
+    Load before = at_start ? *at_start : load_at(0);
     for (int k = 0; k < n; ++k) {
       const double t0 = static_cast<double>(k) / n, t1 = static_cast<double>(k + 1) / n;
       const Load after = load_at(t1);
       cover(t0, before, t1, after);
       before = after;
     }
+    return before;
   }
 
  private:
-  struct Load {
-    double engagement = 0, width = 0;
-  };
-
   Load load_at(double t) {
     const double right = angle_of(segment_.tangent(t)) - kPi / 2;
     ground_.uncovered(segment_.point(t), right, right + kPi, engaged_, kLoadTolerance);
@@ -61,27 +90,32 @@ class MoveProfile {
     return load;
   }
 
-  bool alike(const Load& a, const Load& b) const {
-    return std::abs(a.engagement - b.engagement) < kLikeEngagement &&
-           std::abs(a.width - b.width) < kLikeWidth * ground_.tool_radius();
-  }
-
   void cover(double t0, const Load& at0, double t1, const Load& at1) {
     const double t = 0.5 * (t0 + t1), piece = (t1 - t0) * length_;
     const Load middle = load_at(t);
-    if (piece > std::min(kFinestLook, 0.2 * length_) &&
-        !(alike(at0, middle) && alike(middle, at1))) {
+    const double radius = ground_.tool_radius();
+    const bool flat = alike(at0, middle, radius) && alike(middle, at1, radius);
+    const bool straight = piece <= kCoarseLook && alike(mean(at0, at1), middle, radius);
+    if (!flat && !straight && piece > std::min(kFinestLook, 0.2 * length_)) {
       cover(t0, at0, t, middle);
       cover(t, middle, t1, at1);
       return;
     }
-    LoadSample sample = where_;
-    sample.t = t;
-    sample.length = piece;
-    sample.engagement = (at0.engagement + 4 * middle.engagement + at1.engagement) / 6;
-    sample.width = (at0.width + 4 * middle.width + at1.width) / 6;
-    sample.peak_width = std::max({at0.width, middle.width, at1.width});
-    out_.push_back(sample);
+    const double steps = std::max(std::abs(at1.engagement - at0.engagement) / kLikeEngagement,
+                                  std::abs(at1.width - at0.width) / like_width(at0, at1, radius));
+    const int n = std::max(1, static_cast<int>(std::min(std::ceil(steps), piece / kFinestLook)));
+    for (int k = 0; k < n; ++k) {
+      const double s0 = static_cast<double>(k) / n, s1 = static_cast<double>(k + 1) / n;
+      const Load a = between(at0, middle, at1, s0), b = between(at0, middle, at1, 0.5 * (s0 + s1)),
+                 c = between(at0, middle, at1, s1);
+      LoadSample sample = where_;
+      sample.t = t0 + 0.5 * (s0 + s1) * (t1 - t0);
+      sample.length = piece / n;
+      sample.engagement = (a.engagement + 4 * b.engagement + c.engagement) / 6;
+      sample.width = (a.width + 4 * b.width + c.width) / 6;
+      sample.peak_width = std::max({a.width, b.width, c.width});
+      out_.push_back(sample);
+    }
   }
 
   const ClearedGround& ground_;
@@ -92,6 +126,12 @@ class MoveProfile {
   std::vector<AngularInterval> engaged_;
 };
 
+// True when the tool runs on without a turn: what it meets at the joint is what it met before.
+bool runs_on(const PlanarMove& before, const PlanarMove& after) {
+  return before.kind == MoveKind::kCut && after.kind == MoveKind::kCut &&
+         norm(before.segment.tangent(1) - after.segment.tangent(0)) < kSameDirection;
+}
+
 }  // namespace
 
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
@@ -99,11 +139,13 @@ std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, Cleared
   std::vector<LoadSample> profile;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     add_descent(runs[i].descent, ground);
+    Load load;
     for (std::size_t j = 0; j < runs[i].moves.size(); ++j) {
       const PlanarMove& move = runs[i].moves[j];
       const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0};
       if (move.kind == MoveKind::kCut)
-        MoveProfile(ground, move.segment, where, profile).cover(spacing);
+        load = MoveProfile(ground, move.segment, where, profile)
+                   .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
       else
         profile.push_back(where);
       ground.add(move.segment);

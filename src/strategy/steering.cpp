@@ -319,7 +319,7 @@ double Steering::reach_of(const Segment& move) const {
 }
 
 void Steering::overload() {
-  // No way on since the last overload: whatever lies here is left to a tighter turn.
+  // No way on since the furthest overload: whatever lies here is left to a tighter turn.
   if (trouble_at_ >= 0 && travelled_ - trouble_at_ < kProgress * radius_) {
     if (++troubles_ > 3) {
       escape();
@@ -328,7 +328,7 @@ void Steering::overload() {
   } else {
     troubles_ = 0;
   }
-  trouble_at_ = travelled_;
+  trouble_at_ = std::max(trouble_at_, travelled_);
   if (!roll_in(troubles_ > 0 ? TurnPart::kWayOut : TurnPart::kFirstPeak)) escape();
 }
 

@@ -104,7 +104,7 @@ class Steering {
   std::vector<Met> met_;
   double step_ = 0;         // mm, adaptive
   double curvature_ = 0;    // of the last free step
-  double trouble_at_ = -1;  // mm travelled where the last overload was met
+  double trouble_at_ = -1;  // mm travelled where the furthest overload was met
   int troubles_ = 0;
   mutable std::vector<AngularInterval> scratch_;
 };
