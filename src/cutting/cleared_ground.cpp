@@ -10,9 +10,15 @@
 namespace evenload {
 namespace {
 
-// Buckets are not made finer than this many in all, so that memory stays bounded for large, sparse
+// Share of the tool's radius: the side of a cell.
+constexpr double kCell = 0.12;
+// Share of a cell's side: the length along the circle that one look decides.
+constexpr double kWindow = 0.4;
+// Cells are not made finer than this many in all, so that memory stays bounded for large, sparse
 // work.
-constexpr double kMaximumBuckets = 4e6;
+constexpr double kMaximumCells = 6e6;
+// rad: what rounding may move the end of a window by.
+constexpr double kWindowMargin = 1e-9;
 
 // A place where the border of a swept area crosses the circle: unit vector from the circle's
 // centre.
@@ -21,11 +27,6 @@ struct Crossing {
   double angle = 0;
 };
 
-// rad: arcs are looked at in parts no shorter than this,
-constexpr double kDiscAngle = kPi / 36;
-// and in no more parts than this.
-constexpr int kMostDiscs = 8;
-
 // A few arise per move at most: four circles or two circles and two lines, two crossings each.
 struct Crossings {
   std::array<Crossing, 8> at;
@@ -33,19 +34,18 @@ struct Crossings {
   void push(Vec2 direction) { at[static_cast<std::size_t>(count++)].direction = direction; }
 };
 
-// Removes [low, high] from the ordered set. False when the set stays as it was.
-bool cut(std::vector<AngularInterval>& set, double low, double high) {
+// Removes [low, high] from the ordered set.
+void cut(std::vector<AngularInterval>& set, double low, double high) {
   std::size_t keep = 0;
   const std::size_t n = set.size();
   AngularInterval extra;
-  bool has_extra = false, changed = false;
+  bool has_extra = false;
   std::size_t extra_at = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const AngularInterval piece = set[i];
     if (high <= piece.low || low >= piece.high) {
       set[keep++] = piece;
     } else {
-      changed = true;
       const bool left = low > piece.low, right = high < piece.high;
       if (left) set[keep++] = {piece.low, low};
       if (right) {
@@ -62,20 +62,34 @@ bool cut(std::vector<AngularInterval>& set, double low, double high) {
   }
   set.resize(keep);
   if (has_extra) set.insert(set.begin() + static_cast<std::ptrdiff_t>(extra_at), extra);
-  return changed;
 }
 
 // Removes the arc [low, high], given in any turn, from a set that lies within [set_low, set_low + 2
 // pi].
-bool cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
-  if (set.empty()) return false;
+void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
+  if (set.empty()) return;
   const double width = high - low;
   const double base = set.front().low;
   const double start = base + wrap_positive(low - base);
-  bool changed = cut(set, start, start + width);
+  cut(set, start, start + width);
   if (!set.empty() && start + width > base + 2 * kPi)
-    changed = cut(set, start - 2 * kPi, start - 2 * kPi + width) || changed;
-  return changed;
+    cut(set, start - 2 * kPi, start - 2 * kPi + width);
+}
+
+// The least interval that holds what `set` has within [low, high]; of no width where that is
+// nothing.
+AngularInterval part_within(const std::vector<AngularInterval>& set, double low, double high) {
+  AngularInterval part{high, low};
+  for (const AngularInterval& piece : set)
+    if (piece.low < high && piece.high > low) {
+      part.low = std::min(part.low, std::max(piece.low, low));
+      part.high = std::max(part.high, std::min(piece.high, high));
+    }
+  return part.low < part.high ? part : AngularInterval{low, low};
+}
+
+bool overlaps(const std::vector<AngularInterval>& set, double low, double high) {
+  return part_within(set, low, high).width() > 0;
 }
 
 // `v` turned counter-clockwise by the angle of unit vector `turn`.
@@ -95,14 +109,17 @@ Vec2 between(Vec2 from, Vec2 to) {
 ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
                              const std::vector<Region>* material)
     : tool_radius_(tool_radius) {
-  const double margin = 0.5 * tool_radius;
+  // The tool's circle reaches a radius beyond its centre.
+  const double margin = 1.5 * tool_radius;
   origin_ = bounds.low - Vec2{margin, margin};
   const double width = bounds.high.x - bounds.low.x + 2 * margin;
   const double height = bounds.high.y - bounds.low.y + 2 * margin;
-  cell_ = std::max(0.5 * tool_radius, std::sqrt(width * height / kMaximumBuckets));
+  cell_ = std::max(kCell * tool_radius, std::sqrt(width * height / kMaximumCells));
+  half_window_ = 0.5 * kWindow * cell_;
+  reach_ = std::sqrt(0.5) * cell_ + 1.01 * half_window_;
   columns_ = static_cast<int>(std::ceil(width / cell_)) + 1;
   rows_ = static_cast<int>(std::ceil(height / cell_)) + 1;
-  buckets_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
+  cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   if (material) {
     limited_ = true;
     material_ = *material;
@@ -114,9 +131,8 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
 }
 
 template <typename Visit>
-void ClearedGround::visit_buckets(const Primitive& primitive, Visit visit) {
-  // A query at any point of a bucket must find every move that can reach the tool's circle there.
-  const double reach = primitive.radius + tool_radius_;
+void ClearedGround::visit_cells(const Primitive& primitive, Visit visit) {
+  const double reach = primitive.radius + reach_;
   const Segment& s = primitive.segment;
   Vec2 low{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)};
   Vec2 high{std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)};
@@ -138,13 +154,10 @@ void ClearedGround::visit_buckets(const Primitive& primitive, Visit visit) {
       std::min(columns_ - 1, static_cast<int>(std::floor((high.x + reach - origin_.x) / cell_)));
   const int j1 =
       std::min(rows_ - 1, static_cast<int>(std::floor((high.y + reach - origin_.y) / cell_)));
-  const double half_diagonal = cell_ * 0.70710678118654757;
   for (int j = j0; j <= j1; ++j)
-    for (int i = i0; i <= i1; ++i) {
-      const Vec2 centre = origin_ + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_};
-      if (distance(primitive, centre) <= reach + half_diagonal)
-        visit(buckets_[static_cast<std::size_t>(j) * columns_ + i]);
-    }
+    for (int i = i0; i <= i1; ++i)
+      visit(cells_[static_cast<std::size_t>(j) * columns_ + i],
+            origin_ + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_});
 }
 
 void ClearedGround::add(const Segment& move, double swept_radius) {
@@ -152,46 +165,48 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
   Primitive primitive;
   primitive.segment = move;
   primitive.radius = swept_radius;
-  Vec2 middle;
-  double half = 0;
   if (move.is_arc()) {
     const Vec2 start = (move.a - move.centre) / move.radius,
                end = (move.b - move.centre) / move.radius;
     primitive.first = move.sweep > 0 ? start : end;
     primitive.last = move.sweep > 0 ? end : start;
     primitive.reflex = std::abs(move.sweep) > kPi;
-    if (std::abs(move.sweep) < kPi) {
-      middle = 0.5 * (move.a + move.b);
-      half = 0.5 * evenload::distance(move.a, move.b);
-    } else {
-      middle = move.centre;
-      half = move.radius;
-    }
   } else {
     primitive.length = evenload::distance(move.a, move.b);
     primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
-    middle = 0.5 * (move.a + move.b);
-    half = 0.5 * primitive.length;
   }
   const auto id = static_cast<std::int32_t>(primitives_.size());
   primitives_.push_back(primitive);
-  discs_.push_back({middle, half + swept_radius});
-  visit_buckets(primitive, [id](std::vector<std::int32_t>& bucket) { bucket.push_back(id); });
+  visit_cells(primitive, [&](Cell& cell, Vec2 centre) {
+    if (cell.covered_by >= 0) return;
+    const double far = distance(primitive, centre);
+    if (far + reach_ <= swept_radius) {
+      cell.covered_by = id;
+    } else if (far - reach_ < swept_radius) {
+      entries_.push_back({id, cell.newest});
+      cell.newest = static_cast<std::int32_t>(entries_.size()) - 1;
+    }
+  });
 }
 
 void ClearedGround::remove_last() {
   EVENLOAD_ASSERT(!primitives_.empty());
   const Primitive primitive = primitives_.back();
   primitives_.pop_back();
-  discs_.pop_back();
-  visit_buckets(primitive, [](std::vector<std::int32_t>& bucket) { bucket.pop_back(); });
+  const auto id = static_cast<std::int32_t>(primitives_.size());
+  visit_cells(primitive, [&](Cell& cell, Vec2) {
+    if (cell.covered_by == id) cell.covered_by = -1;
+    if (cell.newest >= 0 && entries_[static_cast<std::size_t>(cell.newest)].move == id)
+      cell.newest = entries_[static_cast<std::size_t>(cell.newest)].before;
+  });
+  while (!entries_.empty() && entries_.back().move == id) entries_.pop_back();
 }
 
-const std::vector<std::int32_t>& ClearedGround::bucket(Vec2 p) const {
-  const int i = static_cast<int>(std::floor((p.x - origin_.x) / cell_));
-  const int j = static_cast<int>(std::floor((p.y - origin_.y) / cell_));
-  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return nothing_;
-  return buckets_[static_cast<std::size_t>(j) * columns_ + i];
+const ClearedGround::Cell& ClearedGround::cell_at(Vec2 x) const {
+  const int i = static_cast<int>(std::floor((x.x - origin_.x) / cell_));
+  const int j = static_cast<int>(std::floor((x.y - origin_.y) / cell_));
+  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return untouched_;
+  return cells_[static_cast<std::size_t>(j) * columns_ + i];
 }
 
 double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
@@ -211,7 +226,7 @@ double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
 }
 
-bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
+void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
                              std::vector<AngularInterval>& set) const {
   const Segment& s = primitive.segment;
   const double reach = primitive.radius;
@@ -267,9 +282,8 @@ bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
   }
   const int count = crossings.count;
   if (count == 0) {
-    if (distance(primitive, p + Vec2{radius, 0}) > reach) return false;
-    set.clear();
-    return true;
+    if (distance(primitive, p + Vec2{radius, 0}) <= reach) set.clear();
+    return;
   }
   for (int i = 0; i < count; ++i)
     crossings.at[static_cast<std::size_t>(i)].angle =
@@ -278,58 +292,75 @@ bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
   for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
     for (std::size_t k = i; k > 0 && crossings.at[k].angle < crossings.at[k - 1].angle; --k)
       std::swap(crossings.at[k], crossings.at[k - 1]);
-  bool changed = false;
   for (int i = 0; i < count; ++i) {
     const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
     const Crossing& to = crossings.at[static_cast<std::size_t>((i + 1) % count)];
     const double high = i + 1 < count ? to.angle : to.angle + 2 * kPi;
     if (high - from.angle < 1e-12) continue;
     const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
-    if (distance(primitive, p + radius * middle) <= reach)
-      changed = cut_wrapped(set, from.angle, high) || changed;
+    if (distance(primitive, p + radius * middle) <= reach) cut_wrapped(set, from.angle, high);
   }
-  return changed;
+}
+
+// Takes from `set` what the moves swept that matter within `window`. `seen`: moves taken already.
+void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, std::size_t last,
+                                  Seen& seen, std::vector<AngularInterval>& set) const {
+  const Cell& cell = cell_at(window.middle);
+  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
+    subtract(primitives_[static_cast<std::size_t>(cell.covered_by)], p, radius, set);
+    return;
+  }
+  // A disc that holds what is left of the window.
+  AngularInterval part;
+  Vec2 middle;
+  double half = 0;
+  const auto measure = [&] {
+    part = part_within(set, window.low, window.high);
+    middle = p + radius * unit(0.5 * (part.low + part.high));
+    half = 0.5 * part.width() * radius;
+  };
+  measure();
+  for (std::int32_t at = cell.newest; at >= 0 && part.width() > 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    at = entry.before;
+    const auto index = static_cast<std::size_t>(entry.move);
+    if (index >= last || seen.moves[index] == seen.look) continue;
+    const Primitive& primitive = primitives_[index];
+    if (distance(primitive, middle) >= primitive.radius + half) continue;
+    seen.moves[index] = seen.look;
+    subtract(primitive, p, radius, set);
+    if (part_within(set, window.low, window.high).width() < part.width()) measure();
+  }
+}
+
+// Looks at the circle window by window, as long as `go_on(window)` says so after each.
+template <typename Continue>
+void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
+                               std::vector<AngularInterval>& set, Continue go_on) const {
+  thread_local Seen seen;
+  ++seen.look;
+  if (seen.moves.size() < primitives_.size()) seen.moves.resize(2 * primitives_.size(), 0);
+  const double radius = tool_radius_ - shrink;
+  set.clear();
+  set.push_back({low, high});
+  const int n =
+      std::max(1, static_cast<int>(std::ceil((high - low) * radius / (2 * half_window_))));
+  const double step = (high - low) / n;
+  const Vec2 turn = unit(step);
+  Vec2 towards = unit(low + 0.5 * step);
+  for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
+    const Window window{p + radius * towards, low + k * step - kWindowMargin,
+                        low + (k + 1) * step + kWindowMargin};
+    if (!overlaps(set, window.low, window.high)) continue;
+    subtract_near(window, p, radius, last, seen, set);
+    if (!go_on(window)) return;
+  }
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
                               double shrink, std::size_t last) const {
-  const double radius = tool_radius_ - shrink;
-  out.clear();
-  out.push_back({low, high});
-  // Small discs that hold the remaining arcs, piece by piece: moves that reach none of them take
-  // nothing away.
-  thread_local std::vector<Disc> discs;
-  const auto describe = [&] {
-    discs.clear();
-    for (const AngularInterval& interval : out) {
-      const int n = std::min(kMostDiscs, 1 + static_cast<int>(interval.width() / kDiscAngle));
-      const double half = 0.5 * interval.width() / n;
-      const Vec2 turn = unit(half);
-      Vec2 towards = unit(interval.low + half);
-      for (int k = 0; k < n; ++k) {
-        discs.push_back({p + radius * turn.x * towards, radius * turn.y});
-        towards = rotated(rotated(towards, turn), turn);
-      }
-    }
-  };
-  describe();
-  const std::vector<std::int32_t>& ids = bucket(p);
-  for (auto id = ids.rbegin(); id != ids.rend() && !out.empty(); ++id) {
-    const auto index = static_cast<std::size_t>(*id);
-    if (index >= last) continue;
-    const Disc& holds = discs_[index];
-    bool near = false;
-    for (const Disc& disc : discs) {
-      const double far = holds.radius + disc.radius;
-      if (squared_norm(disc.centre - holds.centre) >= far * far) continue;
-      if (distance(primitives_[index], disc.centre) >= primitives_[index].radius + disc.radius)
-        continue;
-      near = true;
-      break;
-    }
-    if (near && subtract(primitives_[index], p, radius, out)) describe();
-  }
-  if (limited_ && !out.empty()) remove_outside_material(p, radius, out);
+  look_round(p, low, high, shrink, last, out, [](const Window&) { return true; });
+  if (limited_ && !out.empty()) remove_outside_material(p, tool_radius_ - shrink, out);
 }
 
 void ClearedGround::remove_outside_material(Vec2 p, double radius,
@@ -376,15 +407,24 @@ void ClearedGround::remove_outside_material(Vec2 p, double radius,
 
 bool ClearedGround::is_clear(Vec2 p, double shrink) const {
   thread_local std::vector<AngularInterval> scratch;
-  uncovered(p, 0, 2 * kPi, scratch, shrink);
+  // What is outside the material can be told only in the end.
+  const auto go_on = [&](const Window& window) {
+    return limited_ || !overlaps(scratch, window.low, window.high);
+  };
+  look_round(p, 0, 2 * kPi, shrink, primitives_.size(), scratch, go_on);
+  if (limited_ && !scratch.empty()) remove_outside_material(p, tool_radius_ - shrink, scratch);
   return scratch.empty();
 }
 
 bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
-  const std::vector<std::int32_t>& ids = bucket(x);
-  for (auto id = ids.rbegin(); id != ids.rend() && static_cast<std::size_t>(*id) >= first; ++id) {
-    const Primitive& primitive = primitives_[static_cast<std::size_t>(*id)];
+  const Cell& cell = cell_at(x);
+  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) >= first) return true;
+  for (std::int32_t at = cell.newest; at >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    if (static_cast<std::size_t>(entry.move) < first) return false;
+    const Primitive& primitive = primitives_[static_cast<std::size_t>(entry.move)];
     if (distance(primitive, x) <= primitive.radius) return true;
+    at = entry.before;
   }
   return false;
 }

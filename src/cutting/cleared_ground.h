@@ -7,7 +7,10 @@
 // capsule; its border crosses a circle in a few angles with closed forms. No arrangement of curves
 // is built, so there is none that could become inconsistent.
 //
-// Moves are kept in a uniform grid of buckets. Tolerance: kCoverTolerance.
+// Which moves matter is told by a grid of small cells. A cell knows the moves that sweep a part of
+// it, or the one that sweeps all of it, after which it takes no more. So a look costs as much as
+// there are borders of swept ground near the circle, however long the history is. Tolerance:
+// kCoverTolerance.
 #pragma once
 
 #include <cstdint>
@@ -55,7 +58,7 @@ class ClearedGround {
   bool is_clear(Vec2 p, double shrink = kCoverTolerance) const;
   // True when the point `x` holds no material.
   bool is_cleared_point(Vec2 x) const;
-  // True when the move numbered `first` or a later one cleared `x`.
+  // True when `x`, which held material before the move numbered `first`, was cleared since.
   bool is_cleared_since(Vec2 x, std::size_t first) const;
 
  private:
@@ -67,27 +70,49 @@ class ClearedGround {
     Vec2 first, last;     // arcs: unit vectors from the centre to the ends, counter-clockwise
     bool reflex = false;  // arcs: the sector is wider than half a turn
   };
-  struct Disc {
-    Vec2 centre;
-    double radius = 0;
+  // Lists of moves are linked backwards through `entries_`, the newest first: what was added last
+  // is taken back first.
+  struct Cell {
+    std::int32_t covered_by = -1;  // the move that sweeps the whole cell
+    std::int32_t newest = -1;      // in entries_
   };
-  // Takes what the move covers from the circle's arcs in `set`. False when they stay as they were.
-  bool subtract(const Primitive& primitive, Vec2 p, double radius,
+  struct Entry {
+    std::int32_t move = 0, before = -1;
+  };
+  // The part of the circle that one look decides.
+  struct Window {
+    Vec2 middle;
+    double low = 0, high = 0;
+  };
+  // Which moves a look has taken into account.
+  struct Seen {
+    std::vector<std::uint64_t> moves;  // the last look that did
+    std::uint64_t look = 0;
+  };
+  // Takes what the move covers from the circle's arcs in `set`.
+  void subtract(const Primitive& primitive, Vec2 p, double radius,
                 std::vector<AngularInterval>& set) const;
+  void subtract_near(const Window& window, Vec2 p, double radius, std::size_t last, Seen& seen,
+                     std::vector<AngularInterval>& set) const;
+  template <typename Continue>
+  void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
+                  std::vector<AngularInterval>& set, Continue go_on) const;
   double distance(const Primitive& primitive, Vec2 x) const;
   void remove_outside_material(Vec2 p, double radius, std::vector<AngularInterval>& set) const;
-  const std::vector<std::int32_t>& bucket(Vec2 p) const;
+  const Cell& cell_at(Vec2 x) const;
   template <typename Visit>
-  void visit_buckets(const Primitive& primitive, Visit visit);
+  void visit_cells(const Primitive& primitive, Visit visit);
 
   double tool_radius_;
   double cell_;
+  double half_window_ = 0;  // mm along the circle
+  double reach_ = 0;  // mm from a cell's centre: holds every window whose middle is in the cell
   Vec2 origin_;
   int columns_ = 0, rows_ = 0;
-  std::vector<std::vector<std::int32_t>> buckets_;
-  std::vector<std::int32_t> nothing_;
+  std::vector<Cell> cells_;
+  Cell untouched_;
+  std::vector<Entry> entries_;
   std::vector<Primitive> primitives_;
-  std::vector<Disc> discs_;  // that hold what each move sweeps
   std::vector<Segment> material_edges_;
   std::vector<Region> material_;
   bool limited_ = false;
