@@ -27,6 +27,8 @@ constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made w
 constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of a step
 constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
 constexpr double kMeanLength = 0.1;           // mm of path over which engagement is a mean
+constexpr double kCornerShare =
+    0.7;  // of the limit for that mean: rounded G-code meets more in a corner
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
 // mm: material thinner than this is not seen; what has been cut must not be found again by
@@ -284,7 +286,7 @@ bool Steering::over_mean(double total, double step) const {
   const double from = travelled_ + step - kMeanLength;
   for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
     sum += met->total * (met->until - std::max(from, met->until - met->length));
-  return sum > (theta_ + kOverload) * kMeanLength;
+  return sum > kCornerShare * theta_ * kMeanLength;
 }
 
 // The share of `move` that can be made before the centre of the left turn meets the border of its
