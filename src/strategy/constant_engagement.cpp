@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -145,10 +146,24 @@ Curve with_room_outside(const Curve& outer, double room) {
   return Curve(std::move(vertices), true);
 }
 
+// A place for a note; `mirror`: the regions are mirror images.
+std::string near(Vec2 p, bool mirror) {
+  std::ostringstream text;
+  const Vec2 shown = mirror ? mirrored(p) : p;
+  text << std::fixed << std::setprecision(2) << "near (" << shown.x << ", " << shown.y << ")";
+  return text.str();
+}
+
+Vec2 first_open_place(const Curve& curve) {
+  for (const Segment& piece : curve.segments())
+    if (piece.open) return piece.point(0.5);
+  return curve.segments().front().a;
+}
+
 // The regions within which the tool's whole disc must stay: the pocket, and room outside its open
 // edges.
 std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
-                                   std::vector<std::string>& notes) {
+                                   bool mirror, std::vector<std::string>& notes) {
   const double room = (1 + kOutsideRoom) * tool_diameter;
   std::vector<Region> result;
   for (const Region& region : regions) {
@@ -168,7 +183,8 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
         result.push_back(make_region(with_room_outside(region.outer, room), region.islands));
       } catch (const GeometryError&) {
         // Runs that face each other, or turn inwards too tightly: no room that is surely free.
-        notes.push_back("The open edges leave no clear room outside: they were taken for walls.");
+        notes.push_back("The open edges " + near(first_open_place(region.outer), mirror) +
+                        " leave no clear room outside: they were taken for walls.");
         result.push_back(region);
       }
     }
@@ -218,7 +234,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   const double radius = 0.5 * params.tool_diameter;
   Toolpath path;
   const std::vector<Region> allowed =
-      allowed_ground(regions, params.tool_diameter, path.report.notes);
+      allowed_ground(regions, params.tool_diameter, mirror, path.report.notes);
   const std::vector<Region> centres = offset(allowed, -(radius + params.stock_to_leave + kWallGap));
   if (centres.empty())
     throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
@@ -226,8 +242,9 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   if (regions.size() > 1)
     for (const Region& region : allowed)
       if (offset({region}, -(radius + params.stock_to_leave + kWallGap)).empty()) {
-        path.report.notes.push_back("One of several pockets was skipped. " +
-                                    too_large({region}, params));
+        const Bounds box = bounds_of({region});
+        path.report.notes.push_back("The pocket " + near(0.5 * (box.low + box.high), mirror) +
+                                    " was skipped. " + too_large({region}, params));
         path.report.termination = Termination::kIncomplete;
       }
 
@@ -238,8 +255,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
        params.hole_diameter >= params.tool_diameter)) {
     hole = hole_place(centres, *params.entry_point, &hole_region);
     if (!hole && params.entry == EntryKind::kAutomatic)
-      path.report.notes.push_back(
-          "The pre-drilled hole is too near to a wall to come down in: it was not used.");
+      path.report.notes.push_back("The pre-drilled hole " + near(*params.entry_point, mirror) +
+                                  " is too near to a wall to come down in: it was not used.");
     if (!hole && params.entry == EntryKind::kPredrilledHole)
       throw GeometryError(
           GeometryErrorCode::kEntryOutside, *given.entry_point,
@@ -252,10 +269,12 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   for (std::size_t i = 0; i < centres.size() && !progress.cancelled(); ++i) {
     if (params.entry == EntryKind::kPredrilledHole && i != hole_region) {
       path.report.notes.push_back(
-          "A region without the pre-drilled hole was left uncut: choose the entry 'Automatic', or "
-          "drill it and use an operation of its own.");
+          "The region " + near(centres[i].outer.vertices().front().p, mirror) +
+          ", which does not hold the pre-drilled hole, was left uncut: choose the entry "
+          "'Automatic', or drill it and use an operation of its own.");
       path.report.termination = Termination::kIncomplete;
-      path.report.uncut_area += centres[i].area();
+      for (const Region& reached : offset({centres[i]}, radius))
+        path.report.uncut_area += reached.area();
       continue;
     }
     RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt, mirror};

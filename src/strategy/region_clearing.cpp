@@ -24,7 +24,7 @@ constexpr double kTightestTurn = 0.001;
 // stays low in it.
 constexpr double kShortCorner = 0.02;
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
-constexpr double kNarrowestHelix = 0.08;
+constexpr double kNarrowestHelix = 0.02;
 // mm: of the place of an entry.
 constexpr double kEntryTolerance = 1e-3;
 // mm: a place of one stage's wall this near to another's is the same place.
@@ -42,7 +42,7 @@ constexpr double kLongestRamp = 1.5;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
-constexpr double kLeastCut = 1e-3;
+constexpr double kLeastCut = 1e-4;
 
 Bounds grown(Bounds bounds, double d) {
   return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
@@ -78,8 +78,10 @@ class RegionClearing {
       const Vec2 at = shown(*leftover_.place());
       std::ostringstream note;
       note << std::fixed << std::setprecision(2) << "Left uncut: " << result_.uncut_area
-           << " mm² near (" << at.x << ", " << at.y
-           << "), where the tool has too little room to turn within the engagement limit.";
+           << " mm² near (" << at.x << ", " << at.y << "), "
+           << (params_.wall_pass
+                   ? "where the tool has too little room to turn within the engagement limit."
+                   : "for the turned-off WallPass, or where the tool has too little room to turn.");
       result_.notes.push_back(note.str());
     }
     const double wish = limits().widest;

@@ -18,7 +18,7 @@ struct RegionTask {
   std::vector<Region> material;  // the pocket's floor; used where pieces of its border are open
   bool has_open_edges = false;
   std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region
-  bool mirrored = false;  // places named in notes and errors are to be mirrored back
+  bool mirrored = false;     // places named in notes and errors are to be mirrored back
 };
 
 struct RegionResult {

@@ -18,6 +18,7 @@ constexpr double kFirstStep = 0.05;  // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 0.4;
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
+constexpr double kRunOut = 0.1;         // of which this much is kept
 constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
 constexpr double kProgress =
     0.01;  // less than this between two overloads: the place cannot be entered
@@ -223,8 +224,10 @@ bool Steering::roll_in(TurnPart part) {
 void Steering::escape() {
   if (roll_in(TurnPart::kWayOut)) {
     double turned = 0;
-    while (turned < kPi && contact(pose()).total > kInContact) {
+    for (double total = contact(pose()).total; turned < kPi && total > kInContact;
+         total = contact(pose()).total) {
       append(move_of(pose(), 1 / turn_, kTurnStep * turn_));
+      note_contact(total, kTurnStep * turn_);
       turned += kTurnStep;
     }
   } else if (turn_ > 0) {
@@ -250,7 +253,8 @@ void Steering::step_on_wall() {
     return contact({wall.point(t), angle_of(wall.tangent(t))}).total;
   };
   double total = engagement_at(t1);
-  while (turn_ <= 0 && total > theta_ && step > kFinestWallStep * radius_) {
+  while (turn_ <= 0 && (total > theta_ || over_mean(total, step)) &&
+         step > kFinestWallStep * radius_) {
     step *= 0.5;
     t1 = wall_.t + step / length;
     total = engagement_at(t1);
@@ -431,17 +435,22 @@ void Steering::roll_out() {
   double turned = wrap_signed(angle_of(along) - from.heading);
   if (turned < 0) turned = turned < -kPi / 2 ? turned + 2 * kPi : 0;
   const int looks = static_cast<int>(std::ceil(turned / kRollOutStep));
+  double sum = 0, in_contact = 0;  // rad engaged, rad turned
   for (int i = 1; i <= looks; ++i) {
     const double heading = from.heading + turned * i / looks;
-    if (contact({centre - turn_ * left_normal(unit(heading)), heading}).total >
-        theta_ + kOverload) {
+    const double total = contact({centre - turn_ * left_normal(unit(heading)), heading}).total;
+    if (total > theta_ + kOverload) {
       overload();
       return;
     }
+    sum += total;
+    if (total > kInContact) in_contact = turned * i / looks;
   }
   if (turned > 1e-9) {
     append(move_of(from, 1 / turn_, turned * turn_));
-    note_contact(contact(pose()).total, turned * turn_);
+    if (in_contact > 0)
+      met_.push_back({travelled_ - (turned - in_contact) * turn_, in_contact * turn_,
+                      sum / looks * turned / in_contact});
   }
   const BoundaryIndex::Hit wall = stage_.centres.nearest(pose().p);
   EVENLOAD_ASSERT(wall.distance < 1e-3);
@@ -456,7 +465,8 @@ Pass Steering::run() {
     else
       step_free();
   }
-  if (!has_cut()) cut_back(travelled_);
+  // However long the last step was, the same run-out is kept.
+  cut_back(has_cut() ? std::max(0.0, idle() - kRunOut * radius_) : travelled_);
   for (const Met& met : met_) {
     pass_.cut_length += met.length;
     pass_.cut_area += met.length * radius_ * (1 - std::cos(met.total));

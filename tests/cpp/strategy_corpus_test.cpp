@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <limits>
 #include <stdexcept>
 #include <string>
@@ -42,7 +43,7 @@ std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.
 void expect_within_limits(const Case& pocket, const Toolpath& path, const Findings& found) {
   EXPECT_EQ(path.report.termination, Termination::kComplete)
       << (path.report.notes.empty() ? "" : path.report.notes.front());
-  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 3 * kDegree)
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 4 * kDegree)
       << found.cut_engagement / kDegree << " degrees at " << text(found.cut_engagement_at);
   EXPECT_LE(found.gouge, 0.005) << "at " << text(found.gouge_at);
   EXPECT_LE(found.left_share, 0.001) << "at " << text(found.left_at);
@@ -71,7 +72,7 @@ TEST_P(EveryPocket, IsClearedWithinTheLimits) {
   // The removal rate never exceeds what was asked for, nor does any feed its cap.
   const double radius = 0.5 * params.tool_diameter;
   const double nominal = radius * (1 - std::cos(params.engagement_angle)) * params.feed;
-  EXPECT_LE(found.removal_rate, 1.05 * nominal) << "at " << text(found.removal_rate_at);
+  EXPECT_LE(found.removal_rate, 1.1 * nominal) << "at " << text(found.removal_rate_at);
   for (const Move& move : path.moves) {
     if (move.kind == MoveKind::kCut) {
       EXPECT_LE(move.feed, params.maximum_feed);
@@ -96,7 +97,7 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) { return in
 
 INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(clearable()), name_of);
 
-TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 24u); }
+TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 25u); }
 
 TEST(Corpus, APocketThatIsTooSmallNamesTheLargestToolThatFits) {
   const Case pocket = corpus::load("too_small");
@@ -119,27 +120,27 @@ INSTANTIATE_TEST_SUITE_P(Corpus, APocket,
                                          "boss_open"),
                          name_of);
 
-TEST_P(APocket, IsClearedTheSameWhereverItLies) {
-  const Case original = corpus::load(GetParam());
+// Clears the case as it is and moved, and expects the same of both.
+void expect_same(const Case& original, double angle, bool mirrored, Vec2 shift) {
   const Toolpath at_home = clear(original, original.params());
-  struct Motion {
-    const char* name;
-    double angle;
-    bool mirrored;
-    Vec2 shift;
-  };
-  for (const Motion& motion :
-       {Motion{"turned", 17 * kDegree, false, {}}, Motion{"mirrored", 0, true, {}},
-        Motion{"shifted", 0, false, {1000, -500}}}) {
-    SCOPED_TRACE(motion.name);
-    const Case pocket = corpus::moved(original, motion.angle, motion.mirrored, motion.shift);
-    const Toolpath path = clear(pocket, pocket.params());
-    expect_within_limits(pocket, path, judge(pocket, path));
-    EXPECT_NEAR(path.report.cutting_time, at_home.report.cutting_time,
-                0.03 * at_home.report.cutting_time);
-    EXPECT_NEAR(path.report.cut_length, at_home.report.cut_length,
-                0.03 * at_home.report.cut_length);
-  }
+  const Case pocket = corpus::moved(original, angle, mirrored, shift);
+  const Toolpath path = clear(pocket, pocket.params());
+  expect_within_limits(pocket, path, judge(pocket, path));
+  EXPECT_NEAR(path.report.cutting_time, at_home.report.cutting_time,
+              0.03 * at_home.report.cutting_time);
+  EXPECT_NEAR(path.report.cut_length, at_home.report.cut_length, 0.03 * at_home.report.cut_length);
+}
+
+TEST_P(EveryPocket, IsClearedTheSameWhenItIsTurned) {
+  expect_same(corpus::load(GetParam()), 17 * kDegree, false, {});
+}
+
+TEST_P(EveryPocket, IsClearedTheSameWhenItIsMirrored) {
+  expect_same(corpus::load(GetParam()), 0, true, {});
+}
+
+TEST_P(APocket, IsClearedTheSameFarFromTheOrigin) {
+  expect_same(corpus::load(GetParam()), 0, false, {1000, -500});
 }
 
 TEST_P(APocket, IsClearedConventionallyAsItsMirrorImageIsByClimb) {
@@ -191,7 +192,7 @@ TEST_P(APocket, IsClearedByLinesAloneWithoutGouging) {
   EXPECT_LE(found.gouge, 0.005);
   EXPECT_LE(found.left_share, 0.002);
   // The chords' sagittas add to the side step.
-  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 4 * kDegree);
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 5 * kDegree);
   EXPECT_EQ(found.bad_plunges, 0);
 }
 
@@ -375,6 +376,43 @@ TEST(Clearing, RefusesAHoleOutsideThePocket) {
       EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
     }
   }
+}
+
+// A wish that no pass can fulfil shrinks: the pocket is cleared all the same.
+TEST(Clearing, TurnsMoreTightlyThanWishedWhereTheEntryOrTheWidthDemandsIt) {
+  const Case square = corpus::load("square60");
+  for (const double wish : {2.7, 3.3, 5.0, 12.0, 60.0}) {
+    SCOPED_TRACE(wish);
+    ClearingParams params = square.params();
+    params.roll_radius = wish;
+    const Toolpath path = clear(square, params);
+    expect_within_limits(square, path, judge(square, path));
+  }
+}
+
+// The note on tight turns names the wish, the tightest turn and a place of the path.
+TEST(Clearing, TellsWhereItTurnsMoreTightlyThanWished) {
+  for (const CutMode mode : {CutMode::kClimb, CutMode::kConventional}) {
+    const Case pocket = corpus::load("slot9");
+    ClearingParams params = pocket.params();
+    params.cut_mode = mode;
+    const Toolpath path = clear(pocket, params);
+    double wish = 0, tightest = 0;
+    Vec2 at;
+    for (const std::string& note : path.report.notes)
+      std::sscanf(note.c_str(),
+                  "Turned more tightly than the wished %lf mm in corners and narrow places, down "
+                  "to %lf mm near (%lf, %lf).",
+                  &wish, &tightest, &at.x, &at.y);
+    EXPECT_EQ(wish, params.roll_radius);
+    EXPECT_GT(tightest, 0);
+    EXPECT_LT(tightest, wish);
+    double nearest = 1e9;
+    for (const Move& move : path.moves) nearest = std::min(nearest, distance({move.x, move.y}, at));
+    EXPECT_LT(nearest, 0.02);
+  }
+  const Case round = corpus::load("circle12");
+  EXPECT_TRUE(clear(round, round.params()).report.notes.empty());
 }
 
 class AWayIn : public testing::TestWithParam<std::string> {};
