@@ -1,4 +1,5 @@
-// Links: moves at depth over cleared ground that join one pass to the next, tangent to both.
+// Links: moves at depth over cleared ground that join one pass to the next, tangent to both
+// [Dubins, American Journal of Mathematics 79, 1957: shortest paths of bounded curvature].
 #pragma once
 
 #include <vector>
@@ -9,9 +10,9 @@
 
 namespace evenload {
 
-// The shortest turn-straight-turn path from `from` to `to` with turns of `turn_radius` mm that
-// stays inside `centres` and meets no material; empty when there is none no longer than `longest`
-// mm.
+// The shortest turn-straight-turn path from `from` to `to` with turns of `turn_radius` mm, or of
+// half of that, that stays inside `centres` and meets no material; empty when there is none no
+// longer than `longest` mm.
 std::vector<Segment> shortest_link(const ClearedGround& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest);

@@ -3,7 +3,8 @@
 // The region of the tool's centres is cleared in stages. Stage 0 takes all that can be reached with
 // the wished turn radius: the region's opening by it, so that every concave corner of its border is
 // an arc that the tool can follow. Each later stage turns more tightly and takes what the one
-// before could not enter, narrow channels and corners; the last follows the exact border.
+// before could not enter, narrow channels and corners; the last follows the exact border. Our own;
+// the source bounds its turns by one roll radius [Jacsó 2021, hybrid path].
 #pragma once
 
 #include <vector>

@@ -4,9 +4,10 @@
 // milling is its mirror image). Thesis II makes the direction of feed a function of place: the
 // vector from the tool's centre P to the point C where the tool's circle leaves the material,
 // turned counter-clockwise by pi/2 - theta. A step here is an arc, tangent to the last one, whose
-// curvature is solved for so that the engagement at its end is theta again: the implicit midpoint
-// rule on Thesis II's field in place of Thesis III's explicit one; the steps are the output, and no
-// fitting follows.
+// curvature is solved for so that the engagement at its end is theta again. The chord of an arc
+// points along the mean of its end directions, so this is an implicit rule of second order on
+// Thesis II's field, of the trapezoid's kind, in place of Thesis III's explicit one; the steps are
+// the output, and no fitting follows.
 //
 // Two things bend the path: it never turns left more tightly than the stage's turn radius, and it
 // never touches a wall. Both are one condition on the centre Q of the left turn that the tool could
