@@ -277,7 +277,7 @@ def test_the_automatic_entry_takes_an_open_side_then_a_hole_then_a_helix_then_a_
     (down,) = first_descent(cleared(b, **hole))
     assert down[1][:2] == down[2][:2] == (20, 15)
     assert {m[0] for m in first_descent(cleared(b))} == {"G3"}
-    ramp = first_descent(cleared(pocket(face_of(rectangle(0, 0, 30, 6.3)))))
+    ramp = first_descent(cleared(pocket(face_of(rectangle(0, 0, 30, 6.1)))))
     assert {m[0] for m in ramp} == {"G1"} and all(m[1][:2] != m[2][:2] for m in ramp)
 
 
