@@ -1,5 +1,5 @@
-// The ground that the tool has cleared: the union of discs swept along moves, exact, without cells
-// or polygons.
+// The ground that the tool has cleared: the union of discs swept along moves, exact, without
+// polygons; cells only find the moves that matter.
 //
 // The question a steering method asks is not "what is the boundary?" but "which part of the tool's
 // circle at P touches material?". It is answered by subtracting from the circle, one after the

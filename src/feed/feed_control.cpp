@@ -10,7 +10,7 @@ namespace {
 // s: what one more block must save.
 constexpr double kBlockPrice = 0.02;
 // Above the nominal removal rate by this share at the single sample that decides; the mean over 0.1
-// mm stays below it.
+// mm stays about there.
 constexpr double kRateMargin = 1.025;
 // mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
 // second.

@@ -142,7 +142,7 @@ class RegionClearing {
     if (!moves.empty()) here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
   }
 
-  void look_again(std::size_t first, const std::vector<Segment>& moves) {
+  void look_again(const std::vector<Segment>& moves) {
     Vec2 low = here_.p, high = here_.p;
     for (const Segment& move : moves)
       for (int i = 0; i <= 4; ++i) {
@@ -150,7 +150,7 @@ class RegionClearing {
         low = {std::min(low.x, p.x), std::min(low.y, p.y)};
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
-    samples_.update(first, low, high);
+    samples_.update(low, high);
   }
 
   // Comes down, and cuts the first pass, a spiral, as far as it goes.
@@ -159,7 +159,7 @@ class RegionClearing {
     const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
     const bool outside = task_.has_open_edges && params_.entry == EntryKind::kAutomatic;
     if (outside && !hole_first) {
-      samples_.update(0, everywhere.low, everywhere.high);
+      samples_.update(everywhere.low, everywhere.high);
       if (enter_from_outside()) return;
     }
     if (task_.hole) {
@@ -172,7 +172,7 @@ class RegionClearing {
     }
     Descent descent;
     const Pose start = choose_entry(widest_, descent);
-    samples_.update(0, everywhere.low, everywhere.high);
+    samples_.update(everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
   }
@@ -200,7 +200,7 @@ class RegionClearing {
     const double hole_radius = 0.5 * params_.hole_diameter, room = hole_radius - radius_;
     ground_.add_disc(*task_.hole, hole_radius);
     const Bounds everywhere = bounds_of({task_.centres});
-    samples_.update(0, everywhere.low, everywhere.high);
+    samples_.update(everywhere.low, everywhere.high);
     begin_run({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false});
     const Pose start{*task_.hole + Vec2{room, 0}, kPi / 2};
     // From the centre to the rim by half a turn, which ends along the rim.
@@ -283,22 +283,21 @@ class RegionClearing {
   bool cut_from(const Pose& start) {
     for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
       if (stages_[k].turn_radius <= 0) break;
-      const std::size_t first = ground_.size();
       Pass pass = steering_at(k).from_pose(start);
-      if (!pass.empty()) return take(std::move(pass), first, stages_[k].turn_radius);
+      if (!pass.empty()) return take(std::move(pass), stages_[k].turn_radius);
     }
     return false;
   }
 
   // Takes a pass into the result. False when it cuts next to nothing.
-  bool take(Pass pass, std::size_t first, double turn_radius) {
+  bool take(Pass pass, double turn_radius) {
     if (pass.empty()) return false;
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;
       tightest_at_ = pass.moves.back().b;
     }
     add_moves(MoveKind::kCut, pass.moves);
-    look_again(first, pass.moves);
+    look_again(pass.moves);
     ++result_.passes;
     return pass.cut_area > kLeastCut * radius_ * radius_;
   }
@@ -326,6 +325,7 @@ class RegionClearing {
 
   void clear_all() {
     const double all = static_cast<double>(std::max<std::size_t>(1, samples_.uncleared_count()));
+    double done = 0;
     std::optional<Vec2> last_start;
     while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
@@ -339,13 +339,15 @@ class RegionClearing {
       const std::size_t first = ground_.size();
       double turn_radius = 0;
       Pass pass = pass_from(start, &turn_radius);
-      if (!take(std::move(pass), first, turn_radius)) {
+      if (!take(std::move(pass), turn_radius)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         if (ground_.size() == first) back_to(before);  // no pass: the way to it is not needed
         continue;
       }
       last_start = start.pose.p;
-      progress_.report(1 - static_cast<double>(samples_.uncleared_count()) / all);
+      // Samples that a failed start brings in must not turn progress back.
+      done = std::max(done, 1 - static_cast<double>(samples_.uncleared_count()) / all);
+      progress_.report(done);
     }
   }
 
@@ -395,9 +397,8 @@ class RegionClearing {
           continue;
         Descent descent;
         const Pose start = choose_entry(circle, descent);
-        const std::size_t first = ground_.size();
         begin_run(descent);
-        samples_.update(first - 1, descent.at, descent.at);
+        samples_.update(descent.at, descent.at);
         cut_from(start);
         return true;
       }

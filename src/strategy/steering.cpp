@@ -284,7 +284,7 @@ void Steering::step_on_wall() {
 }
 
 // Along the exact border nothing can be steered: true where `total` rad over the next `step` mm
-// would lift the mean engagement over the last kMeanLength mm above the limit.
+// would lift the mean engagement over the last kMeanLength mm above kCornerShare of the limit.
 bool Steering::over_mean(double total, double step) const {
   double sum = total * std::min(step, kMeanLength);
   const double from = travelled_ + step - kMeanLength;

@@ -80,14 +80,14 @@ void WallSamples::look(Sample& sample) {
   sample.has_witness = true;
 }
 
-void WallSamples::update(std::size_t first, Vec2 low, Vec2 high) {
+void WallSamples::update(Vec2 low, Vec2 high) {
   const double reach = 2 * ground_.tool_radius();
   for (Sample& sample : samples_) {
     if (sample.clear || sample.shared) continue;
     if (sample.p.x < low.x - reach || sample.p.x > high.x + reach || sample.p.y < low.y - reach ||
         sample.p.y > high.y + reach)
       continue;
-    if (sample.has_witness && !ground_.is_cleared_since(sample.witness, first)) continue;
+    if (sample.has_witness && !ground_.is_cleared_since(sample.witness, 0)) continue;
     sample.failures = 0;
     look(sample);
   }

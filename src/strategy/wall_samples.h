@@ -28,9 +28,8 @@ class WallSamples {
   // Both references must outlive this object.
   WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground);
 
-  // Looks again at the samples that the moves numbered from `first` on may have cleared. `low`,
-  // `high`: the box of those moves.
-  void update(std::size_t first, Vec2 low, Vec2 high);
+  // Looks again at the samples that moves in the box from `low` to `high` may have cleared.
+  void update(Vec2 low, Vec2 high);
   // Every place where a pass can start now; those of later stages only where no earlier stage has
   // work left nearby, unless there are no others.
   std::vector<PassStart> starts() const;

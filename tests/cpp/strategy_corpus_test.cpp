@@ -69,7 +69,7 @@ TEST_P(EveryPocket, IsClearedWithinTheLimits) {
   EXPECT_LE(path.report.uncut_area, 0.001 * found.reachable_area);
   EXPECT_GE(found.climb_length, 0.99 * (found.climb_length + found.conventional_length));
 
-  // The removal rate never exceeds what was asked for, nor does any feed its cap.
+  // The removal rate exceeds what was asked for by a tenth at most, and no feed exceeds its cap.
   const double radius = 0.5 * params.tool_diameter;
   const double nominal = radius * (1 - std::cos(params.engagement_angle)) * params.feed;
   EXPECT_LE(found.removal_rate, 1.1 * nominal) << "at " << text(found.removal_rate_at);
