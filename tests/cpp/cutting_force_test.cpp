@@ -136,6 +136,14 @@ TEST(CuttingForce, OfOneStraightToothIsTheClosedFormOfTheStraightCut) {
   EXPECT_NEAR(f.peak_torque, tangential * 3e-3, 1e-12);
 }
 
+TEST(CuttingForce, OfTheStarsStraightCutIsTheMeasured99Newtons) {
+  // One tooth of 6 mm, 3 mm deep, 60 degrees climb, 0.04 mm per tooth [Jacsó 2021]; the
+  // coefficients are those of "Star test piece" in Resources/materials.json, which this cut
+  // calibrates.
+  const ForceModel model({1169.3, 389.8, 0, 0}, 3, 1, 30 * kDegree);
+  EXPECT_NEAR(force_of(model, {climb(60 * kDegree, 3)}, 0.04, 6366).peak_xy, 99, 0.5);
+}
+
 TEST(CuttingForce, AveragesToTheClosedFormsOfMilling) {
   std::mt19937 random(1);
   for (int i = 0; i < 300; ++i) {
