@@ -365,7 +365,10 @@ std::vector<double> planned_speeds(const std::vector<Piece>& pieces,
         at = std::min(speed[k], reachable(at, pieces[k].length, pieces[k].accel, jerk));
       limit[i] = std::min(at, speed[i]);
     }
-    speed = limit;
+    // With a jerk limit a higher speed at the end may take more length to brake to.
+    for (std::size_t i = n; i-- > 1;)
+      speed[i] =
+          std::min(limit[i], reachable(speed[i + 1], pieces[i].length, pieces[i].accel, jerk));
   }
   for (std::size_t i = 0; i + 1 < n; ++i)
     speed[i + 1] =

@@ -346,7 +346,7 @@ TEST(MachineTime, PlansNoFurtherThanItLooksAhead) {
 
 TEST(MachineTime, NeverBreaksALimitOfAccelerationBetweenMoves) {
   std::mt19937 random(5);
-  for (int i = 0; i < 100; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const std::vector<Move> moves = random_path(random, 100);
     const MachineProfile profile = random_profile(random, i % 2);
     for (const MoveTime& time : machine_time(moves, profile)) {
