@@ -1,0 +1,104 @@
+"""Machine profiles: how fast a machine changes its speed, from JSON files with units in their keys.
+
+Ours lie in Resources/machines/; docs/force_and_time.md says what the keys mean. Needs neither
+FreeCAD nor the core.
+"""
+
+import os
+
+from evenload import materials
+
+FOLDER = os.path.join(materials.ADDON, "Resources", "machines")
+# (key of the file, key of the core) of values per axis, and of single values with their defaults
+AXES = (("max_feed_mm_min", "max_feed"), ("acceleration_mm_s2", "max_accel"))
+SINGLE = (
+    ("jerk_mm_s3", "max_jerk", 0.0),
+    ("centripetal_acceleration_mm_s2", "centripetal_accel", 0.0),
+    ("junction_deviation_mm", "junction_deviation", 0.0),
+    ("block_rate_per_s", "block_rate", 0.0),
+    ("look_ahead_blocks", "look_ahead", 0),
+)
+RAPID = "rapid_feed_mm_min"
+KEYS = tuple(k for k, _ in AXES) + tuple(k for k, _, _ in SINGLE) + (RAPID, "name", "note")
+
+
+def names():
+    """The names under which our profiles are loaded, sorted."""
+    return sorted(name[:-5] for name in os.listdir(FOLDER) if name.endswith(".json"))
+
+
+def load(machine):
+    """A profile in the core's words and units: name; max_feed (mm/min) and max_accel (mm/s2), both
+    (x, y, z); max_jerk, centripetal_accel, junction_deviation, block_rate, look_ahead, rapid_feed.
+
+    machine: one of names(), the path of a JSON file, or a dictionary with the keys of such a file.
+    Raises ValueError with a sentence for what cannot be used.
+    """
+    if isinstance(machine, dict):
+        return _checked(machine, str(machine.get("name") or "the user's machine"))
+    if not isinstance(machine, (str, os.PathLike)):
+        raise ValueError(
+            "A machine is a name, a JSON file or a dictionary of limits, not %r." % (machine,)
+        )
+    path = os.fspath(machine)
+    if path in names():
+        path = os.path.join(FOLDER, path + ".json")
+    elif not path.lower().endswith(".json"):
+        raise ValueError(
+            "There is no machine '%s': choose one of %s, or give a JSON file or a dictionary of"
+            " limits." % (path, ", ".join("'%s'" % name for name in names()))
+        )
+    profile = materials.read_object(path, "machine")
+    return _checked(
+        profile, str(profile.get("name") or os.path.splitext(os.path.basename(path))[0])
+    )
+
+
+def _checked(profile, name):
+    unknown = sorted(str(key) for key in profile if key not in KEYS)
+    if unknown:
+        raise ValueError(
+            "The machine '%s' has the unknown key '%s': its keys are %s."
+            % (name, unknown[0], ", ".join(KEYS))
+        )
+    result = {"name": name}
+    for key, word in AXES:
+        result[word] = _per_axis(profile, name, key)
+    for key, word, default in SINGLE:
+        value = profile.get(key, default)
+        if not materials.number(value) or value < 0:
+            raise ValueError(
+                "%s of the machine '%s' must be a number of 0 or more, not %r." % (key, name, value)
+            )
+        if isinstance(default, int) and value != int(value):
+            raise ValueError(
+                "%s of the machine '%s' must be a whole number, not %r." % (key, name, value)
+            )
+        result[word] = type(default)(value)
+    rapid = profile.get(RAPID, max(result["max_feed"]))
+    if not materials.number(rapid) or rapid <= 0:
+        raise ValueError(
+            "%s of the machine '%s' must be a number above 0, not %r." % (RAPID, name, rapid)
+        )
+    result["rapid_feed"] = float(rapid)
+    return result
+
+
+def _per_axis(profile, name, key):
+    if key not in profile:
+        raise ValueError(
+            "The machine '%s' has no %s: give it one number, or one each for x, y and z."
+            % (name, key)
+        )
+    value = profile[key]
+    values = [value] * 3 if materials.number(value) else value
+    if (
+        not isinstance(values, (list, tuple))
+        or len(values) != 3
+        or not all(materials.number(v) and v > 0 for v in values)
+    ):
+        raise ValueError(
+            "%s of the machine '%s' must be one number above 0, or one each for x, y and z, not %r."
+            % (key, name, value)
+        )
+    return tuple(float(v) for v in values)
