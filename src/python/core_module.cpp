@@ -13,6 +13,7 @@
 #include "geometry/region.h"
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
+#include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
 
@@ -244,4 +245,5 @@ PYBIND11_MODULE(_core, m) {
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
   bind_force(m);
+  bind_simulate(m);
 }

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cutting/force.h"
+#include "python/moves_from.h"
 #include "toolpath/machine_time.h"
 
 namespace py = pybind11;
@@ -18,21 +19,7 @@ namespace evenload {
 namespace {
 
 using Axes = std::array<double, 3>;
-// (kind, x, y, z, sweep, cx, cy, feed), as Toolpath.moves gives them.
-using MoveTuple = std::tuple<int, double, double, double, double, double, double, double>;
 using ArcTuple = std::tuple<double, double, double>;
-
-std::vector<Move> moves_from(const std::vector<MoveTuple>& tuples) {
-  std::vector<Move> moves;
-  moves.reserve(tuples.size());
-  for (const auto& [kind, x, y, z, sweep, cx, cy, feed] : tuples) {
-    if (kind < 0 || kind > 3)
-      throw std::invalid_argument("Move " + std::to_string(moves.size()) +
-                                  " must be of kind 0 rapid, 1 link, 2 entry or 3 cut.");
-    moves.push_back({static_cast<MoveKind>(kind), x, y, z, sweep, cx, cy, feed});
-  }
-  return moves;
-}
 
 MachineProfile profile_from(const std::string& name, const Axes& max_feed, const Axes& max_accel,
                             double max_jerk, double centripetal_accel, double junction_deviation,
@@ -102,8 +89,8 @@ void bind_force(py::module_& m) {
 
   m.def(
       "machine_time",
-      [](const std::vector<MoveTuple>& tuples, const MachineProfile& profile) {
-        const std::vector<Move> moves = moves_from(tuples);
+      [](const py::object& source, const MachineProfile& profile) {
+        const std::vector<Move> moves = moves_from(source);
         std::vector<std::tuple<double, double, double, double, double>> result;
         result.reserve(moves.size());
         for (const MoveTime& t : machine_time(moves, profile))
@@ -114,8 +101,8 @@ void bind_force(py::module_& m) {
       "(start, duration, entry, peak, exit) of every move, s and mm/s.");
   m.def(
       "programmed_time",
-      [](const std::vector<MoveTuple>& tuples, double rapid_feed) {
-        return programmed_time(moves_from(tuples), rapid_feed);
+      [](const py::object& source, double rapid_feed) {
+        return programmed_time(moves_from(source), rapid_feed);
       },
       py::arg("moves"), py::arg("rapid_feed"), "s of all moves at their programmed feeds.");
 }

@@ -1,0 +1,250 @@
+#include "simulate/load_walk.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evenload {
+namespace {
+
+// mm: a layer this thin on the tool's side is what rounding and tolerances leave, no contact.
+constexpr double kGraze = 0.005;
+// mm: G-code has three decimals; a gouge of less is no incident.
+constexpr double kRounding = 0.001;
+// rad: moves that turn by less go on in one direction.
+constexpr double kSameDirection = 1e-9;
+// mm: a move this near to an entry's way repeats it; G-code's rounding is far less.
+constexpr double kRetraced = 0.01;
+// mm: level and vertical are so but for rounding.
+constexpr double kLevel = 1e-9;
+
+}  // namespace
+
+LoadWalk::LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result)
+    : stock_(stock),
+      params_(params),
+      result_(result),
+      radius_(0.5 * params.tool_diameter),
+      part_(params.part, radius_),
+      fixtures_(params.fixtures, radius_) {
+  if (params.force && params.spindle_speed > 0)
+    force_.emplace(params.force->coefficients, radius_, params.teeth, params.force->helix_angle);
+}
+
+void LoadWalk::add(const Move& from, const Move& to, std::size_t number) {
+  now_ = {};
+  now_.move = to;
+  now_.number = number;
+  now_.first_sample = result_.record.size();
+  now_.feed = to.kind == MoveKind::kRapid ? params_.rapid_feed : to.feed;
+  const std::vector<MovePiece> pieces = pieces_of(from, to);
+  double level = 0;
+  for (const MovePiece& piece : pieces) level += piece.path.length();
+  const double length = std::hypot(level, to.z - from.z);
+  if (!(length > 0)) return;
+  now_.vertical = level <= kLevel;
+  now_.level_share = level / length;
+  for (const MovePiece& piece : pieces) walk(piece);
+  finish_move(from, pieces);
+}
+
+void LoadWalk::walk(const MovePiece& piece) {
+  check_gouge(piece);
+  const Segment& path = piece.path;
+  const double length = std::hypot(path.length(), piece.z1 - piece.z0);
+  const bool above = std::min(piece.z0, piece.z1) >= stock_.top();
+  const int steps =
+      above ? 1 : std::max(1, static_cast<int>(std::ceil(length / params_.step - 1e-9)));
+  const auto direction = [&](double t) {
+    return now_.vertical ? last_feed_angle_ : angle_of(path.tangent(t));
+  };
+  sample(path.a, piece.z0, direction(0), 0, std::nullopt);
+  double z = piece.z0;
+  for (int k = 1; k <= steps; ++k) {
+    const double from = static_cast<double>(k - 1) / steps, to = static_cast<double>(k) / steps;
+    const double below = piece.z0 + to * (piece.z1 - piece.z0);
+    const Segment step = steps == 1 || now_.vertical ? path : path.part(from, to);
+    const Removal removal = cut(step, z, below);
+    removed_ += removal.volume;
+    result_.figures.removed_area += removal.area;
+    time_ += 60 * length / steps / now_.feed;
+    check_contact(step.b, z, below, length / steps, removal);
+    sample(step.b, below, direction(to), length / steps, removal);
+    z = below;
+  }
+}
+
+Removal LoadWalk::cut(const Segment& path, double z0, double z1) {
+  Removal total;
+  if (!now_.vertical) total += stock_.cut(path, radius_, std::max(z0, z1));
+  if (z1 < z0) total += stock_.cut(Segment::line(path.b, path.b), radius_, z1);
+  return total;
+}
+
+void LoadWalk::check_gouge(const MovePiece& piece) {
+  const auto check = [&](const PartGauge& gauge, Worst& worst, IncidentKind kind) {
+    if (gauge.empty()) return false;
+    const Gouge found = gauge.deepest(piece.path, piece.z0, piece.z1, params_.step);
+    if (!(found.depth > 0)) return false;
+    const Vec2 p = now_.vertical ? piece.path.a : piece.path.point(found.t);
+    const Place at{p.x, p.y, piece.z0 + found.t * (piece.z1 - piece.z0)};
+    if (found.depth > worst.value) worst = {found.depth, at};
+    if (found.depth > kRounding) {
+      std::vector<Incident>& incidents = result_.figures.incidents;
+      if (incidents.empty() || incidents.back().move != now_.number ||
+          incidents.back().kind != kind)
+        incidents.push_back({kind, at, now_.number, found.depth});
+      else if (found.depth > incidents.back().amount)
+        incidents.back() = {kind, at, now_.number, found.depth};
+    }
+    return true;
+  };
+  now_.gouging = check(part_, result_.figures.gouge, IncidentKind::kGouge);
+  check(fixtures_, result_.figures.fixture, IncidentKind::kFixture);
+}
+
+// Rapids, and plunges straight down, must not meet material.
+void LoadWalk::check_contact(Vec2 p, double z0, double z1, double length, const Removal& removal) {
+  if (now_.move.kind != MoveKind::kRapid && !(now_.vertical && z1 < z0)) return;
+  const double grazed = now_.vertical
+                            ? 2 * kPi * radius_ * kGraze * std::abs(z1 - z0)
+                            : kGraze * length * std::max(0.0, stock_.top() - std::min(z0, z1));
+  if (!(removal.volume > grazed)) return;
+  if (now_.in_material == 0) now_.met = {p.x, p.y, z1};
+  now_.in_material += length;
+}
+
+bool LoadWalk::seen_before(Vec2 p, double z, double feed_angle) const {
+  const LoadRecord& record = result_.record;
+  return record.size() > 0 && !now_.vertical && !last_vertical_ && record.x.back() == p.x &&
+         record.y.back() == p.y && record.z.back() == z &&
+         std::abs(wrap_signed(feed_angle - last_feed_angle_)) < kSameDirection;
+}
+
+void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length,
+                      const std::optional<Removal>& removal) {
+  LoadRecord& record = result_.record;
+  if (!removal && seen_before(p, z, feed_angle)) {
+    if (record.size() > now_.first_sample) return;  // the pieces of one arc go on smoothly
+  } else if (removal ? removal->any : z < stock_.top()) {
+    find_engaged_arcs(stock_, {p, radius_, z, feed_angle}, now_.vertical, arcs_);
+  } else {
+    arcs_.clear();
+  }
+  last_feed_angle_ = feed_angle;
+  last_vertical_ = now_.vertical;
+  record.x.push_back(p.x);
+  record.y.push_back(p.y);
+  record.z.push_back(z);
+  record.move.push_back(static_cast<std::int32_t>(now_.number));
+  record.kind.push_back(static_cast<std::int8_t>(now_.move.kind));
+  record.length.push_back(length);
+  record.time.push_back(time_);
+  record.feed.push_back(now_.feed);
+  record.removed_volume.push_back(removed_);
+  record.gouge.push_back(now_.gouging ? part_.depth(p, z) : 0);
+  append_load(feed_angle, length, removal);
+}
+
+void LoadWalk::append_load(double feed_angle, double length,
+                           const std::optional<Removal>& removal) {
+  LoadRecord& record = result_.record;
+  double engagement = 0, deepest = 0, face = 0;  // face: mm^2 of material across the feed
+  double width = 0;
+  for (const EngagedArc& arc : arcs_) {
+    engagement += arc.high - arc.low;
+    deepest = std::max(deepest, arc.depth);
+    const double across = radius_ * (std::sin(arc.high) - std::sin(arc.low));
+    width += across;
+    face += arc.depth * across;
+  }
+  if (now_.vertical || width > kGraze) now_.touched = now_.touched || engagement > 0;
+  record.engagement.push_back(engagement);
+  record.axial_depth.push_back(deepest);
+  // On a slope the tip cuts as well, so that what was removed has to be asked.
+  const bool level = now_.level_share == 1;
+  record.removal_rate.push_back(level || !removal ? (now_.vertical ? 0 : now_.feed * face)
+                                                  : now_.feed * removal->volume / length);
+  record.first_arc.push_back(record.arcs.size());
+  record.arcs.insert(record.arcs.end(), arcs_.begin(), arcs_.end());
+  append_chips();
+  if (force_) append_force(feed_angle);
+}
+
+void LoadWalk::append_chips() {
+  LoadRecord& record = result_.record;
+  double largest = 0, mean = 0, angle = 0;
+  if (params_.spindle_speed > 0 && !now_.vertical) {
+    const double feed_per_tooth =
+        now_.level_share * now_.feed / (params_.spindle_speed * params_.teeth);
+    for (const EngagedArc& arc : arcs_) {
+      const double steepest = std::clamp(0.0, arc.low, arc.high);
+      largest = std::max(largest, feed_per_tooth * std::cos(steepest));
+      mean += feed_per_tooth * (std::sin(arc.high) - std::sin(arc.low));
+      angle += arc.high - arc.low;
+    }
+  }
+  record.h_max.push_back(largest);
+  record.h_mean.push_back(angle > 0 ? mean / angle : 0);
+}
+
+void LoadWalk::append_force(double feed_angle) {
+  LoadRecord& record = result_.record;
+  CuttingForce force;
+  if (!now_.vertical && !arcs_.empty())
+    force = force_->force(arcs_.data(), arcs_.size(),
+                          now_.level_share * now_.feed / (params_.spindle_speed * params_.teeth),
+                          params_.spindle_speed, feed_angle);
+  record.force_peak.push_back(force.peak_xy);
+  record.force_mean.push_back(force.mean_xy);
+  record.force_x_peak.push_back(force.peak_x);
+  record.force_y_peak.push_back(force.peak_y);
+  record.torque_peak.push_back(force.peak_torque);
+  record.torque_mean.push_back(force.mean_torque);
+  record.power_mean.push_back(force.mean_power);
+}
+
+// G-code does not tell what a move is for. Going down it enters, and also where it goes once more
+// along the way it came down, as the level end of a helix; through material it cuts.
+MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>& pieces) {
+  const auto retraced = [&](Vec2 p) {
+    return std::any_of(entry_.begin(), entry_.end(),
+                       [&](const Segment& way) { return way.distance_to(p) < kRetraced; });
+  };
+  const auto goes_along_entry = [&](const MovePiece& piece) {
+    return retraced(piece.path.point(0)) && retraced(piece.path.point(0.5)) &&
+           retraced(piece.path.point(1));
+  };
+  if (now_.move.z < from.z - kLevel) {
+    for (const MovePiece& piece : pieces) entry_.push_back(piece.path);
+    return MoveKind::kEntry;
+  }
+  if (now_.touched && std::all_of(pieces.begin(), pieces.end(), goes_along_entry))
+    return MoveKind::kEntry;
+  entry_.clear();
+  return now_.touched ? MoveKind::kCut : MoveKind::kLink;
+}
+
+void LoadWalk::finish_move(const Move& from, const std::vector<MovePiece>& pieces) {
+  if (now_.move.kind == MoveKind::kRapid) {
+    entry_.clear();
+  } else if (params_.infer_kinds) {
+    const MoveKind kind = inferred_kind(from, pieces);
+    std::fill(result_.record.kind.begin() + static_cast<std::ptrdiff_t>(now_.first_sample),
+              result_.record.kind.end(), static_cast<std::int8_t>(kind));
+  }
+  if (!(now_.in_material > 0)) return;
+  const bool rapid = now_.move.kind == MoveKind::kRapid;
+  Worst& sum = rapid ? result_.figures.rapid_in_material : result_.figures.plunge_in_material;
+  if (sum.value == 0) sum.at = now_.met;
+  sum.value += now_.in_material;
+  result_.figures.incidents.push_back(
+      {rapid ? IncidentKind::kRapidInMaterial : IncidentKind::kPlungeInMaterial, now_.met,
+       now_.number, now_.in_material});
+}
+
+void LoadWalk::finish() {
+  result_.record.first_arc.push_back(result_.record.arcs.size());
+  result_.figures.removed_volume = removed_;
+}
+
+}  // namespace evenload

@@ -1,0 +1,67 @@
+// The walk along a path: cuts the stock step by step and records the load.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "simulate/engaged_arcs.h"
+#include "simulate/move_pieces.h"
+#include "simulate/part_gauge.h"
+#include "simulate/simulate.h"
+
+namespace evenload {
+
+class LoadWalk {
+ public:
+  // `result` gets the record and those of the figures that are found on the way.
+  LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result);
+
+  // Goes from `from` to `to`, the move of that number.
+  void add(const Move& from, const Move& to, std::size_t number);
+  // Ends the record.
+  void finish();
+
+ private:
+  // What is known of the move under way.
+  struct Now {
+    Move move;
+    std::size_t number = 0;
+    std::size_t first_sample = 0;
+    double feed = 0;         // mm/min along the path
+    double level_share = 0;  // of the feed's length that is level
+    bool vertical = false;   // straight up or down
+    bool gouging = false;    // its present piece touches the part
+    bool touched = false;    // met material that counts
+    double in_material = 0;  // mm of path
+    Place met;               // where first
+  };
+
+  void walk(const MovePiece& piece);
+  Removal cut(const Segment& path, double z0, double z1);
+  void check_gouge(const MovePiece& piece);
+  void check_contact(Vec2 p, double z0, double z1, double length, const Removal& removal);
+  // Appends a sample; `removal` is the step's that led there, none at the start of a piece.
+  void sample(Vec2 p, double z, double feed_angle, double length,
+              const std::optional<Removal>& removal);
+  bool seen_before(Vec2 p, double z, double feed_angle) const;
+  void append_load(double feed_angle, double length, const std::optional<Removal>& removal);
+  void append_chips();
+  void append_force(double feed_angle);
+  void finish_move(const Move& from, const std::vector<MovePiece>& pieces);
+  MoveKind inferred_kind(const Move& from, const std::vector<MovePiece>& pieces);
+
+  DexelStock& stock_;
+  const SimulationParams& params_;
+  Simulation& result_;
+  double radius_;
+  PartGauge part_, fixtures_;
+  std::optional<ForceModel> force_;
+  std::vector<EngagedArc> arcs_;
+  Now now_;
+  double time_ = 0, removed_ = 0;
+  double last_feed_angle_ = 0;  // rad, of the sample before
+  bool last_vertical_ = false;
+  std::vector<Segment> entry_;  // the way of the entry that was just made
+};
+
+}  // namespace evenload

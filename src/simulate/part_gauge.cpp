@@ -1,0 +1,91 @@
+#include "simulate/part_gauge.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+namespace evenload {
+namespace {
+
+// mm: a tip this near to a top stands on it.
+constexpr double kOnTop = 1e-6;
+
+// The parameter of an arc at an angle, or a value outside of [0, 1].
+double parameter_at(const Segment& arc, double angle) {
+  const double turned = arc.sweep > 0 ? wrap_positive(angle - arc.start_angle)
+                                      : -wrap_positive(arc.start_angle - angle);
+  return turned / arc.sweep;
+}
+
+}  // namespace
+
+PartGauge::PartGauge(const std::vector<Prism>& part, double tool_radius) : radius_(tool_radius) {
+  std::map<double, std::vector<Curve>> by_top;
+  for (const Prism& prism : part)
+    for (const Curve& curve : prism.region.curves()) by_top[prism.top].push_back(curve);
+  for (const auto& [top, curves] : by_top) {
+    std::vector<Segment> edges;
+    std::vector<Bounds> boxes;
+    for (const Curve& curve : curves) {
+      for (const Segment& edge : curve.segments()) {
+        edges.push_back(edge);
+        boxes.push_back(edge.bounds());
+      }
+    }
+    levels_.push_back({top, BoundaryIndex(curves), std::move(edges), BoxTree(boxes)});
+  }
+}
+
+double PartGauge::depth(Vec2 p, double z) const {
+  double deepest = 0;
+  for (const Level& level : levels_) {
+    const double below = level.top - z;
+    if (below <= kOnTop) continue;
+    const double distance = level.index.distance_below(p, radius_);
+    double sideways = radius_ - distance;
+    if (level.index.contains(p)) sideways = radius_ + level.index.nearest(p).distance;
+    deepest = std::max(deepest, std::min(sideways, below));
+  }
+  return deepest;
+}
+
+// The distance between two pieces is least at an end of either or on a common normal.
+template <typename Visit>
+void PartGauge::visit_nearest(const Segment& path, const Segment& edge, Visit visit) {
+  visit(path.nearest(edge.a));  // its other end is the next edge's
+  if (edge.is_arc()) {
+    if (!path.is_arc()) {
+      visit(path.nearest(edge.centre));
+    } else if (edge.centre != path.centre) {
+      const double angle = angle_of(edge.centre - path.centre);
+      visit(parameter_at(path, angle));
+      visit(parameter_at(path, angle + kPi));
+    }
+  } else if (path.is_arc()) {
+    const double normal = angle_of(left_normal(edge.b - edge.a));
+    visit(parameter_at(path, normal));
+    visit(parameter_at(path, normal + kPi));
+  }
+}
+
+Gouge PartGauge::deepest(const Segment& path, double z0, double z1, double step) const {
+  Gouge worst;
+  if (levels_.empty() || std::min(z0, z1) >= levels_.back().top - kOnTop) return worst;
+  const auto look = [&](double t) {
+    if (!(t >= 0 && t <= 1)) return;
+    const double found = depth(path.point(t), z0 + t * (z1 - z0));
+    if (found > worst.depth) worst = {found, t};
+  };
+  const int pieces = std::max(1, static_cast<int>(std::ceil(path.length() / step)));
+  for (int k = 0; k <= pieces; ++k) look(static_cast<double>(k) / pieces);
+  if (!(path.length() > 0)) return worst;
+  const Bounds near = grown(path.bounds(), radius_);
+  for (const Level& level : levels_) {
+    if (level.top - std::min(z0, z1) <= kOnTop) continue;
+    level.tree.visit(near,
+                     [&](std::uint32_t edge) { visit_nearest(path, level.edges[edge], look); });
+  }
+  return worst;
+}
+
+}  // namespace evenload
