@@ -1,5 +1,18 @@
 """EvenLoad: milling operations for FreeCAD that keep the tool's load even.
 
 Importing this package imports neither the compiled modules nor the Path / CAM workbench, so that it
-costs nothing at FreeCAD's start. `compiled` loads the compiled modules.
+costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenload.simulate` and
+`evenload.simulation` load them when they are asked for.
 """
+
+
+def __getattr__(name):
+    if name == "simulate":
+        from evenload.simulation import simulate
+
+        return simulate
+    if name == "simulation":
+        from importlib import import_module
+
+        return import_module("evenload.simulation")
+    raise AttributeError("module 'evenload' has no attribute '%s'" % name)

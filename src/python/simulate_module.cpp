@@ -140,7 +140,7 @@ py::tuple simulate_from_python(const py::object& source, DexelStock& stock, doub
                                bool infer_kinds, const std::vector<PrismTuple>& part,
                                const std::vector<PrismTuple>& fixtures,
                                const std::optional<ForceCoefficients>& force, double helix_angle,
-                               const std::optional<MachineProfile>& machine,
+                               const std::optional<MachineProfile>& machine, bool find_rest,
                                const std::function<bool(double)>& progress) {
   const std::vector<Move> moves = moves_from(source);
   SimulationParams params;
@@ -154,6 +154,7 @@ py::tuple simulate_from_python(const py::object& source, DexelStock& stock, doub
   params.fixtures = prisms_from(fixtures);
   if (force) params.force = ForceParams{*force, helix_angle};
   params.machine = machine;
+  params.find_rest = find_rest;
   Progress watch = progress ? Progress([&progress](double share) {
     const py::gil_scoped_acquire lock;
     return progress(share);
@@ -203,7 +204,7 @@ void bind_simulate(py::module_& module) {
              py::arg("part") = std::vector<PrismTuple>(),
              py::arg("fixtures") = std::vector<PrismTuple>(), py::arg("force") = py::none(),
              py::arg("helix_angle") = 0.0, py::arg("machine") = py::none(),
-             py::arg("progress") = nullptr,
+             py::arg("find_rest") = true, py::arg("progress") = nullptr,
              "Runs moves, or a Toolpath, on the stock, which is cut: (record of arrays, figures, "
              "cancelled). rad, mm, mm/min.");
 }

@@ -96,7 +96,7 @@ Simulation simulate(const std::vector<Move>& moves, DexelStock& stock,
   walk.finish();
   if (params.machine) append_machine_time(moves, *params.machine, result.record);
   add_up_record(result.record, result.figures);
-  if (!result.cancelled)
+  if (params.find_rest && !result.cancelled)
     result.figures.rest = find_rest(stock, params.part, 0.5 * params.tool_diameter);
   progress.report(1);
   return result;

@@ -31,7 +31,8 @@ struct SimulationParams {
   double spindle_speed = 0;     // rev/min; 0: unknown, so neither chip thickness nor force
   double rapid_feed = 5000;     // mm/min
   double step = 0.1;            // mm of path between two samples at the most
-  bool infer_kinds = false;     // moves of G-code: see kind_of in load_walk.cpp
+  bool infer_kinds = false;     // moves of G-code: links and entries are told by what they do
+  bool find_rest = true;        // false: leaves the figures of the rest at 0
   std::vector<Prism> part;      // must not be cut; to be laid bare
   std::vector<Prism> fixtures;  // must not be touched
   std::optional<ForceParams> force;
