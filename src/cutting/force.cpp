@@ -152,11 +152,10 @@ CuttingForce ForceModel::force(const EngagedArc* arcs, std::size_t count, double
         const bool from_tip = tip >= arc.low, to_depth = tip + arc.lag <= arc.high;
         if (!engaged) std::fill_n(sums.begin(), steps + 1, Moments{});
         engaged = true;
-        // k may be beyond one turn; half a turn of the half angle is a change of sign.
-        const int tooth = ((k % teeth_) + teeth_) % teeth_;
-        const double sign = ((k - tooth) / teeth_) % 2 == 0 ? 1 : -1;
-        const Turn& own = half_tooth_angles_[tooth];
-        Unit half_tip = Unit{sign * own.c, sign * own.s} * half_begin;
+        // k may be beyond one turn: a half angle half a turn on is the same unit with the other
+        // sign, and only products of two of them are used.
+        const Turn& own = half_tooth_angles_[((k % teeth_) + teeth_) % teeth_];
+        Unit half_tip = Unit{own.c, own.s} * half_begin;
         double length_at = arc.depth, length_step = 0;
         if (!from_tip && !to_depth) {
           length_at = (arc.high - arc.low) / lag_;

@@ -319,6 +319,19 @@ TEST(CuttingForce, CountsNoToothTwiceWhereOneLeavesAsTheNextEnters) {
   EXPECT_NEAR(quarter.peak_torque, 3e-3 * 3 * (kAluminium.ktc * 0.05 + kAluminium.kte), 1e-12);
 }
 
+TEST(CuttingForce, CountsNoToothTwiceWhereverAnArcIsAsWideAsThePitchOfTheTeeth) {
+  std::mt19937 random(10);
+  for (int i = 0; i < 500; ++i) {
+    const int teeth = 3 + i % 5;
+    const double pitch = 2 * kPi / teeth;
+    const double low = uniform(random, -kPi / 2, kPi / 2 - pitch);  // and what rounding adds
+    const CuttingForce f =
+        force_of(ForceModel(kAluminium, 3, teeth, 0), {{low, low + pitch + 1e-12, 3}}, 0.05);
+    const double one = 3e-3 * 3 * (kAluminium.ktc * 0.05 + kAluminium.kte);
+    EXPECT_LE(f.peak_torque, one * (1 + 1e-12));
+  }
+}
+
 TEST(CuttingForce, HasStraightFlutesAsTheLimitOfAVanishingHelix) {
   std::mt19937 random(9);
   for (int i = 0; i < 50; ++i) {

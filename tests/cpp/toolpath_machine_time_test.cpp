@@ -344,23 +344,33 @@ TEST(MachineTime, PlansNoFurtherThanItLooksAhead) {
   EXPECT_NEAR(machine_time(moves, profile)[25].exit, 100, 1e-9);
 }
 
+// What it takes to change from each profile's entry to its exit speed fits into its length.
+void expect_changes_fit(const std::vector<MoveTime>& times) {
+  for (const MoveTime& time : times) {
+    if (time.length == 0) continue;
+    const SpeedProfile& p = time.profile;
+    const double change = std::abs(p.entry - p.exit);
+    const double needed = p.jerk == 0 ? change / p.accel
+                          : change * p.jerk <= p.accel * p.accel
+                              ? 2 * std::sqrt(change / p.jerk)
+                              : change / p.accel + p.accel / p.jerk;
+    EXPECT_LE((p.entry + p.exit) / 2 * needed, p.length * (1 + 1e-9) + 1e-12);
+  }
+}
+
 TEST(MachineTime, NeverBreaksALimitOfAccelerationBetweenMoves) {
   std::mt19937 random(5);
-  for (int i = 0; i < 400; ++i) {
-    const std::vector<Move> moves = random_path(random, 100);
-    const MachineProfile profile = random_profile(random, i % 2);
-    for (const MoveTime& time : machine_time(moves, profile)) {
-      if (time.length == 0) continue;
-      const SpeedProfile& p = time.profile;
-      // What it takes to change from the entry to the exit speed fits into the length.
-      const double change = std::abs(p.entry - p.exit);
-      const double needed = p.jerk == 0 ? change / p.accel
-                            : change * p.jerk <= p.accel * p.accel
-                                ? 2 * std::sqrt(change / p.jerk)
-                                : change / p.accel + p.accel / p.jerk;
-      EXPECT_LE((p.entry + p.exit) / 2 * needed, p.length * (1 + 1e-9) + 1e-12);
-    }
-  }
+  for (int i = 0; i < 200; ++i)
+    expect_changes_fit(machine_time(random_path(random, 100), random_profile(random, i % 2)));
+}
+
+TEST(MachineTime, BrakesInTimeAlsoWhereALowerSpeedAtTheEndWouldBeReachedSooner) {
+  // With a jerk limit more length is needed to brake to a quarter of a speed than to standstill.
+  MachineProfile profile = plain(1e6, 1000);
+  profile.look_ahead = 2;
+  expect_changes_fit(machine_time(
+      {rapid(0, 0), line(5, 0, 6000), line(6, 0, 6000), line(6.125, 0, 6000), line(11, 0, 6000)},
+      profile));
 }
 
 TEST(MachineTime, AlongAMoveRisesFromNothingToItsDuration) {
