@@ -12,6 +12,7 @@
 #include "geometry/medial_axis.h"
 #include "geometry/region.h"
 #include "python/engagement_profile.h"
+#include "python/gcode_module.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
 
@@ -242,4 +243,5 @@ PYBIND11_MODULE(_core, m) {
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
+  bind_gcode(m);
 }

@@ -47,7 +47,7 @@ void GCodeMotion::set(int tenths) {
 }
 
 void GCodeMotion::end_cycle() {
-  if (is_cycle()) kind_ = Kind::kNone;
+  if (is_cycle() || kind_ == Kind::kUnread) kind_ = Kind::kNone;
 }
 
 void GCodeMotion::run(GCodeLine& line, const GCodeLineCodes& codes) {
