@@ -14,6 +14,7 @@
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/simulate_module.h"
+#include "python/gcode_module.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
 
@@ -246,4 +247,5 @@ PYBIND11_MODULE(_core, m) {
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
   bind_force(m);
   bind_simulate(m);
+  bind_gcode(m);
 }
