@@ -39,8 +39,8 @@ class Finder {
     for (int quarter = first; (quarter - 0.5) * kPi / 2 < high_; ++quarter) look_at(quarter, arcs);
     end(high_, arcs);
     for (EngagedArc& arc : arcs) {
-      arc.low -= tool_.feed_angle;
-      arc.high -= tool_.feed_angle;
+      arc.low = std::max(-half, arc.low - tool_.feed_angle);
+      arc.high = std::min(half, arc.high - tool_.feed_angle);
     }
   }
 

@@ -24,8 +24,8 @@ LoadWalk::LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation
       params_(params),
       result_(result),
       radius_(0.5 * params.tool_diameter),
-      part_(params.part, radius_),
-      fixtures_(params.fixtures, radius_) {
+      part_(params.part, radius_, stock.top()),
+      fixtures_(params.fixtures, radius_, stock.top()) {
   if (params.force && params.spindle_speed > 0)
     force_.emplace(params.force->coefficients, radius_, params.teeth, params.force->helix_angle);
 }
@@ -204,7 +204,8 @@ void LoadWalk::append_force(double feed_angle) {
 }
 
 // G-code does not tell what a move is for. Going down it enters, and also where it goes once more
-// along the way it came down, as the level end of a helix; through material it cuts.
+// along the way it came down, as the level end of a helix; through material it cuts. What meets
+// nothing is a link if it rises, or if it is faster than all that cut; else it cuts air.
 MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>& pieces) {
   const auto retraced = [&](Vec2 p) {
     return std::any_of(entry_.begin(), entry_.end(),
@@ -221,7 +222,13 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
   if (now_.touched && std::all_of(pieces.begin(), pieces.end(), goes_along_entry))
     return MoveKind::kEntry;
   entry_.clear();
-  return now_.touched ? MoveKind::kCut : MoveKind::kLink;
+  if (now_.touched) {
+    fastest_cut_ = std::max(fastest_cut_, now_.feed);
+    return MoveKind::kCut;
+  }
+  if (now_.move.z > from.z + kLevel) return MoveKind::kLink;
+  idle_.push_back({now_.first_sample, result_.record.size(), now_.feed});
+  return MoveKind::kCut;
 }
 
 void LoadWalk::finish_move(const Move& from, const std::vector<MovePiece>& pieces) {
@@ -243,6 +250,12 @@ void LoadWalk::finish_move(const Move& from, const std::vector<MovePiece>& piece
 }
 
 void LoadWalk::finish() {
+  for (const Idle& idle : idle_) {
+    if (idle.feed > fastest_cut_)
+      std::fill(result_.record.kind.begin() + static_cast<std::ptrdiff_t>(idle.first),
+                result_.record.kind.begin() + static_cast<std::ptrdiff_t>(idle.end),
+                static_cast<std::int8_t>(MoveKind::kLink));
+  }
   result_.record.first_arc.push_back(result_.record.arcs.size());
   result_.figures.removed_volume = removed_;
 }

@@ -62,6 +62,13 @@ class LoadWalk {
   double last_feed_angle_ = 0;  // rad, of the sample before
   bool last_vertical_ = false;
   std::vector<Segment> entry_;  // the way of the entry that was just made
+  // Of G-code: level moves that met nothing, from sample to sample, and the fastest that cut.
+  struct Idle {
+    std::size_t first = 0, end = 0;
+    double feed = 0;
+  };
+  std::vector<Idle> idle_;
+  double fastest_cut_ = 0;  // mm/min
 };
 
 }  // namespace evenload

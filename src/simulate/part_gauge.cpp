@@ -19,7 +19,8 @@ double parameter_at(const Segment& arc, double angle) {
 
 }  // namespace
 
-PartGauge::PartGauge(const std::vector<Prism>& part, double tool_radius) : radius_(tool_radius) {
+PartGauge::PartGauge(const std::vector<Prism>& part, double tool_radius, double stock_top)
+    : radius_(tool_radius), stock_top_(stock_top) {
   std::map<double, std::vector<Curve>> by_top;
   for (const Prism& prism : part)
     for (const Curve& curve : prism.region.curves()) by_top[prism.top].push_back(curve);
@@ -44,7 +45,8 @@ double PartGauge::depth(Vec2 p, double z) const {
     const double distance = level.index.distance_below(p, radius_);
     double sideways = radius_ - distance;
     if (level.index.contains(p)) sideways = radius_ + level.index.nearest(p).distance;
-    deepest = std::max(deepest, std::min(sideways, below));
+    const bool is_wall = level.top >= stock_top_ - kOnTop;
+    deepest = std::max(deepest, is_wall ? sideways : std::min(sideways, below));
   }
   return deepest;
 }

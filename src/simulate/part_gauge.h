@@ -1,8 +1,8 @@
 // How deep the tool is in what must stay.
 //
 // Exact from the geometry of the part, not from dexels: a wall is gouged by hundredths of a
-// millimetre. The depth at a position is the shortest way out: sideways to the part's border, or
-// up to its top.
+// millimetre. The depth at a position is the way out sideways, to the part's border; for what does
+// not reach up to the stock's top, such as a floor, it is the way up where that is shorter.
 #pragma once
 
 #include <optional>
@@ -22,7 +22,7 @@ struct Gouge {
 class PartGauge {
  public:
   // Prisms of one top must not overlap.
-  PartGauge(const std::vector<Prism>& part, double tool_radius);
+  PartGauge(const std::vector<Prism>& part, double tool_radius, double stock_top);
 
   bool empty() const { return levels_.empty(); }
   // mm, at most the tool's radius plus the way out of the part; 0 where the tool is clear of it.
@@ -43,6 +43,7 @@ class PartGauge {
   static void visit_nearest(const Segment& path, const Segment& edge, Visit visit);
 
   double radius_;
+  double stock_top_;
   std::vector<Level> levels_;
 };
 

@@ -473,6 +473,9 @@ class Check {
   void note(const Load& load, Vec2 p, double length, const Move& move, bool cut) {
     const double mean = engagement_.add(length, load.angle);
     const double rate = rate_.add(length, load.width * move.feed);
+    if (cut)
+      found_.mean_cut_engagement +=
+          (load.angle - found_.mean_cut_engagement) * length / (found_.cut_length + length);
     (cut ? found_.cut_length : found_.link_length) += length;
     found_.removed_area += load.width * length;
     double& worst = cut ? found_.cut_engagement : found_.link_engagement;

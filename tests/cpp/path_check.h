@@ -50,6 +50,7 @@ struct Findings {
   // rad: worst mean over the window.
   double cut_engagement = 0;
   Vec2 cut_engagement_at;
+  double mean_cut_engagement = 0;  // rad, over all cuts
   double link_engagement = 0;
   Vec2 link_engagement_at;
   // mm^2/min: worst mean over the window of width times feed.

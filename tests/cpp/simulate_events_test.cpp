@@ -200,7 +200,8 @@ TEST(Kinds, OfGcodeAreToldFromWhatTheMovesDo) {
   std::vector<Move> moves = clearing();
   for (Move& m : moves)
     if (m.kind != MoveKind::kRapid) m.kind = MoveKind::kCut;
-  moves.insert(moves.end() - 1, line_to({20, 15}));
+  moves.insert(moves.end() - 1, {line_to({20, 15}), line_to({10, 15})});
+  moves[moves.size() - 2].feed = 2 * kFeed;
   const Simulation done = run(moves, {kBlock}, params);
   const auto kind_of = [&](std::size_t move) {
     for (std::size_t i = 0; i < done.record.size(); ++i)
@@ -210,7 +211,9 @@ TEST(Kinds, OfGcodeAreToldFromWhatTheMovesDo) {
   };
   EXPECT_EQ(kind_of(1), MoveKind::kEntry);
   EXPECT_EQ(kind_of(3), MoveKind::kCut);
+  EXPECT_EQ(kind_of(moves.size() - 3), MoveKind::kCut);  // of air
   EXPECT_EQ(kind_of(moves.size() - 2), MoveKind::kLink);
+  EXPECT_GT(done.figures.air_length, 20);
   EXPECT_EQ(kind_of(moves.size() - 1), MoveKind::kRapid);
 }
 
