@@ -189,6 +189,7 @@ TEST(GCode, ReadsInchesInG20WithFeedsOfTheSameLine) {
   expect_at(program.moves[1], 25.4, 1, 0);
   EXPECT_DOUBLE_EQ(program.moves[1].feed, 254) << "the feed itself does not change with the units";
   EXPECT_DOUBLE_EQ(program.moves[2].feed, 10);
+  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("2 F counts in the units of its own line")));
 }
 
 TEST(GCode, RefusesTwoCodesOfOneGroup) {
