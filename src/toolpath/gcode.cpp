@@ -214,8 +214,9 @@ class Interpreter {
       } else {
         modes_.feed = value * modes_.scale;
         if (codes.changes_units)
-          path_.note("F counts in the units of its own line, as grbl has it; LinuxCNC takes those "
-                     "before.");
+          path_.note(
+              "F counts in the units of its own line, as grbl has it; LinuxCNC takes those "
+              "before.");
       }
     }
     if (line.has('S')) {

@@ -5,6 +5,7 @@ import os
 import random
 import re
 import subprocess
+from pathlib import Path
 
 import pytest
 
@@ -61,6 +62,15 @@ def test_the_arc_tolerance_decides_how_many_lines_an_upright_arc_has():
     text = "G0 X0 Y0 Z0\nG18 G2 X10 K5 I5 F9 Z0\n"
     coarse, fine = (len(core.read_gcode(text, arc_tolerance=t).moves) for t in (0.1, 0.001))
     assert fine == pytest.approx(10 * coarse, rel=0.2)
+
+
+def test_the_example_of_the_documentation_runs_as_written(tmp_path, monkeypatch, capsys):
+    page = Path(__file__).resolve().parents[2] / "docs" / "gcode.md"
+    (example,) = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
+    (tmp_path / "part.ngc").write_text("G0 X0 Y0 Z5\nG1 Z0 F9 A5\n")
+    monkeypatch.chdir(tmp_path)
+    exec(example, {})
+    assert capsys.readouterr().out == "2 'A5' is not simulated.\n"
 
 
 # ---- against LinuxCNC's interpreter ----
