@@ -160,6 +160,7 @@ class Interpreter {
         break;
       }
       case GGroup::kUnits:
+        codes.changes_units = modes_.scale != (tenths == 200 ? kInch : 1);
         modes_.scale = tenths == 200 ? kInch : 1;
         break;
       case GGroup::kCompensation:
@@ -212,6 +213,10 @@ class Interpreter {
         modes_.inverse_time = value;
       } else {
         modes_.feed = value * modes_.scale;
+        if (codes.changes_units)
+          path_.note(
+              "F counts in the units of its own line, as grbl has it; LinuxCNC takes those "
+              "before.");
       }
     }
     if (line.has('S')) {

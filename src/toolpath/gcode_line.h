@@ -98,6 +98,7 @@ struct GCodeLineCodes {
   int stop = -1;    // tenths
   int spindle = 0;  // M3, M4, M5
   bool tool_change = false;
+  bool changes_units = false;
   std::string unknown;          // the texts of the codes without a meaning here
   bool unknown_g = false;       // one of them is a G code ...
   bool unknown_moves = false;   // ... that may move the tool ...

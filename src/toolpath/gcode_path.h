@@ -3,6 +3,7 @@
 
 #include <array>
 #include <string>
+#include <utility>
 
 #include "toolpath/gcode.h"
 #include "toolpath/gcode_arc.h"
@@ -37,7 +38,8 @@ class GCodePath {
 
   // A straight move; what is not known at its target is not known after it.
   void straight(MoveKind kind, const GCodePlace& target, double feed);
-  // `arc` lies in `plane` and begins at the present place; `end` is that of the third axis.
+  // `arc` lies in `plane`, from the present place to `target`; the third axis goes along evenly.
+  // Where one of them is not wholly known it is a straight feed move, with its note.
   void arc(const GCodeArc& arc, const GCodePlane& plane, const GCodePlace& target, double feed);
   void forget(int axis);
   // As a G92 tells it: the present place in one axis.

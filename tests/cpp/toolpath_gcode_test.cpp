@@ -119,6 +119,14 @@ TEST(GCodeWords, OfUnknownLettersAndCodesAreNotedWithTheirLine) {
                   "8 'G1.25 X5' is not simulated, and the place in its axes is unknown after it."));
 }
 
+TEST(GCodeWords, OfAnUnknownCodeLeaveTheMotionBesideItAlone) {
+  const GCodeProgram program = from_origin("G187 P1 G1 X5\nG3 X10 R5\nM19 R45\nG12 I3\nX0 I-5 E5");
+  EXPECT_THAT(notes_of(program),
+              ElementsAre("2 'G187 P1' is not simulated.", "4 'M19 R45' is not simulated.",
+                          "5 'G12 I3' is not simulated.", "6 'E5' is not simulated."));
+  EXPECT_THAT(program.lines, ElementsAre(2, 3, 6));
+}
+
 TEST(GCodeWords, InCommentsAreNotRead) {
   const GCodeProgram program = from_origin("G1 X1 (X2) ; X3 (\n(G1 X9)\n;G1 X8\n(MSG, X7)G1 Y1");
   EXPECT_EQ(program.moves.size(), 2u);
@@ -189,6 +197,7 @@ TEST(GCode, ReadsInchesInG20WithFeedsOfTheSameLine) {
   expect_at(program.moves[1], 25.4, 1, 0);
   EXPECT_DOUBLE_EQ(program.moves[1].feed, 254) << "the feed itself does not change with the units";
   EXPECT_DOUBLE_EQ(program.moves[2].feed, 10);
+  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("2 F counts in the units of its own line")));
 }
 
 TEST(GCode, RefusesTwoCodesOfOneGroup) {
@@ -214,6 +223,7 @@ TEST(GCode, KnowsToolAndSpindleOfEachMove) {
   EXPECT_THAT(program.spindle_speeds, ElementsAre(0, 0, 0, 500, 500, 700, 0, 700, 0, 0, 30));
   EXPECT_THAT(notes_of(program),
               ElementsAre(HasSubstr("11 M4 turns"), HasSubstr("12 G96 is not simulated")));
+  EXPECT_THAT(from_origin("S900 M3\nG97\nG0 X1").spindle_speeds, ElementsAre(900));
   EXPECT_THAT(error_of("T1.5", 1), HasSubstr("no tool number"));
   EXPECT_THAT(error_of("S-1", 1), HasSubstr("below zero"));
 }
@@ -463,6 +473,8 @@ TEST(GCodePlaces, ThatAreUnknownMakeFeedMovesNotes) {
   const GCodeProgram program = read_gcode("F9\nG1 X1 Y1\nG1 X2\nG1 Z1\nG1 X3\n");
   EXPECT_THAT(program.lines, ElementsAre(5));
   EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("2 Feed moves from here on are not")));
+  EXPECT_EQ(read_gcode("F9\nG1 X1 Y1\nG1 Z1\nG53 G0 Z0\nG1 X2\nX3\n").notes.size(), 3u)
+      << "one for each stretch, and G53";
   const GCodeProgram relative = read_gcode("G91 F9\nG1 X1 Y1 Z1\nX1\n");
   EXPECT_FALSE(relative.has_start);
   EXPECT_EQ(relative.notes.size(), 1u);
@@ -567,6 +579,12 @@ TEST(GCodeCycles, ReturnToTheRetractPlaneInG99) {
   EXPECT_THAT(strokes(from_origin("G0 Z10\nG99 G81 X1 Z-5 R2\nX3\nG98 X5\n")),
               ElementsAre("R0,10", "R1,10", "R1,2", "F1,-5", "R1,2", "R3,2", "F3,-5", "R3,2",
                           "R5,2", "F5,-5", "R5,10"));
+}
+
+TEST(GCodeCycles, KeepTheirWordsAndTheHeightTheyBeganAtWhenTheCodeChanges) {
+  EXPECT_THAT(strokes(from_origin("G0 Z10\nG99 G81 X1 Z-5 R2\nG98 G82 X3 P1\n")),
+              ElementsAre("R0,10", "R1,10", "R1,2", "F1,-5", "R1,2", "R3,2", "F3,-5", "R3,10"));
+  EXPECT_THAT(error_of("F1 G81 X1 Z-5 R2\nG80\nG81 X2", 3), HasSubstr("needs R and Z"));
 }
 
 TEST(GCodeCycles, RiseToTheRetractPlaneBeforeTheyGoAcross) {
