@@ -106,6 +106,28 @@ def parent_job(obj):
     return cam().utils.findParentJob(obj)
 
 
+def operation_under(obj):
+    """The operation that a dressup dresses, through any number of them; an operation itself."""
+    while hasattr(getattr(obj, "Base", None), "Path"):
+        obj = obj.Base
+    return obj
+
+
+def operations(job):
+    """The job's operations in their order, dressed ones as their dressups."""
+    return list(job.Operations.Group)
+
+
+def is_active(obj):
+    """Whether an operation, or the one that a dressup dresses, takes part in the job."""
+    return bool(getattr(operation_under(obj), "Active", True))
+
+
+def controller_of(obj):
+    """The tool controller of an operation or of the one that a dressup dresses; None without."""
+    return getattr(operation_under(obj), "ToolController", None)
+
+
 def cutting_levels(top, step_down, final_depth):
     """The z of each level in mm, descending; the last is final_depth itself. step_down > 0,
     final_depth < top.

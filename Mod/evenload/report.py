@@ -148,12 +148,9 @@ def samples_of_gcode(text):
         if mode is None or not {"X", "Y", "I", "J"} & set(at):
             continue
         if mode in (2, 3) and x is not None:
-            cx, cy = x + at.get("I", 0.0), y + at.get("J", 0.0)
-            turn = math.atan2(ny - cy, nx - cx) - math.atan2(y - cy, x - cx)
-            sweep = turn % (2 * math.pi) or 2 * math.pi
-            if mode == 2:
-                sweep = -((-turn) % (2 * math.pi) or 2 * math.pi)
-            ends = _arc(x, y, cx, cy, sweep)
+            i, j = at.get("I", 0.0), at.get("J", 0.0)
+            sweep = commands.sweep_of(nx - x, ny - y, i, j, mode == 3)
+            ends = _arc(x, y, x + i, y + j, sweep)
         else:
             ends = [(nx, ny)]
         kind = commands.CUT if mode else commands.RAPID
