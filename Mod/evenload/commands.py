@@ -201,7 +201,9 @@ def sweep_of(dx, dy, i, j, counter_clockwise):
 
 ARC_MISMATCH = 0.005, 1e-3  # mm and share of the radius: LinuxCNC and grbl refuse what exceeds both
 SAME_PLACE = 1e-6  # mm: ends of an arc that are nearer make a full circle
-PECK_CLEARANCE = 0.25  # mm above the last depth, where a pecking drill slows down: as LinuxCNC has it
+PECK_CLEARANCE = (
+    0.25  # mm above the last depth, where a pecking drill slows down: as LinuxCNC has it
+)
 SHORTEST_PECK = 1e-3  # mm
 CYCLES = (73, 81, 82, 83)
 RETRACTS = {98: True, 99: False}  # whether cycles end at the height where they began, not at R

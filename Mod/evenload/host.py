@@ -80,17 +80,21 @@ def register_operation(name, create, properties):
     cam().setup_sheet.RegisterOperation(name, create, properties)
 
 
-def freecads_adaptive(name, job, controller):
-    """FreeCAD's own Adaptive as a new operation of a job: for comparisons."""
-    if _MOVED:
-        import Path.Op.Adaptive as adaptive
-    else:
-        import PathScripts.PathAdaptive as adaptive
+def freecads(kind, name, job, controller):
+    """One of FreeCAD's own operations as a new one of a job, for comparisons; kind: 'Adaptive',
+    'PocketShape', 'Profile', 'Drilling', ...
+    """
+    module = importlib.import_module(("Path.Op." if _MOVED else "PathScripts.Path") + kind)
     FreeCAD.setActiveDocument(job.Document.Name)
     with chosen_tool_controller(controller):
-        op = adaptive.Create(name, parentJob=job)
+        op = module.Create(name, parentJob=job)
     op.ToolController = controller
     return op
+
+
+def freecads_adaptive(name, job, controller):
+    """FreeCAD's own Adaptive as a new operation of a job: for comparisons."""
+    return freecads("Adaptive", name, job, controller)
 
 
 def dressup(name):

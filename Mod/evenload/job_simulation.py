@@ -48,17 +48,13 @@ class Setup:
     earlier: list  # of (moves, tool diameter): what has been cut before, in this order
     notes: list  # sentences on what could not be taken as it is
 
-    def simulate(
-        self, resolution=0.05, step=0.1, material=None, machine=None, progress=None, helix_angle=None
-    ):
-        """The Simulation; see `of`. helix_angle: of the tool's flutes, in degrees."""
+    def simulate(self, resolution=0.05, step=0.1, material=None, machine=None, progress=None):
+        """The Simulation; see `of`."""
         from evenload.simulation import simulate
 
         cutting = dict(self.cutting)
         if material is not None:
             cutting["material"] = material
-        if helix_angle is not None:
-            cutting["helix_angle_deg"] = helix_angle
         result = simulate(
             self.moves,
             self.stock[0] if len(self.stock) == 1 else self.stock,
@@ -270,7 +266,9 @@ def _outside_floors(job, op, tool, stock, top):
         )
     )
     core = compiled.core()
-    cleared = [piece for floor in floors for piece in (_face(floor.outer, floor.islands), *_beyond(floor))]
+    cleared = [
+        piece for floor in floors for piece in (_face(floor.outer, floor.islands), *_beyond(floor))
+    ]
     outside = Part.Compound([_face(region.outer, region.islands) for region in stock])
     outside = outside.cut(cleared).removeSplitter()
     walls = _regions(Part.Compound(outside.Faces)) if outside.Faces else []
@@ -280,7 +278,9 @@ def _outside_floors(job, op, tool, stock, top):
     final = op.FinalDepth.Value
     for floor in floors:
         height = max(floor.z, final) if floor.is_face else final
-        part.append((core.Region(_closed(floor.outer), [_closed(i) for i in floor.islands]), height))
+        part.append(
+            (core.Region(_closed(floor.outer), [_closed(i) for i in floor.islands]), height)
+        )
     return part
 
 
@@ -365,7 +365,7 @@ def _model(bodies, top, bottom, notes):
                 notes.append("The model cannot be cut into prisms, so there is no part: %s" % error)
                 return None
             volume += sum(region.area for region in regions) * (high - low)
-            if high > bottom:
+            if low < top and high > bottom:
                 part += [(region, min(high, top)) for region in regions]
         if abs(volume - body.Volume) > PRISMATIC * body.Volume:
             notes.append(
