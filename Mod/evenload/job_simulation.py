@@ -117,19 +117,9 @@ def read(operation, after_earlier=True):
         notes.append("The tool controller has no spindle speed: there is no chip thickness.")
     earlier = _earlier(job, operation, top, notes) if after_earlier else []
     earlier += _hole(host.operation_under(operation), top)
-    return Setup(
-        label=operation.Label,
-        moves=moves,
-        lines=lines,
-        stock=stock,
-        top=top,
-        bottom=bottom,
-        tool=tool,
-        cutting=cutting,
-        part=_part(job, operation, tool, stock, top, bottom, notes),
-        earlier=earlier,
-        notes=notes,
-    )
+    part = _part(job, operation, tool, stock, top, bottom, notes)
+    found = operation.Label, moves, lines, stock, top, bottom, tool, cutting, part, earlier, notes
+    return Setup(*found)
 
 
 # ---- path ----
