@@ -214,18 +214,19 @@ QUIET = (4, 17, 21, 40, 43, 49, *range(54, 60), 59.1, 59.2, 59.3, 61, 61.1, 64, 
 
 def to_moves(commands, z, feed):
     """(moves, numbers): the moves (kind, x, y, z, sweep, cx, cy, feed) that Path commands make, and
-    for each the number of its command, counted from 1.
+    for each the number of its command, counted from 1. The first, of number 0, says where the tool
+    is before: at the height z, over the place that the commands name first.
 
     mm, rad, mm/min. G0 and the quick parts of cycles become RAPID, with a feed of 0, all else CUT.
-    z: the height where the tool is before; over the place that the commands name first. feed: in
-    mm/min, of feed moves before the first F. Drilling cycles become their single moves. The centres
-    of arcs are moved to where both radii are the same. Raises ValueError, with the number, for a
-    command that cannot be followed.
+    feed: in mm/min, of feed moves before the first F. Drilling cycles become their single moves.
+    The centres of arcs are moved to where both radii are the same. Raises ValueError, with the
+    number, for a command that cannot be followed.
     """
-    reader = _Reader(z, feed)
-    for axis in "XY":
-        named = (c.Parameters[axis] for c in commands if axis in c.Parameters)
-        reader.at[axis] = next(named, 0.0)
+    first = {
+        axis: next((c.Parameters[axis] for c in commands if axis in c.Parameters), 0.0)
+        for axis in "XY"
+    }
+    reader = _Reader({**first, "Z": float(z)}, feed)
     for number, command in enumerate(commands, 1):
         try:
             reader.read(command.Name.upper(), command.Parameters)
@@ -239,10 +240,10 @@ def to_moves(commands, z, feed):
 class _Reader:
     """Follows commands; its errors are the ends of sentences."""
 
-    def __init__(self, z, feed):
-        self.moves, self.numbers = [], []
-        self.at = {"X": 0.0, "Y": 0.0, "Z": float(z)}
+    def __init__(self, at, feed):
+        self.moves, self.numbers = [], [0]
         self.feed = feed
+        self._add(RAPID, at, 0.0, 0.0, 0.0)
         self.cycles_began = None  # the height; None outside of cycles
         self.to_begin = True
 

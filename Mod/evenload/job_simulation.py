@@ -37,8 +37,8 @@ class Setup:
     """All that `simulate` needs; mm, rad, mm/min, rev/min."""
 
     label: str  # of the operation
-    moves: list  # of (kind, x, y, z, sweep, cx, cy, feed)
-    lines: list  # for each move, the number of its command in the operation's path, from 1
+    moves: list  # of (kind, x, y, z, sweep, cx, cy, feed); the first says where the tool is
+    lines: list  # for each move, the number of its command in the operation's path, from 1; 0: none
     stock: list  # of the core's Region: seen from above
     top: float
     bottom: float
@@ -67,6 +67,7 @@ class Setup:
             machine=machine,
             resolution=resolution,
             step=step,
+            infer_kinds=True,
             earlier=self.earlier,
             lines=self.lines,
             progress=progress,
@@ -105,7 +106,7 @@ def read(operation, after_earlier=True):
     tool, data = tools.read(host.controller_of(operation))
     notes = []
     moves, lines = _moves(operation)
-    if not moves:
+    if len(moves) < 2:
         raise ValueError("'%s' has no path to simulate: recompute it first." % operation.Label)
     if tool.bull_nosed:
         notes.append("The tool '%s' is simulated with sharp corners." % tool.name)
@@ -160,7 +161,7 @@ def _earlier(job, operation, top, notes):
             continue
         moves, _ = _moves(other)
         result += _hole(host.operation_under(other), top)
-        if moves:
+        if len(moves) > 1:
             result.append((moves, diameter))
     return result
 
@@ -229,7 +230,7 @@ def _part(job, operation, tool, stock, top, bottom, notes):
             % (inner.Label, " and ".join("'%s'" % obj.Label for obj in others))
         )
         return None
-    return _model([m.Shape for m in models if not m.Shape.isNull()], top, bottom, notes)
+    return _model([m.Shape for m in models if not m.Shape.isNull()], bottom, notes)
 
 
 def _base_objects(operation):
@@ -255,27 +256,30 @@ def _outside_floors(job, op, tool, stock, top):
             op.Tolerance.Value,
         )
     )
-    core = compiled.core()
-    cleared = [
-        piece for floor in floors for piece in (_face(floor.outer, floor.islands), *_beyond(floor))
-    ]
-    outside = Part.Compound([_face(region.outer, region.islands) for region in stock])
-    outside = outside.cut(cleared).removeSplitter()
-    walls = _regions(Part.Compound(outside.Faces)) if outside.Faces else []
+    whole = Part.Compound([_face(region.outer, region.islands) for region in stock])
+    grounds = [_ground(floor) for floor in floors]
+    walls = _level_regions(whole.cut(grounds))
     if walls and op.StockToLeave.Value > 0:
-        walls = core.offset(walls, op.StockToLeave.Value)
+        grown = compiled.core().offset(walls, op.StockToLeave.Value)
+        walls = _level_regions(whole.common([_face(r.outer, r.islands) for r in grown]))
     part = [(wall, top) for wall in walls]
     final = op.FinalDepth.Value
-    for floor in floors:
+    for floor, ground in zip(floors, grounds):
         height = max(floor.z, final) if floor.is_face else final
-        part.append(
-            (core.Region(_closed(floor.outer), [_closed(i) for i in floor.islands]), height)
-        )
+        part += [(region, height) for region in _level_regions(ground.common(whole))]
     return part
 
 
-def _closed(chain):
-    return [(x, y, bulge) for x, y, bulge, *_ in chain]
+def _ground(floor):
+    """A floor's face, and what lies beyond its open sides."""
+    face, beyond = _face(floor.outer, floor.islands), _beyond(floor)
+    return face.multiFuse(beyond) if beyond else face
+
+
+def _level_regions(faces):
+    """The Regions of a shape's faces, those that adjoin each other as one."""
+    faces = faces.removeSplitter().Faces
+    return _regions(Part.Compound(faces)) if faces else []
 
 
 def _face(outer, islands=()):
@@ -333,7 +337,7 @@ def _band(piece, after):
     return Part.Face(Part.Wire(edges))
 
 
-def _model(bodies, top, bottom, notes):
+def _model(bodies, bottom, notes):
     """The bodies as [(Region, top), ...]; None, with a note, where they are no stack of prisms."""
     part = []
     for body in bodies:
@@ -355,8 +359,8 @@ def _model(bodies, top, bottom, notes):
                 notes.append("The model cannot be cut into prisms, so there is no part: %s" % error)
                 return None
             volume += sum(region.area for region in regions) * (high - low)
-            if low < top and high > bottom:
-                part += [(region, min(high, top)) for region in regions]
+            if high > bottom:
+                part += [(region, high) for region in regions]
         if abs(volume - body.Volume) > PRISMATIC * body.Volume:
             notes.append(
                 "The model has sides that are not upright: it is taken as steps between the "

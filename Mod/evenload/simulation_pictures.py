@@ -13,6 +13,7 @@ PART_COLOURS = "#f1ece0", "#b7a88a"  # of the lowest and of the highest top
 # (beginning of an incident's name, label, marker, colour)
 INCIDENTS = (
     ("gouge", "gouge", "X", "#d93025"),
+    ("fixture", "in a fixture", "s", "#202124"),
     ("rapid", "rapid in material", "^", "#7b3fa0"),
     ("plunge", "plunge in material", "v", "#1a73e8"),
 )

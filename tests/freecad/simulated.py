@@ -73,9 +73,9 @@ def faulty(op, **changes):
         plunge_in_material_at=(20.0, 20.0),
         incidents=[
             ("gouge", 0.0, 12.0, -3.0, 17, 0, 0.05),
-            ("rapid", 9.0, 9.0, -1.0, 40, 0, 1.5),
-            ("rapid", 11.0, 9.0, -1.0, 41, 0, 1.0),
-            ("plunge", 20.0, 20.0, -3.0, 80, 0, 3.0),
+            ("rapid in material", 9.0, 9.0, -1.0, 40, 0, 1.5),
+            ("rapid in material", 11.0, 9.0, -1.0, 41, 0, 1.0),
+            ("plunge in material", 20.0, 20.0, -3.0, 80, 0, 3.0),
         ],
         machine_time_total_s=150.0,
     )

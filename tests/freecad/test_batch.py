@@ -165,7 +165,9 @@ def test_a_simulation_adds_its_figures_and_its_picture(folder, simulator):
     assert figures["simulated_gouge_mm"] == 0.05 and figures["simulated_rest_area_mm2"] == 1.45
     assert figures["simulated_machine_time_s"] == 150
     assert 55 < figures["simulated_engagement_deg"] < 63 and figures["simulated_force_n"] > 0
-    assert "Simulated: rapid near (9.000, 9.000, -1.000), (11.000" in figures["simulation"]
+    assert (
+        "Simulated: rapid in material near (9.000, 9.000, -1.000), (11.000" in figures["simulation"]
+    )
     assert first["output"]["simulation_picture"] == str(folder / "out" / "simulation.svg")
     text = (folder / "out" / "simulation.svg").read_text()
     assert "target 60" in text and "nominal 1.147" in text and "plunge in material (1)" in text
@@ -175,7 +177,9 @@ def test_a_simulation_adds_its_figures_and_its_picture(folder, simulator):
     table = batch.report.table(result["jobs"]).splitlines()
     row = next(line for line in table if line.startswith("  gouge"))
     assert row.split() == ["gouge", "mm", "0.050", "-"]
-    assert any(line.startswith("plate: Simulated: plunge near (20.000") for line in table)
+    assert any(
+        line.startswith("plate: Simulated: plunge in material near (20.000") for line in table
+    )
 
 
 def test_an_empty_simulation_section_simulates_with_the_defaults(folder, simulator):

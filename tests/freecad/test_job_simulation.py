@@ -37,7 +37,10 @@ def command(text):
 
 
 def moves(*texts, z=10.0, feed=600.0):
-    return commands.to_moves([command(text) for text in texts], z, feed)
+    """Moves and their numbers, but for the first, which says where the tool is before."""
+    found, numbers = commands.to_moves([command(text) for text in texts], z, feed)
+    assert found[0][0] == RAPID and found[0][3] == z and numbers[0] == 0
+    return found[1:], numbers[1:]
 
 
 def ends(found):
@@ -55,8 +58,10 @@ def test_lines_and_rapids_keep_the_axes_that_they_do_not_name():
 
 
 def test_before_the_first_position_the_tool_is_above_it():
-    found, _ = moves("G0 Z15", "G0 X7 Y8", "G0 Z2", z=20)
-    assert ends(found) == [(RAPID, 7, 8, 15), (RAPID, 7, 8, 2)]
+    named = [command(text) for text in ("G0 Z15", "G0 X7 Y8", "G0 Z2")]
+    found, numbers = commands.to_moves(named, 20, 60)
+    assert ends(found) == [(RAPID, 7, 8, 20), (RAPID, 7, 8, 15), (RAPID, 7, 8, 2)]
+    assert numbers == [0, 1, 3]
 
 
 def test_feed_moves_before_the_first_feed_have_the_controllers_and_rapids_set_none():
@@ -150,10 +155,10 @@ def test_moves_there_and_back_are_the_same(square):
     found, numbers = commands.to_moves(op.Path.Commands, 50, 1)
     length = commands.length(op.Path.Commands)
     assert _length(found) == pytest.approx(length, rel=1e-5)
-    assert {round(m[7], 3) for m in found} == {round(m[7], 3) for m in computed}
+    assert {round(m[7], 3) for m in found[1:]} == {round(m[7], 3) for m in computed}
     assert numbers == sorted(numbers)
-    named = [op.Path.Commands[n - 1].Name for n in numbers]
-    assert [name == "G0" for name in named] == [move[0] == RAPID for move in found]
+    named = [op.Path.Commands[n - 1].Name for n in numbers[1:]]
+    assert [name == "G0" for name in named] == [move[0] == RAPID for move in found[1:]]
 
 
 def _length(found):
@@ -301,10 +306,12 @@ def test_an_island_stays(bench):
 
 
 def test_stock_to_leave_must_stay_along_the_walls(square):
-    part = job_simulation.read(square.done(square.operation(StockToLeave=0.5))).part
+    found = job_simulation.read(square.done(square.operation(StockToLeave=0.5)))
+    part, (stock,) = found.part, found.stock
     (wall,) = [region for region, top in part if top == 0]
     pocket = math.fsum(_area(island) for island in wall.islands)
     assert abs(pocket) == pytest.approx(29 * 29, rel=1e-6)
+    assert abs(_area(wall.outer)) == pytest.approx(stock.area)  # and not more than there is
 
 
 def _area(chain):
@@ -344,6 +351,9 @@ def test_nothing_must_stay_beyond_open_sides(bench):
     whole = found.stock[0].area
     assert sum(wall.area for wall in walls) == pytest.approx(whole - slot, abs=0.01 * 2 * 0.1)
     assert all(wall.area > 50 for wall in walls)  # no slivers
+    floors = [region for region, top in found.part if top != 0]
+    everything = sum(region.area for region in walls + floors)
+    assert everything == pytest.approx(whole, abs=1e-4)
 
 
 @pytest.mark.parametrize("outer", [rectangle(0, 0, 40, 30), circle(0, 0, 20)])
@@ -495,7 +505,7 @@ def test_an_earlier_drill_has_cut_and_an_earlier_v_bit_is_left_out_both_with_a_n
     foreign(square, *CUTS, name="Engraved", controller=_controller(square, 9.0, "v-bit"))
     found = job_simulation.read(square.done(square.operation()))
     assert [diameter for _, diameter in found.earlier] == [9]
-    assert [z for *_, z in ends(found.earlier[0][0])] == [1, -3, 15]
+    assert [z for *_, z in ends(found.earlier[0][0])] == [15, 1, -3, 15]
     assert "'Drilled' is simulated with a drill without a point." in found.notes
     assert any(
         note.startswith("'Engraved' is left out: its tool is a V bit") for note in found.notes
@@ -550,6 +560,7 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
     assert stock.area == pytest.approx(STOCK_AREA) and (top, bottom, diameter) == (0, -BLOCK, 6)
     assert (options["resolution"], options["step"], options["teeth"]) == (0.1, 0.2, 1)
     assert options["cutting"] == {"rapid_feed": 5000, "material": "steel"}
+    assert options["infer_kinds"] is True  # they are 0 and 3 only
     assert options["machine"] == {"name": "m"} and options["progress"] == watched.append
     assert len(options["part"]) == 2 and options["earlier"] == []
     assert result.notes == [*setup.notes, "of the simulator"]
