@@ -244,9 +244,10 @@ def _simulate(op, wishes, folder, progress):
     from evenload import job_simulation, simulation_pictures
 
     options = {key: value for key, value in wishes.items() if key != "picture"}
-    machine = options.get("machine")
-    if isinstance(machine, str) and os.path.isfile(os.path.join(folder, machine)):
-        options["machine"] = os.path.join(folder, machine)
+    for key in ("material", "machine"):
+        name = options.get(key)
+        if isinstance(name, str) and os.path.isfile(os.path.join(folder, name)):
+            options[key] = os.path.join(folder, name)
     setup = job_simulation.read(op)
     simulation = setup.simulate(progress=progress, **options)
     depth = min(op.StepDown.Value, op.StartDepth.Value - op.FinalDepth.Value)

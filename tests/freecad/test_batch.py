@@ -191,6 +191,18 @@ def test_an_empty_simulation_section_simulates_with_the_defaults(folder, simulat
     assert set(report["jobs"][0]["output"]) == {"gcode"}
 
 
+def test_materials_and_machines_are_names_objects_or_files_beside_the_job_file(folder, simulator):
+    (folder / "alloy.json").write_text("{}")
+    for material, expected in (
+        ("alloy.json", str(folder / "alloy.json")),
+        ("Al6082-T6", "Al6082-T6"),
+        ({"ktc": 600, "krc": 200}, {"ktc": 600, "krc": 200}),
+    ):
+        report, _ = run(folder, a_job(folder, simulation={"material": material}))
+        assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+        assert simulator[-1]["cutting"]["material"] == expected
+
+
 def test_a_simulation_that_fails_fails_its_job_before_anything_is_written(folder, simulator):
     report, _ = run(folder, a_job(folder, simulation={"resolution": 7, "picture": "out/s.png"}))
     assert report["jobs"][0]["error"] == "The resolution is 7 mm: make it smaller."
