@@ -24,6 +24,7 @@ import FreeCAD  # noqa: E402
 from evenload import compiled, report  # noqa: E402
 
 NUMBER = (int, float)
+NAME_OR_VALUES = (str, dict)
 REQUIRED, OPTIONAL = True, False
 FILE_KEYS = {"jobs": (list, REQUIRED), "report": (str, OPTIONAL)}
 JOB_KEYS = {
@@ -35,6 +36,7 @@ JOB_KEYS = {
     "tool": (dict, REQUIRED),
     "cutting": (dict, REQUIRED),
     "operation": (dict, REQUIRED),
+    "simulation": (dict, OPTIONAL),
     "post": (dict, OPTIONAL),
     "output": (dict, REQUIRED),
 }
@@ -53,6 +55,13 @@ SECTION_KEYS = {
         "spindle_speed": (NUMBER, REQUIRED),
     },
     "operation": {"type": (str, REQUIRED), "parameters": (dict, OPTIONAL)},
+    "simulation": {
+        "resolution": (NUMBER, OPTIONAL),
+        "step": (NUMBER, OPTIONAL),
+        "material": (NAME_OR_VALUES, OPTIONAL),
+        "machine": (NAME_OR_VALUES, OPTIONAL),
+        "picture": (str, OPTIONAL),
+    },
     "post": {"processor": (str, OPTIONAL), "arguments": (str, OPTIONAL)},
     "output": {
         "gcode": (str, REQUIRED),
@@ -60,7 +69,14 @@ SECTION_KEYS = {
         "document": (str, OPTIONAL),
     },
 }
-KINDS = {str: "text", list: "a list", dict: "an object", int: "a whole number", NUMBER: "a number"}
+KINDS = {
+    str: "text",
+    list: "a list",
+    dict: "an object",
+    int: "a whole number",
+    NUMBER: "a number",
+    NAME_OR_VALUES: "a name or an object",
+}
 OPERATIONS = ("adaptive",)
 # FreeCAD's own properties of an operation that a job file may set.
 HOST_PARAMETERS = (
@@ -158,8 +174,14 @@ def _do(job, number, folder, say, result):
             "Job %d, output: the document is '%s': its name must end in .FCStd."
             % (number, job["output"]["document"])
         )
-    for key, name in job["output"].items():  # before the work, which would be in vain
-        with _output(folder, name, "Job %d, output: the %s" % (number, key)) as path:
+    files = {
+        key: (name, "Job %d, output: the %s" % (number, key)) for key, name in job["output"].items()
+    }
+    if "picture" in job.get("simulation", {}):
+        name = job["simulation"]["picture"]
+        files["simulation_picture"] = name, "Job %d, simulation: the picture" % number
+    for name, what in files.values():  # before the work, which would be in vain
+        with _output(folder, name, what) as path:
             _try(path)
     operation = import_module("evenload.operations." + kind)
     say("reading " + job["model"])
@@ -194,6 +216,11 @@ def _do(job, number, folder, say, result):
     if not op.isValid():
         raise ValueError(op.Report or op.getStatusString())
 
+    draw_simulation = None
+    if "simulation" in job:
+        say("simulating")
+        figures, draw_simulation = _simulate(op, job["simulation"], folder, _progress(say))
+        result["figures"].update(figures)
     post = job.get("post", {})
     text = host.post(
         machine_job, post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
@@ -201,14 +228,44 @@ def _do(job, number, folder, say, result):
     for key, write in (
         ("gcode", lambda path: _write(path, text)),
         ("picture", lambda path: report.picture(op, path)),
+        ("simulation_picture", draw_simulation),
         ("document", lambda path: doc.saveCopy(path)),
     ):
-        if key in job["output"]:
-            what = "Job %d, output: the %s" % (number, key)
-            with _output(folder, job["output"][key], what) as path:
+        if key in files:
+            name, what = files[key]
+            with _output(folder, name, what) as path:
                 write(path)
             result["output"][key] = path
             say("wrote " + os.path.relpath(path))
+
+
+def _simulate(op, wishes, folder, progress):
+    """(figures, function that draws them all into a file) of an operation's simulation."""
+    from evenload import job_simulation, simulation_pictures
+
+    options = {key: value for key, value in wishes.items() if key != "picture"}
+    for key in ("material", "machine"):
+        name = options.get(key)
+        if isinstance(name, str) and os.path.isfile(os.path.join(folder, name)):
+            options[key] = os.path.join(folder, name)
+    setup = job_simulation.read(op)
+    simulation = setup.simulate(progress=progress, **options)
+    depth = min(op.StepDown.Value, op.StartDepth.Value - op.FinalDepth.Value)
+    last = op.Proxy.last
+
+    def draw(path):
+        simulation_pictures.sheet(
+            simulation,
+            path,
+            setup.stock,
+            setup.part,
+            last.hole,
+            target_deg=op.EngagementAngle.Value,
+            nominal_rate=op.SideStep.Value * depth * last.data.feed,
+            title=op.Label,
+        )
+
+    return report.simulated(simulation), draw
 
 
 def _open(path, wanted):

@@ -80,17 +80,21 @@ def register_operation(name, create, properties):
     cam().setup_sheet.RegisterOperation(name, create, properties)
 
 
-def freecads_adaptive(name, job, controller):
-    """FreeCAD's own Adaptive as a new operation of a job: for comparisons."""
-    if _MOVED:
-        import Path.Op.Adaptive as adaptive
-    else:
-        import PathScripts.PathAdaptive as adaptive
+def freecads(kind, name, job, controller):
+    """One of FreeCAD's own operations as a new one of a job, for comparisons; kind: 'Adaptive',
+    'PocketShape', 'Profile', 'Drilling', ...
+    """
+    module = importlib.import_module(("Path.Op." if _MOVED else "PathScripts.Path") + kind)
     FreeCAD.setActiveDocument(job.Document.Name)
     with chosen_tool_controller(controller):
-        op = adaptive.Create(name, parentJob=job)
+        op = module.Create(name, parentJob=job)
     op.ToolController = controller
     return op
+
+
+def freecads_adaptive(name, job, controller):
+    """FreeCAD's own Adaptive as a new operation of a job: for comparisons."""
+    return freecads("Adaptive", name, job, controller)
 
 
 def dressup(name):
@@ -104,6 +108,28 @@ def dressup(name):
 def parent_job(obj):
     """The job that an operation belongs to, or None."""
     return cam().utils.findParentJob(obj)
+
+
+def operation_under(obj):
+    """The operation that a dressup dresses, through any number of them; an operation itself."""
+    while hasattr(getattr(obj, "Base", None), "Path"):
+        obj = obj.Base
+    return obj
+
+
+def operations(job):
+    """The job's operations in their order, dressed ones as their dressups."""
+    return list(job.Operations.Group)
+
+
+def is_active(obj):
+    """Whether an operation, or the one that a dressup dresses, takes part in the job."""
+    return bool(getattr(operation_under(obj), "Active", True))
+
+
+def controller_of(obj):
+    """The tool controller of an operation or of the one that a dressup dresses; None without."""
+    return getattr(operation_under(obj), "ToolController", None)
 
 
 def cutting_levels(top, step_down, final_depth):

@@ -20,6 +20,21 @@ FIGURES = (
     ("retracts", "Retracts", "", 0),
     ("blocks", None, "", 0),
 )
+# (key, attribute of a Simulation, unit, decimals) of the rows that follow where there is one
+SIMULATED = (
+    ("simulated_engagement_deg", "max_engagement_deg", "deg", 1),
+    ("simulated_removal_rate_mm3_min", "removal_rate_peak", "mm3/min", 0),
+    ("simulated_removed_volume_mm3", "removed_volume_total", "mm3", 0),
+    ("simulated_time_s", "time_total_s", "s", 1),
+    ("simulated_machine_time_s", "machine_time_total_s", "s", 1),
+    ("simulated_rest_area_mm2", "rest_area", "mm2", 2),
+    ("simulated_gouge_mm", "gouge_mm", "mm", 3),
+    ("simulated_rapid_in_material_mm", "rapid_in_material_mm", "mm", 2),
+    ("simulated_plunge_in_material_mm", "plunge_in_material_mm", "mm", 2),
+    ("simulated_air_mm", "air_mm", "mm", 0),
+    ("simulated_force_n", "force_peak_max", "N", 0),
+)
+MOST_PLACES = 3  # of incidents that are named one by one
 LABELS = {
     "engagement_deg": "engagement, target",
     "max_engagement_deg": "engagement, largest",
@@ -34,12 +49,25 @@ LABELS = {
     "links": "links",
     "retracts": "retracts",
     "blocks": "G-code blocks",
+    "simulated_engagement_deg": "simulated: engagement",
+    "simulated_removal_rate_mm3_min": "  removal rate, largest",
+    "simulated_removed_volume_mm3": "  removed volume",
+    "simulated_time_s": "  time",
+    "simulated_machine_time_s": "  time on the machine",
+    "simulated_rest_area_mm2": "  area left",
+    "simulated_gouge_mm": "  gouge",
+    "simulated_rapid_in_material_mm": "  rapids in material",
+    "simulated_plunge_in_material_mm": "  plunges in material",
+    "simulated_air_mm": "  cuts in air",
+    "simulated_force_n": "  force, largest",
 }
 PROFILE_GAP = (
     0.35  # mm: points of the core's profile further apart than this have a retract between
 )
 ARC_STEP = math.radians(5)  # of pictures: arcs are drawn as chords over this angle
 LINK_COLOUR, ENTRY_COLOUR, WALL_COLOUR = "#9aa0a6", "#7b3fa0", "#202124"
+START_COLOUR = "#188038"
+MOST_VECTORS = 20000  # samples: longer paths are pixels in an SVG, too
 
 
 def figures(op):
@@ -62,6 +90,38 @@ def figures(op):
     return result
 
 
+def simulated(simulation):
+    """What a Simulation reports: {key: number}, units in the keys, and 'simulation', its notes and
+    the places where something is wrong. What it has not got is left out.
+    """
+    result = {}
+    for key, attribute, _, _ in SIMULATED:
+        value = getattr(simulation, attribute)
+        if value is not None:
+            result[key] = float(value)
+    result["simulation"] = "\n".join([*simulation.notes, *_incidents(simulation)])
+    return result
+
+
+def _incidents(simulation):
+    """A sentence for each kind of incident, and one for what is left."""
+    found = {}
+    for what, x, y, z, *_ in simulation.incidents:
+        found.setdefault(what, []).append("(%.3f, %.3f, %.3f)" % (x, y, z))
+    sentences = []
+    for what, places in found.items():
+        more = " and %d more" % (len(places) - MOST_PLACES) if len(places) > MOST_PLACES else ""
+        named = ", ".join(places[:MOST_PLACES])
+        sentences.append("Simulated: %s near %s%s." % (what, named, more))
+    if simulation.rests:
+        area, x, y, depth = max(simulation.rests)
+        sentences.append(
+            "Simulated: %d places left; the largest has %.2f mm2, %.3f mm deep, near (%.3f, %.3f)."
+            % (len(simulation.rests), area, depth, x, y)
+        )
+    return sentences
+
+
 def table(jobs):
     """A table of jobs as in a batch's report: a column of figures each, then what they report."""
     done = [job for job in jobs if job["ok"]]
@@ -69,25 +129,29 @@ def table(jobs):
     if done:
         left = max(len(label) for label in LABELS.values())
         widths = [max(10, len(job["name"])) for job in done]
-        head = " " * (left + 6)
+        rows = [*FIGURES]
+        rows += [row for row in SIMULATED if any(row[0] in job["figures"] for job in done)]
+        wide = max(len(unit) for _, _, unit, _ in rows)
+        head = " " * (left + wide + 1)
         lines.append(head + "".join("  " + j["name"].rjust(w) for j, w in zip(done, widths)))
-        for key, _, unit, decimals in FIGURES:
+        for key, _, unit, decimals in rows:
             cells = []
             for job, width in zip(done, widths):
                 value = job["figures"].get(key)
                 cells.append(
                     "  " + ("%.*f" % (decimals, value) if value is not None else "-").rjust(width)
                 )
-            lines.append("%s %-5s%s" % (LABELS[key].ljust(left), unit, "".join(cells)))
+            lines.append(LABELS[key].ljust(left) + " " + unit.ljust(wide) + "".join(cells))
         for job in done:
-            for line in job["figures"]["report"].splitlines():
-                lines.append("%s: %s" % (job["name"], line))
+            for text in (job["figures"]["report"], job["figures"].get("simulation", "")):
+                lines += ["%s: %s" % (job["name"], line) for line in text.splitlines()]
     lines += ["%s FAILED: %s" % (job["name"], job["error"]) for job in jobs if not job["ok"]]
     return "\n".join(lines)
 
 
 def picture(op, path):
-    """Draws the lowest level of an operation's last path, coloured by engagement, into a PNG file.
+    """Draws the lowest level of an operation's last path, coloured by engagement, into a PNG or SVG
+    file.
 
     Raises ValueError for an operation that has not been computed since its document was opened.
     """
@@ -148,12 +212,9 @@ def samples_of_gcode(text):
         if mode is None or not {"X", "Y", "I", "J"} & set(at):
             continue
         if mode in (2, 3) and x is not None:
-            cx, cy = x + at.get("I", 0.0), y + at.get("J", 0.0)
-            turn = math.atan2(ny - cy, nx - cx) - math.atan2(y - cy, x - cx)
-            sweep = turn % (2 * math.pi) or 2 * math.pi
-            if mode == 2:
-                sweep = -((-turn) % (2 * math.pi) or 2 * math.pi)
-            ends = _arc(x, y, cx, cy, sweep)
+            i, j = at.get("I", 0.0), at.get("J", 0.0)
+            sweep = commands.sweep_of(nx - x, ny - y, i, j, mode == 3)
+            ends = _arc(x, y, x + i, y + j, sweep)
         else:
             ends = [(nx, ny)]
         kind = commands.CUT if mode else commands.RAPID
@@ -177,20 +238,47 @@ def _arc(x, y, cx, cy, sweep):
 
 
 def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
-    """Draws samples (x, y, value, kind) into a PNG file: cuts coloured by value, the rest by kind.
+    """Draws samples into a PNG or SVG file, as `save` has it; see `draw_path`."""
+    figure = new_figure(9, 8)
+    axes = figure.add_subplot()
+    draw_path(axes, samples, outlines, hole, meaning, largest, gap)
+    axes.set_title(title)
+    figure.tight_layout()
+    save(figure, path)
 
-    outlines: lists of (x, y), black; hole: (x, y, diameter) or None; meaning: of the value;
-    largest: value at the colours' end, by default the largest there is; gap: samples further apart
-    than this are joined as rapids are. mm.
-    """
+
+def new_figure(width, height, **options):
+    """An empty figure; inches."""
     # Not pyplot: FreeCAD's own plots keep their backend.
     from matplotlib.backends.backend_agg import FigureCanvasAgg
-    from matplotlib.collections import LineCollection
     from matplotlib.figure import Figure
 
-    figure = Figure(figsize=(9, 8), dpi=150)
+    figure = Figure(figsize=(width, height), dpi=150, **options)
     FigureCanvasAgg(figure)
-    axes = figure.add_subplot()
+    return figure
+
+
+def save(figure, path):
+    """Writes a figure as SVG where the name ends so, else as PNG; nothing is added to the name."""
+    import matplotlib
+
+    is_svg = str(path).lower().endswith(".svg")
+    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "EvenLoad"}):
+        if is_svg:
+            figure.savefig(path, format="svg", metadata={"Date": None})
+        else:
+            figure.savefig(path, format="png")
+
+
+def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, walls="pocket"):
+    """Draws samples (x, y, value, kind): cuts coloured by value, the rest by kind.
+
+    outlines: lists of (x, y), black, and `walls` what they are; hole: (x, y, diameter) or None;
+    meaning: of the value; largest: value at the colours' end, by default the largest there is; gap:
+    samples further apart than this are joined as rapids are. mm.
+    """
+    from matplotlib.collections import LineCollection
+
     for line in outlines:
         axes.plot(*zip(*line), color=WALL_COLOUR, linewidth=1.6, zorder=4)
     pieces = {kind: ([], []) for kind in range(4)}
@@ -200,11 +288,14 @@ def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
         if before[:2] != after[:2]:
             lines.append((before[:2], after[:2]))
             values.append(0.5 * (before[2] + after[2]) if before[3] == after[3] else after[2])
+    many = len(samples) > MOST_VECTORS
     lines, values = pieces[commands.CUT]
-    cuts = LineCollection(lines, array=values, cmap="turbo", linewidths=1.1, zorder=3)
+    cuts = LineCollection(
+        lines, array=values, cmap="turbo", linewidths=1.1, zorder=3, rasterized=many
+    )
     cuts.set_clim(0, largest or max(values, default=1.0))
     axes.add_collection(cuts)
-    figure.colorbar(cuts, ax=axes, label=meaning, shrink=0.8)
+    axes.figure.colorbar(cuts, ax=axes, label=meaning, shrink=0.8)
     for kind, colour, label, style in (
         (commands.LINK, LINK_COLOUR, "links", "-"),
         (commands.ENTRY, ENTRY_COLOUR, "entry", "-"),
@@ -213,7 +304,14 @@ def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
         lines = pieces[kind][0]
         if lines:
             axes.add_collection(
-                LineCollection(lines, colors=colour, linewidths=0.7, linestyles=style, label=label)
+                LineCollection(
+                    lines,
+                    colors=colour,
+                    linewidths=0.7,
+                    linestyles=style,
+                    label=label,
+                    rasterized=many,
+                )
             )
     if hole:
         from matplotlib.patches import Circle
@@ -225,13 +323,16 @@ def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
         )
     first = next((s for s in samples if s[3] != commands.RAPID), None)
     if first:
-        axes.plot(*first[:2], "o", color="#188038", markersize=7, zorder=5, label="start")
-    axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label="pocket")
+        axes.plot(*first[:2], "o", color=START_COLOUR, markersize=7, zorder=5, label="start")
+    if outlines:
+        axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label=walls)
+    seen_from_above(axes)
+    axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
+
+
+def seen_from_above(axes):
+    """Both axes in mm and to one scale."""
     axes.set_aspect("equal")
     axes.autoscale_view()
     axes.set_xlabel("x, mm")
     axes.set_ylabel("y, mm")
-    axes.set_title(title)
-    axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
-    figure.tight_layout()
-    figure.savefig(path, format="png")  # whatever the name: nothing is added to it

@@ -37,6 +37,8 @@ class Tool:
     diameter: float  # > 0
     cutting_length: float  # 0 where the tool bit does not say
     centre_cutting: bool
+    teeth: int = 1  # 1 where the tool bit does not say
+    bull_nosed: bool = False  # whether the corner between floor and side is rounded
 
 
 @dataclass(frozen=True)
@@ -69,7 +71,14 @@ def read(controller):
     diameter = _number(bit, "Diameter")
     if not diameter > 0:
         raise ValueError("The diameter of the tool '%s' is %g mm: set it." % (name, diameter))
-    tool = Tool(name, diameter, _number(bit, "CuttingEdgeHeight"), _cuts_at_its_centre(bit))
+    tool = Tool(
+        name,
+        diameter,
+        _number(bit, "CuttingEdgeHeight"),
+        _cuts_at_its_centre(bit),
+        max(1, int(_number(bit, "Flutes"))),
+        "bullnose" in _shapes(bit),
+    )
     data = CuttingData(
         60 * controller.HorizFeed.Value,
         60 * controller.VertFeed.Value,
@@ -94,6 +103,13 @@ def diameter(controller):
     return max(_number(bit, "Diameter"), 0.0) if bit else 0.0
 
 
+def other_shape(controller):
+    """What a tool controller's tool is, in words, when it is no flat or bull-nosed end mill, else
+    None.
+    """
+    return _other_shape(controller.Tool)
+
+
 def _number(bit, prop):
     value = getattr(bit, prop, 0.0)
     return float(getattr(value, "Value", value))
@@ -107,14 +123,19 @@ def _cuts_at_its_centre(bit):
     return True
 
 
+def _shapes(bit):
+    """What a tool bit calls its shape, small letters and digits only."""
+    file = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
+    words = file, getattr(bit, "ShapeName", "")
+    return ["".join(c for c in word.lower() if c.isalnum()) for word in words]
+
+
 def _other_shape(bit):
     """What the tool is, in words, when it is no flat or bull-nosed end mill, else None."""
     if hasattr(bit, "ToolType"):  # FreeCAD 0.20's tools of old jobs
         kind = str(bit.ToolType)
         return None if kind in ("EndMill", "Undefined") else "of the type " + kind
-    file = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
-    for word in (file, getattr(bit, "ShapeName", "")):
-        shape = "".join(c for c in word.lower() if c.isalnum())
+    for shape in _shapes(bit):
         if shape in END_MILLS:
             return None
         if shape in OTHER_SHAPES:

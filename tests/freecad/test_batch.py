@@ -7,6 +7,7 @@ import os
 import shutil
 import subprocess
 import sys
+from types import ModuleType
 
 import FreeCAD
 import Part
@@ -15,6 +16,7 @@ from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
 from evenload import batch
 from FreeCAD import Vector
+from simulated import faulty
 
 
 @pytest.fixture
@@ -128,6 +130,85 @@ def test_the_picture_is_a_png(folder):
     assert (folder / "out" / "plate.png").read_bytes()[:8] == b"\x89PNG\r\n\x1a\n"
 
 
+@pytest.fixture
+def simulator(monkeypatch):
+    """In place of the simulator: a Simulation with faults, and what it was asked for."""
+    asked = []
+
+    def simulate(source, stock, top, bottom, tool_diameter, **options):
+        asked.append(options)
+        if options["resolution"] == 7:
+            raise ValueError("The resolution is 7 mm: make it smaller.")
+        (op,) = [o for o in FreeCAD.ActiveDocument.Objects if hasattr(o, "EngagementAngle")]
+        result = faulty(op)
+        assert len(source) > 100 and tool_diameter == 6 and (top, bottom) == (0, -12)
+        return result
+
+    stub = ModuleType("evenload.simulation")
+    stub.simulate = simulate
+    monkeypatch.setitem(sys.modules, "evenload.simulation", stub)
+    return asked
+
+
+def test_a_simulation_adds_its_figures_and_its_picture(folder, simulator):
+    (folder / "mill.json").write_text("{}")
+    wishes = {"resolution": 0.1, "step": 0.2, "material": "steel", "machine": "mill.json"}
+    job = a_job(folder, simulation={**wishes, "picture": "out/simulation.svg"})
+    result, lines = run(folder, job, a_job(folder, name="without"), report="report.json")
+    first, second = result["jobs"]
+    assert first["ok"], first["error"]
+    (options,) = simulator
+    assert (options["resolution"], options["step"]) == (0.1, 0.2)
+    assert options["cutting"]["material"] == "steel"
+    assert options["machine"] == str(folder / "mill.json")
+    figures = first["figures"]
+    assert figures["simulated_gouge_mm"] == 0.05 and figures["simulated_rest_area_mm2"] == 1.45
+    assert figures["simulated_machine_time_s"] == 150
+    assert 55 < figures["simulated_engagement_deg"] < 63 and figures["simulated_force_n"] > 0
+    assert (
+        "Simulated: rapid in material near (9.000, 9.000, -1.000), (11.000" in figures["simulation"]
+    )
+    assert first["output"]["simulation_picture"] == str(folder / "out" / "simulation.svg")
+    text = (folder / "out" / "simulation.svg").read_text()
+    assert "target 60" in text and "nominal 1.147" in text and "plunge in material (1)" in text
+    assert "[1/2] plate: simulating" in lines and "[2/2] without: simulating" not in lines
+    assert not any(key.startswith("simulat") for key in second["figures"])
+    assert json.loads((folder / "report.json").read_text()) == result
+    table = batch.report.table(result["jobs"]).splitlines()
+    row = next(line for line in table if line.startswith("  gouge"))
+    assert row.split() == ["gouge", "mm", "0.050", "-"]
+    assert any(
+        line.startswith("plate: Simulated: plunge in material near (20.000") for line in table
+    )
+
+
+def test_an_empty_simulation_section_simulates_with_the_defaults(folder, simulator):
+    report, _ = run(folder, a_job(folder, simulation={}))
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    (options,) = simulator
+    assert (options["resolution"], options["step"], options["machine"]) == (0.05, 0.1, None)
+    assert "material" not in options["cutting"]
+    assert set(report["jobs"][0]["output"]) == {"gcode"}
+
+
+def test_materials_and_machines_are_names_objects_or_files_beside_the_job_file(folder, simulator):
+    (folder / "alloy.json").write_text("{}")
+    for material, expected in (
+        ("alloy.json", str(folder / "alloy.json")),
+        ("Al6082-T6", "Al6082-T6"),
+        ({"ktc": 600, "krc": 200}, {"ktc": 600, "krc": 200}),
+    ):
+        report, _ = run(folder, a_job(folder, simulation={"material": material}))
+        assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+        assert simulator[-1]["cutting"]["material"] == expected
+
+
+def test_a_simulation_that_fails_fails_its_job_before_anything_is_written(folder, simulator):
+    report, _ = run(folder, a_job(folder, simulation={"resolution": 7, "picture": "out/s.png"}))
+    assert report["jobs"][0]["error"] == "The resolution is 7 mm: make it smaller."
+    assert os.listdir(folder / "out") == []
+
+
 def test_one_failure_leaves_the_other_jobs_done(folder):
     bad = a_job(folder, name="bad", tool={"diameter": 40})
     report, lines = run(folder, a_job(folder), bad, a_job(folder, name="last"))
@@ -176,6 +257,9 @@ def changed(job, path, value):
         ("model", "none.step", ["no model file", "mend the key 'model'"]),
         ("model", "broken.step", ["broken.step cannot be read", "save it anew as FCStd"]),
         ("model", "broken.FCStd", ["broken.FCStd cannot be read", "save it anew as FCStd"]),
+        ("simulation/raster", 1, ["simulation: unknown key 'raster'", "resolution, step"]),
+        ("simulation/step", "1", ["simulation: 'step' must be a number"]),
+        ("simulation/material", 7, ["simulation: 'material' must be a name or an object"]),
         ("post/processor", "nonsense", ["no post-processor 'nonsense'"]),
         ("post/arguments", "--nonsense", ["refuses the arguments '--nonsense'"]),
     ],
@@ -260,6 +344,15 @@ def obstacles(folder):
     (folder / "folder.d").mkdir()
     (folder / "file").write_text("kept")
     return folder
+
+
+def test_a_simulations_picture_that_cannot_be_written_is_named_before_the_work(obstacles):
+    job = a_job(obstacles, simulation={"picture": "folder.d"})
+    report, lines = run(obstacles, job)
+    assert report["jobs"][0]["error"].startswith(
+        "Job 1, simulation: the picture cannot be written to %s" % (obstacles / "folder.d")
+    )
+    assert not any("computing" in line for line in lines)
 
 
 @pytest.mark.parametrize("key", ["gcode", "picture"])

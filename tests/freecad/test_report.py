@@ -5,6 +5,7 @@ import math
 import pytest
 from models import SQUARE, circle
 from evenload import commands, report
+from simulated import faulty, simulated
 
 
 def test_figures_name_what_the_operation_reports(square):
@@ -28,6 +29,36 @@ def test_a_table_has_a_column_per_job_and_a_line_per_failure(square):
     assert lines[-1] == "worse FAILED: No tool."
 
 
+def test_what_a_simulation_has_not_got_is_left_out_and_dashed_in_the_table(square):
+    op = square.done(square.operation())
+    found = report.simulated(simulated(op))
+    assert "simulated_machine_time_s" not in found and found["simulation"] == ""
+    own = report.figures(op)
+    jobs = [
+        {"name": "a", "ok": True, "figures": {**own, **found}},
+        {"name": "b", "ok": True, "figures": {**own, **report.simulated(faulty(op))}},
+        {"name": "c", "ok": True, "figures": own},
+    ]
+    lines = report.table(jobs).splitlines()
+    on_machine = next(line for line in lines if line.startswith("  time on the machine"))
+    assert on_machine.split()[-3:] == ["-", "150.0", "-"]
+    assert len({len(line) for line in lines[: len(report.FIGURES) + 1]}) == 1
+    assert not any("machine" in line for line in report.table(jobs[::2]).splitlines())
+
+
+def test_incidents_are_told_with_their_first_places_and_the_largest_rest(square):
+    op = square.done(square.operation())
+    many = [("rapid in material", float(k), 0.0, -1.0, k, 0, 0.1) for k in range(5)]
+    text = report.simulated(faulty(op, incidents=many, notes=["A note."]))["simulation"]
+    note, rapids, rests = text.splitlines()
+    assert note == "A note."
+    assert rapids == (
+        "Simulated: rapid in material near (0.000, 0.000, -1.000), (1.000, 0.000, -1.000), "
+        "(2.000, 0.000, -1.000) and 2 more."
+    )
+    assert rests.startswith("Simulated: 2 places left; the largest has 1.00 mm2, 3.000 mm deep")
+
+
 def test_a_table_of_failures_only_has_no_figures():
     assert report.table([{"name": "a", "ok": False, "error": "No."}]) == "a FAILED: No."
 
@@ -37,6 +68,8 @@ def test_the_picture_of_an_operation(square, tmp_path):
     with pytest.raises(ValueError, match="recompute it first"):
         report.picture(op, str(tmp_path / "none.png"))
     square.done(op)
+    report.picture(op, str(tmp_path / "path.svg"))
+    assert "engagement angle, degrees" in (tmp_path / "path.svg").read_text()
     report.picture(op, str(tmp_path / "path.png"))
     assert (tmp_path / "path.png").stat().st_size > 20000
 

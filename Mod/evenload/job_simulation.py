@@ -1,0 +1,369 @@
+"""What the simulator needs to know of an operation, read from its FreeCAD Job: any Path operation,
+EvenLoad's, FreeCAD's own, or a dressup of one.
+
+What must stay, the part, is taken from here:
+
+- EvenLoad's operations say themselves what they clear: the stock outside of their floors must stay,
+  and StockToLeave along its walls. Open sides of a floor have nothing beyond them. Below, a floor
+  that is a face of the model must stay, and below outlines, and faces deeper than FinalDepth, what
+  lies under FinalDepth. The model does not matter: it may be a block without the pocket in it.
+- For any other operation it is the Job's model, as a stack of prisms: its sections half-way between
+  the heights of its vertices. What remains between them and the stock counts as rest, also where
+  another operation is meant to take it.
+- An operation on geometry that is not the model's, such as a sketch, may well cut the model. As for
+  a model that is no stack of sections, nothing can be said of its part then, and a note says so.
+"""
+
+import math
+from dataclasses import dataclass
+
+import Part
+from FreeCAD import Vector
+
+from evenload import commands, compiled, host, shape
+from evenload import tool as tools
+
+PRISMATIC = 1e-3  # share of the volume that a body may differ by from the prisms that stand for it
+MOST_SLABS = 200  # sections of a model; a body with more is a mesh or a free form
+SAME_LEVEL = 1e-3  # mm: vertices nearer in height bound no slab of their own
+# mm: how far beyond a floor's open sides nothing must stay. More than shape.BESIDE, from where on
+# shape.py has seen that there is nothing, and than the tolerance of curves.
+BEYOND = 0.1
+ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
+
+
+@dataclass
+class Setup:
+    """All that `simulate` needs; mm, rad, mm/min, rev/min."""
+
+    label: str  # of the operation
+    moves: list  # of (kind, x, y, z, sweep, cx, cy, feed); the first says where the tool is
+    lines: list  # for each move, the number of its command in the operation's path, from 1; 0: none
+    stock: list  # of the core's Region: seen from above
+    top: float
+    bottom: float
+    tool: object  # tool.Tool
+    cutting: dict  # spindle_speed where it is known, rapid_feed
+    part: object  # [(Region, top), ...]: columns from the bottom that must stay; None: unknown
+    earlier: list  # of (moves, tool diameter): what has been cut before, in this order
+    notes: list  # sentences on what could not be taken as it is
+
+    def simulate(self, resolution=0.05, step=0.1, material=None, machine=None, progress=None):
+        """The Simulation; see `of`."""
+        from evenload.simulation import simulate
+
+        cutting = dict(self.cutting)
+        if material is not None:
+            cutting["material"] = material
+        result = simulate(
+            self.moves,
+            self.stock[0] if len(self.stock) == 1 else self.stock,
+            self.top,
+            self.bottom,
+            self.tool.diameter,
+            teeth=self.tool.teeth,
+            part=self.part,
+            cutting=cutting,
+            machine=machine,
+            resolution=resolution,
+            step=step,
+            infer_kinds=True,
+            earlier=self.earlier,
+            lines=self.lines,
+            progress=progress,
+        )
+        result.notes[:0] = self.notes
+        return result
+
+
+def of(
+    operation,
+    resolution=0.05,
+    step=0.1,
+    material=None,
+    machine=None,
+    progress=None,
+    after_earlier=True,
+):
+    """The Simulation of a Path operation in its Job.
+
+    resolution: distance in mm of the stock's rows; step: along the path, in mm; material: name or
+    coefficients, None for no forces; machine: name, file or dictionary of a machine's limits, None
+    for programmed times only; progress: callable(share) -> bool, False stops it; after_earlier:
+    whether the job's earlier active operations have cut before. Raises ValueError with a sentence
+    for an operation that cannot be simulated.
+    """
+    return read(operation, after_earlier).simulate(resolution, step, material, machine, progress)
+
+
+def read(operation, after_earlier=True):
+    """The Setup of a Path operation in its Job. Raises ValueError with a sentence."""
+    job = host.parent_job(operation)
+    if job is None:
+        raise ValueError("'%s' belongs to no job: put it into one." % operation.Label)
+    if job.Stock is None or job.Stock.Shape.isNull():
+        raise ValueError("The job '%s' has no stock: give it one." % job.Label)
+    tool, data = tools.read(host.controller_of(operation))
+    notes = []
+    moves, lines = _moves(operation)
+    if len(moves) < 2:
+        raise ValueError("'%s' has no path to simulate: recompute it first." % operation.Label)
+    if tool.bull_nosed:
+        notes.append("The tool '%s' is simulated with sharp corners." % tool.name)
+    stock, top, bottom = _stock(job.Stock, notes)
+    cutting = {"rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID}
+    if data.spindle_speed > 0:
+        cutting["spindle_speed"] = data.spindle_speed
+    else:
+        notes.append("The tool controller has no spindle speed: there is no chip thickness.")
+    earlier = _earlier(job, operation, top, notes) if after_earlier else []
+    earlier += _hole(host.operation_under(operation), top)
+    part = _part(job, operation, tool, stock, top, bottom, notes)
+    found = operation.Label, moves, lines, stock, top, bottom, tool, cutting, part, earlier, notes
+    return Setup(*found)
+
+
+# ---- path ----
+
+
+def _moves(operation):
+    """(moves, numbers of their commands) of an operation's path."""
+    inner = host.operation_under(operation)
+    clearance = getattr(inner, "ClearanceHeight", None)
+    found = operation.Path.Commands
+    heights = [c.Parameters["Z"] for c in found if "Z" in c.Parameters]
+    z = max([clearance.Value if clearance else 0.0, *heights])
+    controller = host.controller_of(operation)
+    try:
+        return commands.to_moves(found, z, 60 * controller.HorizFeed.Value)
+    except ValueError as error:
+        raise ValueError("'%s': %s" % (operation.Label, error)) from None
+
+
+def _earlier(job, operation, top, notes):
+    """[(moves, tool diameter), ...] of the active operations before one, and of their holes."""
+    result = []
+    inner = host.operation_under(operation)
+    for other in host.operations(job):
+        if host.operation_under(other) is inner:
+            break
+        controller = host.controller_of(other)
+        if not host.is_active(other) or controller is None or not controller.Tool:
+            continue
+        kind, diameter = tools.other_shape(controller), tools.diameter(controller)
+        if kind == tools.OTHER_SHAPES["drill"]:
+            notes.append("'%s' is simulated with a drill without a point." % other.Label)
+        elif kind or not diameter > 0:
+            notes.append(
+                "'%s' is left out: its tool is %s, which the simulator cannot follow."
+                % (other.Label, kind or "without a diameter")
+            )
+            continue
+        moves, _ = _moves(other)
+        result += _hole(host.operation_under(other), top)
+        if len(moves) > 1:
+            result.append((moves, diameter))
+    return result
+
+
+def _hole(operation, top):
+    """The pre-drilled hole of one of our operations as what its drill did: [(moves, diameter)]."""
+    if not _is_ours(operation) or operation.Entry not in ("Automatic", "Predrilled hole"):
+        return []
+    diameter, at = operation.HoleDiameter.Value, operation.EntryPoint
+    if not diameter > 0:
+        return []
+    feed = 60 * operation.ToolController.VertFeed.Value
+    ends = ((commands.RAPID, top + ABOVE, 0.0), (commands.CUT, operation.FinalDepth.Value, feed))
+    return [([(kind, at.x, at.y, z, 0.0, 0.0, 0.0, f) for kind, z, f in ends], diameter)]
+
+
+def _is_ours(operation):
+    from evenload.operations import base
+
+    return isinstance(getattr(operation, "Proxy", None), base.Operation)
+
+
+# ---- stock and part ----
+
+
+def _stock(stock, notes):
+    """([Region, ...], top, bottom) of a job's stock."""
+    body = stock.Shape
+    box = body.BoundBox
+    regions = _section(body, 0.5 * (box.ZMin + box.ZMax))
+    if not regions:
+        raise ValueError("The stock '%s' has no outline at half its height." % stock.Label)
+    volume = sum(region.area for region in regions) * box.ZLength
+    if abs(volume - body.Volume) > PRISMATIC * body.Volume:
+        notes.append(
+            "The stock '%s' is no prism: its outline at half its height is taken." % stock.Label
+        )
+    return regions, box.ZMax, box.ZMin
+
+
+def _section(body, z):
+    """The Regions of a body's section at a height. Raises ValueError where they cannot be had."""
+    wires = body.slice(shape.UP, z)
+    return _regions(Part.Compound(wires)) if wires else []
+
+
+def _regions(body):
+    """The Regions of a shape's level faces and closed edges."""
+    core, occt = compiled.core(), compiled.occt()
+    try:
+        found = occt.regions_from_brep(body.exportBrepToString(), shape.DEFLECTION)
+    except occt.ShapeError as error:
+        raise ValueError(str(error)) from None
+    return [core.Region(outer, islands) for _, outer, islands in found]
+
+
+def _part(job, operation, tool, stock, top, bottom, notes):
+    inner = host.operation_under(operation)
+    if _is_ours(inner):
+        return _outside_floors(job, inner, tool, stock, top)
+    models = list(job.Model.Group)
+    others = [obj for obj in _base_objects(inner) if obj not in models]
+    if others:
+        notes.append(
+            "'%s' works on %s, which is not of the model: what must stay is not known."
+            % (inner.Label, " and ".join("'%s'" % obj.Label for obj in others))
+        )
+        return None
+    return _model([m.Shape for m in models if not m.Shape.isNull()], bottom, notes)
+
+
+def _base_objects(operation):
+    """The objects that a foreign operation works on."""
+    found = []
+    for name in ("Base", "BaseShapes"):
+        for item in getattr(operation, name, None) or []:
+            found.append(item[0] if isinstance(item, tuple) else item)
+    return list(dict.fromkeys(found))
+
+
+def _outside_floors(job, op, tool, stock, top):
+    """The part of one of our operations."""
+    last = op.Proxy.last
+    floors = (
+        last.floors
+        if last is not None
+        else shape.floors(
+            op.Base,
+            [m.Shape for m in job.Model.Group],
+            job.Stock.Shape,
+            tool.diameter,
+            op.Tolerance.Value,
+        )
+    )
+    whole = Part.Compound([_face(region.outer, region.islands) for region in stock])
+    grounds = [_ground(floor) for floor in floors]
+    walls = _level_regions(whole.cut(grounds))
+    if walls and op.StockToLeave.Value > 0:
+        grown = compiled.core().offset(walls, op.StockToLeave.Value)
+        walls = _level_regions(whole.common([_face(r.outer, r.islands) for r in grown]))
+    part = [(wall, top) for wall in walls]
+    final = op.FinalDepth.Value
+    for floor, ground in zip(floors, grounds):
+        height = max(floor.z, final) if floor.is_face else final
+        part += [(region, height) for region in _level_regions(ground.common(whole))]
+    return part
+
+
+def _ground(floor):
+    """A floor's face, and what lies beyond its open sides."""
+    face, beyond = _face(floor.outer, floor.islands), _beyond(floor)
+    return face.multiFuse(beyond) if beyond else face
+
+
+def _level_regions(faces):
+    """The Regions of a shape's faces, those that adjoin each other as one."""
+    faces = faces.removeSplitter().Faces
+    return _regions(Part.Compound(faces)) if faces else []
+
+
+def _face(outer, islands=()):
+    """The level face within a chain of (x, y, bulge, ...) and outside of the island chains."""
+    face = Part.Face(_wire(outer))
+    return face.cut([Part.Face(_wire(island)) for island in islands]) if islands else face
+
+
+def _wire(chain):
+    pairs = zip(chain, [*chain[1:], chain[0]])
+    return Part.Wire([_edge(before, after[:2], before[2]) for before, after in pairs])
+
+
+def _edge(start, end, bulge):
+    a, b = Vector(*start[:2], 0), Vector(*end, 0)
+    if not bulge:
+        return Part.makeLine(a, b)
+    chord = b - a
+    return Part.Arc(a, (a + b) / 2 + Vector(chord.y, -chord.x, 0) * (bulge / 2), b).toShape()
+
+
+def _beyond(floor):
+    """Faces that cover the ground beside a floor's open sides, up to BEYOND, and round the corners
+    between two of them.
+    """
+    chain = floor.outer  # counter-clockwise where it has open sides
+    result = []
+    for before, piece, after in zip([chain[-1], *chain[:-1]], chain, [*chain[1:], chain[0]]):
+        if not piece[3]:
+            continue
+        result.append(_band(piece, after))
+        if before[3]:
+            result.append(Part.Face(Part.Wire([Part.makeCircle(BEYOND, Vector(*piece[:2], 0))])))
+    return result
+
+
+def _band(piece, after):
+    """The face between a piece of a chain and what lies BEYOND to its right."""
+    (x0, y0, bulge, *_), (x1, y1, *_) = piece, after
+    half = 2 * math.atan(bulge)
+    along = math.atan2(y1 - y0, x1 - x0)
+    corners = [
+        (x + BEYOND * math.sin(angle), y - BEYOND * math.cos(angle))
+        for x, y, angle in ((x0, y0, along - half), (x1, y1, along + half))
+    ]
+    radius = 0.5 * math.hypot(x1 - x0, y1 - y0) / math.sin(half) if bulge else math.inf
+    if -2 * BEYOND < radius < 0:  # too tight a hollow for a band: all of it
+        return Part.Face(Part.Wire([_edge(piece, (x1, y1), bulge), _edge((x1, y1), (x0, y0), 0)]))
+    edges = [
+        _edge((x0, y0), (x1, y1), bulge),
+        _edge((x1, y1), corners[1], 0),
+        _edge(corners[1], corners[0], -bulge),
+        _edge(corners[0], (x0, y0), 0),
+    ]
+    return Part.Face(Part.Wire(edges))
+
+
+def _model(bodies, bottom, notes):
+    """The bodies as [(Region, top), ...]; None, with a note, where they are no stack of prisms."""
+    part = []
+    for body in bodies:
+        box = body.BoundBox
+        levels = [box.ZMin]
+        for z in sorted(v.Z for v in body.Vertexes):
+            if z > levels[-1] + SAME_LEVEL:
+                levels.append(z)
+        if box.ZMax > levels[-1] + SAME_LEVEL:
+            levels.append(box.ZMax)
+        if len(levels) > MOST_SLABS:
+            notes.append("The model has more than %d heights: no part is taken." % MOST_SLABS)
+            return None
+        volume = 0.0
+        for low, high in zip(levels, levels[1:]):
+            try:
+                regions = _section(body, 0.5 * (low + high))
+            except ValueError as error:
+                notes.append("The model cannot be cut into prisms, so there is no part: %s" % error)
+                return None
+            volume += sum(region.area for region in regions) * (high - low)
+            if high > bottom:
+                part += [(region, high) for region in regions]
+        if abs(volume - body.Volume) > PRISMATIC * body.Volume:
+            notes.append(
+                "The model has sides that are not upright: it is taken as steps between the "
+                "heights of its vertices, and gouge and rest near such sides are not exact."
+            )
+    return part
