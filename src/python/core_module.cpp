@@ -13,8 +13,8 @@
 #include "geometry/region.h"
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
-#include "python/simulate_module.h"
 #include "python/gcode_module.h"
+#include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
 

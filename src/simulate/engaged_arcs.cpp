@@ -7,8 +7,8 @@
 namespace evenload {
 namespace {
 
-// mm outside of the tool's circle where stock is asked for: above rounding, far below what counts.
-constexpr double kOutside = 1e-6;
+// mm: points of a border this near to the circle may be the tool's own work, or rounding.
+constexpr double kOutside = 4e-6;
 // mm: heights that differ by less are one; G-code has three decimals.
 constexpr double kThinnest = 1e-5;
 // Spacings around a change in which the old border is looked for.
@@ -26,21 +26,22 @@ struct Look {
 
 class Finder {
  public:
-  Finder(const DexelStock& stock, const ToolCircle& tool, bool all_round)
-      : stock_(stock), tool_(tool), radius_(tool.radius + kOutside), all_round_(all_round) {}
+  Finder(const DexelStock& stock, const ToolCircle& tool, double low, double high)
+      : stock_(stock),
+        tool_(tool),
+        radius_(tool.radius),
+        low_(tool.feed_angle + low),
+        high_(tool.feed_angle + high) {}
 
   void find(std::vector<EngagedArc>& arcs) {
     arcs.clear();
-    const double half = all_round_ ? kPi : kPi / 2;
-    low_ = tool_.feed_angle - half;
-    high_ = tool_.feed_angle + half;
     // Quarters of the circle about multiples of pi / 2.
     const int first = static_cast<int>(std::floor((low_ + kPi / 4) / (kPi / 2)));
     for (int quarter = first; (quarter - 0.5) * kPi / 2 < high_; ++quarter) look_at(quarter, arcs);
     end(high_, arcs);
     for (EngagedArc& arc : arcs) {
-      arc.low = std::max(-half, arc.low - tool_.feed_angle);
-      arc.high = std::min(half, arc.high - tool_.feed_angle);
+      arc.low -= tool_.feed_angle;
+      arc.high -= tool_.feed_angle;
     }
   }
 
@@ -196,8 +197,7 @@ class Finder {
   const DexelStock& stock_;
   const ToolCircle& tool_;
   double radius_;
-  bool all_round_;
-  double low_ = 0, high_ = 0;  // rad
+  double low_, high_;  // rad
   bool has_last_ = false, open_ = false;
   Look last_;
   int last_side_ = 0, last_quarter_ = 0;
@@ -211,9 +211,14 @@ class Finder {
 
 }  // namespace
 
-void find_engaged_arcs(const DexelStock& stock, const ToolCircle& tool, bool all_round,
+void find_engaged_arcs(const DexelStock& stock, const ToolCircle& tool, double low, double high,
                        std::vector<EngagedArc>& arcs) {
-  Finder(stock, tool, all_round).find(arcs);
+  Finder(stock, tool, low, high).find(arcs);
+  // Sums of angles round.
+  for (EngagedArc& arc : arcs) {
+    arc.low = std::max(arc.low, low);
+    arc.high = std::min(arc.high, high);
+  }
 }
 
 }  // namespace evenload

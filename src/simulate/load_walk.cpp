@@ -10,12 +10,26 @@ namespace {
 constexpr double kGraze = 0.005;
 // mm: G-code has three decimals; a gouge of less is no incident.
 constexpr double kRounding = 0.001;
+// mm off the tool's circle where stock is asked for: above rounding, far below what counts.
+constexpr double kSkin = 1e-6;
+// rad: from one sample to the next, where steps can be made shorter; and the share of the step down
+// to which they are.
+constexpr double kLargestChange = 5 * kPi / 180;
+constexpr double kFinest = 0.13;
+// Shares of a move this near are one.
+constexpr double kSameShare = 1e-9;
 // rad: moves that turn by less go on in one direction.
 constexpr double kSameDirection = 1e-9;
 // mm: a move this near to an entry's way repeats it; G-code's rounding is far less.
 constexpr double kRetraced = 0.01;
 // mm: level and vertical are so but for rounding.
 constexpr double kLevel = 1e-9;
+
+double engagement_of(const std::vector<EngagedArc>& arcs) {
+  double sum = 0;
+  for (const EngagedArc& arc : arcs) sum += arc.high - arc.low;
+  return sum;
+}
 
 }  // namespace
 
@@ -57,19 +71,33 @@ void LoadWalk::walk(const MovePiece& piece) {
   const auto direction = [&](double t) {
     return now_.vertical ? last_feed_angle_ : angle_of(path.tangent(t));
   };
-  sample(path.a, piece.z0, direction(0), 0, std::nullopt);
-  double z = piece.z0;
-  for (int k = 1; k <= steps; ++k) {
-    const double from = static_cast<double>(k - 1) / steps, to = static_cast<double>(k) / steps;
-    const double below = piece.z0 + to * (piece.z1 - piece.z0);
-    const Segment step = steps == 1 || now_.vertical ? path : path.part(from, to);
-    const Removal removal = cut(step, z, below);
+  // The pieces of one arc go on smoothly.
+  if (result_.record.size() == now_.first_sample) {
+    touch_at_start(path.a, piece.z0, direction(0));
+    sample(path.a, piece.z0, direction(0), 0, std::nullopt);
+  }
+  double at = 0;
+  while (at < 1) {
+    // Where the load changes fast, the steps get shorter: contact may last for hundredths of a mm.
+    double to = at + 1.0 / steps < 1 - kSameShare ? at + 1.0 / steps : 1;
+    double z = piece.z0 + to * (piece.z1 - piece.z0);
+    Segment step;
+    while (true) {
+      step = (at == 0 && to == 1) || now_.vertical ? path : path.part(at, to);
+      touch_at_end(step, z, direction(to));
+      const double change = engagement_of(arcs_) - result_.record.engagement.back();
+      if (std::abs(change) <= kLargestChange || (to - at) * length <= kFinest * params_.step) break;
+      to = 0.5 * (at + to);
+      z = piece.z0 + to * (piece.z1 - piece.z0);
+    }
+    const double z_before = piece.z0 + at * (piece.z1 - piece.z0), stretch = (to - at) * length;
+    const Removal removal = cut(step, z_before, z);
     removed_ += removal.volume;
     result_.figures.removed_area += removal.area;
-    time_ += 60 * length / steps / now_.feed;
-    check_contact(step.b, z, below, length / steps, removal);
-    sample(step.b, below, direction(to), length / steps, removal);
-    z = below;
+    time_ += 60 * stretch / now_.feed;
+    check_contact(step.b, z_before, z, stretch, removal);
+    sample(step.b, z, direction(to), stretch, removal);
+    at = to;
   }
 }
 
@@ -120,16 +148,33 @@ bool LoadWalk::seen_before(Vec2 p, double z, double feed_angle) const {
          std::abs(wrap_signed(feed_angle - last_feed_angle_)) < kSameDirection;
 }
 
+void LoadWalk::touch_at_start(Vec2 p, double z, double feed_angle) {
+  if (seen_before(p, z, feed_angle)) return;
+  arcs_.clear();
+  if (z < stock_.top() && !now_.vertical)
+    find_engaged_arcs(stock_, {p, radius_ + kSkin, z, feed_angle}, -kPi / 2, kPi / 2, arcs_);
+}
+
+// What this step is about to cut on the circle where it ends: where the tool was before, it meets
+// nothing, although its circle coincides with what it left.
+void LoadWalk::touch_at_end(const Segment& path, double z, double feed_angle) {
+  arcs_.clear();
+  if (z >= stock_.top()) return;
+  double low = -kPi / 2, high = kPi / 2;
+  if (now_.vertical) {
+    low = -kPi;
+    high = kPi;
+  } else if (path.is_arc() && path.radius < radius_) {
+    // In so tight a turn the step sweeps, on its inner side, a part of the circle itself.
+    const double swept = 0.5 * path.length() * (1 / path.radius - 1 / radius_);
+    (path.sweep > 0 ? high : low) -= std::copysign(std::min(swept, kPi / 2), path.sweep);
+  }
+  find_engaged_arcs(stock_, {path.b, radius_ - kSkin, z, feed_angle}, low, high, arcs_);
+}
+
 void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length,
                       const std::optional<Removal>& removal) {
   LoadRecord& record = result_.record;
-  if (!removal && seen_before(p, z, feed_angle)) {
-    if (record.size() > now_.first_sample) return;  // the pieces of one arc go on smoothly
-  } else if (removal ? removal->any : z < stock_.top()) {
-    find_engaged_arcs(stock_, {p, radius_, z, feed_angle}, now_.vertical, arcs_);
-  } else {
-    arcs_.clear();
-  }
   last_feed_angle_ = feed_angle;
   last_vertical_ = now_.vertical;
   record.x.push_back(p.x);
@@ -148,10 +193,10 @@ void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length,
 void LoadWalk::append_load(double feed_angle, double length,
                            const std::optional<Removal>& removal) {
   LoadRecord& record = result_.record;
-  double engagement = 0, deepest = 0, face = 0;  // face: mm^2 of material across the feed
+  const double engagement = engagement_of(arcs_);
+  double deepest = 0, face = 0;  // face: mm^2 of material across the feed
   double width = 0;
   for (const EngagedArc& arc : arcs_) {
-    engagement += arc.high - arc.low;
     deepest = std::max(deepest, arc.depth);
     const double across = radius_ * (std::sin(arc.high) - std::sin(arc.low));
     width += across;

@@ -40,7 +40,11 @@ class LoadWalk {
   Removal cut(const Segment& path, double z0, double z1);
   void check_gouge(const MovePiece& piece);
   void check_contact(Vec2 p, double z0, double z1, double length, const Removal& removal);
-  // Appends a sample; `removal` is the step's that led there, none at the start of a piece.
+  // Finds in `arcs_` what the tool touches when it sets out from `p`, and what it has just cut on
+  // its circle when a step of `path` takes it to z; the latter before the step is cut.
+  void touch_at_start(Vec2 p, double z, double feed_angle);
+  void touch_at_end(const Segment& path, double z, double feed_angle);
+  // Appends a sample; `removal` is the step's that led there, none at the start of a move.
   void sample(Vec2 p, double z, double feed_angle, double length,
               const std::optional<Removal>& removal);
   bool seen_before(Vec2 p, double z, double feed_angle) const;

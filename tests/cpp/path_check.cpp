@@ -430,12 +430,13 @@ class Check {
   // Looks at points of the half circle, and between two that differ for where the material ends.
   Load load_at(const Piece& piece, double t) const {
     const Vec2 p = piece.point(t), ahead = piece.direction(t), left = left_normal(ahead);
-    const double r = radius_ - kThinnest;
+    const double r = radius_ - settings_.thinnest;
     const Piece gone = piece.until(t);
     const auto meets = [&](double angle) {
       const Vec2 q = p + r * (std::cos(angle) * ahead + std::sin(angle) * left);
-      // The half circle itself lies kThinnest inside the tool.
-      return holds_material(q) && !(piece.arc && gone.distance_to(q) <= radius_ - 2 * kThinnest);
+      // The half circle itself lies that much inside the tool.
+      return holds_material(q) &&
+             !(piece.arc && gone.distance_to(q) <= radius_ - 2 * settings_.thinnest);
     };
     const int n = static_cast<int>(std::lround(kPi / settings_.angle));
     const double d = kPi / n;
@@ -514,7 +515,7 @@ class Check {
     for (int j = 0; j < grid.rows; ++j)
       for (int i = 0; i < grid.columns; ++i)
         centre[grid.index(i, j)] = fits(grid.middle(i, j)) ? 1 : 0;
-    const double r = radius_ - 10 * kThinnest;
+    const double r = radius_ - 10 * settings_.thinnest;
     const auto stamp = [&](Vec2 p) {
       for (int j = grid.row(p.y - r); j <= grid.row(p.y + r); ++j)
         for (int i = grid.column(p.x - r); i <= grid.column(p.x + r); ++i)

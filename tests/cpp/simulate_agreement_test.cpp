@@ -75,14 +75,17 @@ TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
     checked.hole = pocket.hole->centre;
     checked.hole_radius = 0.5 * pocket.hole->diameter;
   }
+  path_check::Settings settings;
+  settings.thinnest = 1e-6;  // as thin as the simulator sees
   const path_check::Findings seen =
-      path_check::check_path(checked, 0.5 * pocket.tool_diameter, path.moves);
+      path_check::check_path(checked, 0.5 * pocket.tool_diameter, path.moves, settings);
   const Simulation felt = simulate_case(pocket, path, kFine);
   const LoadFigures& figures = felt.figures;
   EXPECT_NEAR(figures.engagement.value, seen.cut_engagement, 2 * kDegree);
   EXPECT_NEAR(mean_cut_engagement(felt.record), seen.mean_cut_engagement, 0.3 * kDegree);
+  // The worst rate lasts for less than a step where small engagements begin and end.
   EXPECT_NEAR(figures.removal_rate.value / pocket.axial_depth, seen.removal_rate,
-              0.03 * seen.removal_rate);
+              0.05 * seen.removal_rate);
   EXPECT_NEAR(figures.gouge.value, seen.gouge, 0.001);
   EXPECT_NEAR(figures.cut_length, seen.cut_length, 1e-6 * seen.cut_length);
   EXPECT_LE(figures.rest.area, 0.001 * seen.reachable_area);
