@@ -8,6 +8,8 @@ namespace {
 
 // mm: a layer this thin on the tool's side is what rounding and tolerances leave, no contact.
 constexpr double kGraze = 0.005;
+// Times kGraze: no rounding leaves so much.
+constexpr double kThickerThanGraze = 10;
 // mm: G-code has three decimals; a gouge of less is no incident.
 constexpr double kRounding = 0.001;
 // mm off the tool's circle where stock is asked for: above rounding, far below what counts.
@@ -141,6 +143,13 @@ void LoadWalk::check_contact(Vec2 p, double z0, double z1, double length, const 
   now_.in_material += length;
 }
 
+// Whether the move so far met more than rounding leaves: a thin layer as long as the tool is wide,
+// or a thicker one all along a short move.
+bool LoadWalk::cuts() const {
+  return now_.plunged || now_.area > kGraze * 2 * radius_ ||
+         now_.area > kThickerThanGraze * kGraze * now_.length;
+}
+
 bool LoadWalk::seen_before(Vec2 p, double z, double feed_angle) const {
   const LoadRecord& record = result_.record;
   return record.size() > 0 && !now_.vertical && !last_vertical_ && record.x.back() == p.x &&
@@ -202,7 +211,9 @@ void LoadWalk::append_load(double feed_angle, double length,
     width += across;
     face += arc.depth * across;
   }
-  if (now_.vertical || width > kGraze) now_.touched = now_.touched || engagement > 0;
+  now_.length += length;
+  now_.area += width * length;
+  now_.plunged = now_.plunged || (now_.vertical && engagement > 0);
   record.engagement.push_back(engagement);
   record.axial_depth.push_back(deepest);
   // On a slope the tip cuts as well, so that what was removed has to be asked.
@@ -264,10 +275,10 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
     for (const MovePiece& piece : pieces) entry_.push_back(piece.path);
     return MoveKind::kEntry;
   }
-  if (now_.touched && std::all_of(pieces.begin(), pieces.end(), goes_along_entry))
+  if (cuts() && std::all_of(pieces.begin(), pieces.end(), goes_along_entry))
     return MoveKind::kEntry;
   entry_.clear();
-  if (now_.touched) {
+  if (cuts()) {
     fastest_cut_ = std::max(fastest_cut_, now_.feed);
     return MoveKind::kCut;
   }

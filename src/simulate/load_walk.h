@@ -31,7 +31,9 @@ class LoadWalk {
     double level_share = 0;  // of the feed's length that is level
     bool vertical = false;   // straight up or down
     bool gouging = false;    // its present piece touches the part
-    bool touched = false;    // met material that counts
+    double length = 0;       // mm of path so far
+    double area = 0;         // mm^2 of material met on the way
+    bool plunged = false;    // met material straight below
     double in_material = 0;  // mm of path
     Place met;               // where first
   };
@@ -47,6 +49,7 @@ class LoadWalk {
   // Appends a sample; `removal` is the step's that led there, none at the start of a move.
   void sample(Vec2 p, double z, double feed_angle, double length,
               const std::optional<Removal>& removal);
+  bool cuts() const;
   bool seen_before(Vec2 p, double z, double feed_angle) const;
   void append_load(double feed_angle, double length, const std::optional<Removal>& removal);
   void append_chips();
