@@ -96,6 +96,7 @@ py::dict figures_of(const LoadFigures& f) {
   for (const auto& [name, worst] : std::initializer_list<std::pair<const char*, const Worst*>>{
            {"engagement", &f.engagement},
            {"link_engagement", &f.link_engagement},
+           {"entry_engagement", &f.entry_engagement},
            {"removal_rate", &f.removal_rate},
            {"force", &f.force},
            {"gouge", &f.gouge},

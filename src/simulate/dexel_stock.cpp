@@ -96,9 +96,15 @@ DexelStock::DexelStock(const std::vector<Prism>& prisms, double bottom, double r
   if ((width + height) / resolution > kMostRows)
     throw std::invalid_argument(
         "The stock would need too many dexels: choose a coarser resolution.");
-  origin_ = bounds_.low + Vec2{0.5 * resolution, 0.5 * resolution};
-  rows_.resize(static_cast<std::size_t>(std::max(0, row_from(bounds_.high.y))));
-  columns_.resize(static_cast<std::size_t>(std::max(0, column_from(bounds_.high.x))));
+  if (std::min(width, height) < resolution)
+    throw std::invalid_argument(
+        "The resolution is coarser than the stock is wide: choose a finer one.");
+  // As many as come nearest to covering the box, in its middle.
+  const auto count = [&](double extent) { return std::round(extent / resolution); };
+  rows_.resize(static_cast<std::size_t>(count(height)));
+  columns_.resize(static_cast<std::size_t>(count(width)));
+  origin_ = 0.5 * (bounds_.low + bounds_.high) -
+            0.5 * resolution * Vec2{count(width) - 1, count(height) - 1};
   fill(prisms);
 }
 
@@ -202,6 +208,21 @@ double DexelStock::volume() const {
   add_up(columns_, bottom_, {origin_.y, resolution_},
          [&](double length, double h, double) { by_columns += length * h; });
   return resolution_ * (by_rows + by_columns) - resolution_ * resolution_ * by_nodes;
+}
+
+double DexelStock::area_above(Vec2 centre, double radius, double z) const {
+  double length = 0;
+  const int end = std::min(row_count(), row_from(centre.y + radius));
+  for (int j = std::max(0, row_from(centre.y - radius)); j < end; ++j) {
+    const double d = row_y(j) - centre.y;
+    const double half = std::sqrt(std::max(0.0, (radius - d) * (radius + d)));
+    const std::vector<DexelRow::Piece>& pieces = row(j).pieces();
+    for (std::size_t i = 0; i + 1 < pieces.size(); ++i)
+      if (pieces[i].top > z)
+        length += std::max(0.0, std::min(pieces[i + 1].x, centre.x + half) -
+                                    std::max(pieces[i].x, centre.x - half));
+  }
+  return length * resolution_;
 }
 
 double DexelStock::height_at(Vec2 p) const {

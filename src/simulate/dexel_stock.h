@@ -4,8 +4,9 @@
 // border is met at exact points hardly further apart than the spacing, whichever way it runs. Both
 // are cut by every move. Cost and memory grow linearly with 1 / resolution.
 // Law: with A_x the area by rows, A_y by columns and A_n by the nodes where they cross,
-// A_x + A_y - A_n is the area but for an error of second order in the resolution, since the error
-// of a row's width is multiplied by that of a column's height.
+// A_x + A_y - A_n is the area. Its error is of second order in the resolution along borders
+// parallel to the axes, where rows alone have one of first order: the error of a row's width is
+// multiplied by that of a column's height. Round borders have the order 3/2, as with rows alone.
 // Source: [Jacsó 2021, simulation with dexels], who has rows only.
 #pragma once
 
@@ -67,6 +68,8 @@ class DexelStock {
   double area() const;             // mm^2 with any material, by the law above
   double volume() const;           // mm^3
   double height_at(Vec2 p) const;  // by the nearest row
+  // mm^2 of the disc over which the stock stands higher than z, by rows.
+  double area_above(Vec2 centre, double radius, double z) const;
 
  private:
   Removal cut_piece(const Segment& path, double radius, double z);

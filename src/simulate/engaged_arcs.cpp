@@ -30,6 +30,7 @@ class Finder {
       : stock_(stock),
         tool_(tool),
         radius_(tool.radius),
+        tip_(std::max(tool.z, stock.bottom())),
         low_(tool.feed_angle + low),
         high_(tool.feed_angle + high) {}
 
@@ -70,7 +71,7 @@ class Finder {
       double depth = 0;
       if (index >= 0 && index < count) {
         const DexelRow& dexel = by_rows ? stock_.row(index) : stock_.column(index);
-        depth = std::max(0.0, dexel.top_at(along + outwards * reach) - tool_.z);
+        depth = std::max(0.0, dexel.top_at(along + outwards * reach) - tip_);
         if (depth < kThinnest) depth = 0;
       }
       take(depth, side, d, quarter, arcs);
@@ -93,26 +94,25 @@ class Finder {
     const Look now{angle_at(side, d, quarter), depth};
     if (!has_last_) {
       has_last_ = true;
-      if (depth > 0) begin(low_, depth);
+      if (depth > 0) begin(low_);
     } else if (same) {
       add(now);
     } else {
       if (!(last_.depth > 0)) last_.angle = angle_at(last_side_, last_d_, last_quarter_);
       const double at = change_between(last_, now);
       end(at, arcs);
-      if (depth > 0) begin(at, depth);
+      if (depth > 0) begin(at);
     }
     if (depth > 0) add(now);
     last_ = now;
     last_side_ = side, last_d_ = d, last_quarter_ = quarter;
   }
 
-  void begin(double angle, double depth) {
+  void begin(double angle) {
     open_ = true;
     arc_ = {angle, angle, 0};
     sum_ = 0;
     looks_ = 0;
-    static_cast<void>(depth);
   }
 
   void add(const Look& look) {
@@ -182,12 +182,12 @@ class Finder {
     };
     const int last_row = std::min(stock_.row_count(), stock_.row_from(high.y));
     for (int j = std::max(0, stock_.row_from(low.y)); j < last_row; ++j)
-      visit_borders(stock_.row(j), tool_.z + kThinnest, low.x, high.x, [&](double x) {
+      visit_borders(stock_.row(j), tip_ + kThinnest, low.x, high.x, [&](double x) {
         keep({x, stock_.row_y(j)});
       });
     const int last_column = std::min(stock_.column_count(), stock_.column_from(high.x));
     for (int i = std::max(0, stock_.column_from(low.x)); i < last_column; ++i)
-      visit_borders(stock_.column(i), tool_.z + kThinnest, low.y, high.y, [&](double y) {
+      visit_borders(stock_.column(i), tip_ + kThinnest, low.y, high.y, [&](double y) {
         keep({stock_.column_x(i), y});
       });
   }
@@ -197,6 +197,7 @@ class Finder {
   const DexelStock& stock_;
   const ToolCircle& tool_;
   double radius_;
+  double tip_;         // mm: the lowest that can touch
   double low_, high_;  // rad
   bool has_last_ = false, open_ = false;
   Look last_;

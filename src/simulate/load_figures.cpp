@@ -51,7 +51,7 @@ void add_up_record(const LoadRecord& record, LoadFigures& figures) {
       engagement.restart();
       rate.restart();
     }
-    if (!record.force_peak.empty() && kind == MoveKind::kCut)
+    if (!record.force_peak.empty() && (kind == MoveKind::kCut || kind == MoveKind::kEntry))
       keep_worst(figures.force, record.force_peak[i], at);
     const double length = record.length[i];
     if (!(length > 0)) continue;
@@ -61,7 +61,7 @@ void add_up_record(const LoadRecord& record, LoadFigures& figures) {
         continue;
       case MoveKind::kEntry:
         figures.entry_length += length;
-        continue;
+        break;
       case MoveKind::kLink:
         figures.link_length += length;
         break;
@@ -71,8 +71,9 @@ void add_up_record(const LoadRecord& record, LoadFigures& figures) {
     }
     const double mean = 0.5 * (record.engagement[i - 1] + record.engagement[i]);
     const double worst = engagement.add(length, mean);
-    if (kind == MoveKind::kLink) {
-      keep_worst(figures.link_engagement, worst, at);
+    if (kind != MoveKind::kCut) {
+      keep_worst(kind == MoveKind::kLink ? figures.link_engagement : figures.entry_engagement,
+                 worst, at);
       continue;
     }
     if (mean == 0) figures.air_length += length;

@@ -59,12 +59,13 @@ struct Incident {
 
 struct LoadFigures {
   // The worst mean over kLoadWindow of path.
-  Worst engagement;                             // rad, of cuts
-  Worst link_engagement;                        // rad, of links
-  Worst removal_rate;                           // mm^3/min, of cuts
-  Worst force;                                  // N: the largest peak of a sample, of cuts
-  Worst gouge;                                  // mm, into the part
-  Worst fixture;                                // mm, into fixtures
+  Worst engagement;        // rad, of cuts
+  Worst link_engagement;   // rad, of links
+  Worst entry_engagement;  // rad, of entries
+  Worst removal_rate;      // mm^3/min, of cuts
+  Worst force;             // N: the largest peak of a sample, of cuts and entries
+  Worst gouge;             // mm, into the part
+  Worst fixture;           // mm, into fixtures
   Worst rapid_in_material, plunge_in_material;  // mm of path in all; where first
   std::vector<Incident> incidents;
   // mm of path; air is the share of the cuts that meets no material.

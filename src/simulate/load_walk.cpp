@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
+#include <string>
 
 namespace evenload {
 namespace {
@@ -18,6 +20,16 @@ constexpr double kSkin = 1e-6;
 // to which they are.
 constexpr double kLargestChange = 5 * kPi / 180;
 constexpr double kFinest = 0.13;
+// Of the tool's radius: longer steps would pass by what the tool meets.
+constexpr double kLongestStep = 0.5;
+// Steps of one piece of a move; a hundred times what any real move has.
+constexpr double kMostSteps = 1e7;
+// Samples between two reports of progress.
+constexpr std::size_t kReportEvery = 1024;
+// Fall per length: flatter moves down are cuts, not entries.
+constexpr double kEntrySlope = 0.0087;  // half a degree
+// Level per length: steeper moves down are plunges.
+constexpr double kPlungeShare = 0.15;
 // Shares of a move this near are one.
 constexpr double kSameShare = 1e-9;
 // rad: moves that turn by less go on in one direction.
@@ -35,48 +47,72 @@ double engagement_of(const std::vector<EngagedArc>& arcs) {
 
 }  // namespace
 
-LoadWalk::LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result)
+LoadWalk::LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result,
+                   Progress& progress)
     : stock_(stock),
       params_(params),
       result_(result),
+      progress_(progress),
       radius_(0.5 * params.tool_diameter),
+      step_(std::min(params.step, kLongestStep * radius_)),
       part_(params.part, radius_, stock.top()),
       fixtures_(params.fixtures, radius_, stock.top()) {
   if (params.force && params.spindle_speed > 0)
     force_.emplace(params.force->coefficients, radius_, params.teeth, params.force->helix_angle);
 }
 
-void LoadWalk::add(const Move& from, const Move& to, std::size_t number) {
+bool LoadWalk::add(const Move& from, const Move& to, std::size_t number, double from_share,
+                   double to_share) {
   now_ = {};
   now_.move = to;
   now_.number = number;
   now_.first_sample = result_.record.size();
-  now_.feed = to.kind == MoveKind::kRapid ? params_.rapid_feed : to.feed;
+  now_.feed = to.kind == MoveKind::kRapid && !(to.feed > 0) ? params_.rapid_feed : to.feed;
   const std::vector<MovePiece> pieces = pieces_of(from, to);
   double level = 0;
   for (const MovePiece& piece : pieces) level += piece.path.length();
   const double length = std::hypot(level, to.z - from.z);
-  if (!(length > 0)) return;
+  if (!(length > 0)) return true;
   now_.vertical = level <= kLevel;
-  now_.level_share = level / length;
-  for (const MovePiece& piece : pieces) walk(piece);
+  now_.level_share = now_.vertical ? 0 : level / length;
+  now_.plunges = to.z < from.z && now_.level_share < kPlungeShare;
+  bool goes_on = true;
+  for (std::size_t k = 0; goes_on && k < pieces.size(); ++k)
+    goes_on = walk(pieces[k], from_share + (to_share - from_share) * static_cast<double>(k) /
+                                               static_cast<double>(pieces.size()));
   finish_move(from, pieces);
+  return goes_on;
 }
 
-void LoadWalk::walk(const MovePiece& piece) {
+int LoadWalk::steps_of(const MovePiece& piece) const {
+  const double rise = std::abs(piece.z1 - piece.z0);
+  const double length = std::hypot(piece.path.length(), rise);
+  if (std::min(piece.z0, piece.z1) >= stock_.top() ||
+      !overlap(grown(piece.path.bounds(), radius_), stock_.bounds()))
+    return 1;
+  // A slope is cut as steps of a height that the dexels' resolution hides.
+  const double steps =
+      std::ceil(std::max(length / step_, now_.vertical ? 0 : rise / stock_.resolution()) - 1e-9);
+  if (steps > kMostSteps)
+    throw std::invalid_argument("Move " + std::to_string(now_.number) + " is " +
+                                std::to_string(length) +
+                                " mm long, too long for its step: choose a longer step.");
+  return std::max(1, static_cast<int>(steps));
+}
+
+// False when cancelled.
+bool LoadWalk::walk(const MovePiece& piece, double share) {
   check_gouge(piece);
   const Segment& path = piece.path;
   const double length = std::hypot(path.length(), piece.z1 - piece.z0);
-  const bool above = std::min(piece.z0, piece.z1) >= stock_.top();
-  const int steps =
-      above ? 1 : std::max(1, static_cast<int>(std::ceil(length / params_.step - 1e-9)));
+  const int steps = steps_of(piece);
   const auto direction = [&](double t) {
     return now_.vertical ? last_feed_angle_ : angle_of(path.tangent(t));
   };
   // The pieces of one arc go on smoothly.
   if (result_.record.size() == now_.first_sample) {
     touch_at_start(path.a, piece.z0, direction(0));
-    sample(path.a, piece.z0, direction(0), 0, std::nullopt);
+    sample(path.a, piece.z0, direction(0), 0);
   }
   double at = 0;
   while (at < 1) {
@@ -88,19 +124,22 @@ void LoadWalk::walk(const MovePiece& piece) {
       step = (at == 0 && to == 1) || now_.vertical ? path : path.part(at, to);
       touch_at_end(step, z, direction(to));
       const double change = engagement_of(arcs_) - result_.record.engagement.back();
-      if (std::abs(change) <= kLargestChange || (to - at) * length <= kFinest * params_.step) break;
+      if (std::abs(change) <= kLargestChange || (to - at) * length <= kFinest * step_) break;
       to = 0.5 * (at + to);
       z = piece.z0 + to * (piece.z1 - piece.z0);
     }
     const double z_before = piece.z0 + at * (piece.z1 - piece.z0), stretch = (to - at) * length;
+    time_ += 60 * stretch / now_.feed;
+    sample(step.b, z, direction(to), stretch);
     const Removal removal = cut(step, z_before, z);
     removed_ += removal.volume;
+    result_.record.removed_volume.back() = removed_;
     result_.figures.removed_area += removal.area;
-    time_ += 60 * stretch / now_.feed;
     check_contact(step.b, z_before, z, stretch, removal);
-    sample(step.b, z, direction(to), stretch, removal);
     at = to;
+    if (result_.record.size() % kReportEvery == 0 && !progress_.report(share)) return false;
   }
+  return true;
 }
 
 Removal LoadWalk::cut(const Segment& path, double z0, double z1) {
@@ -113,7 +152,7 @@ Removal LoadWalk::cut(const Segment& path, double z0, double z1) {
 void LoadWalk::check_gouge(const MovePiece& piece) {
   const auto check = [&](const PartGauge& gauge, Worst& worst, IncidentKind kind) {
     if (gauge.empty()) return false;
-    const Gouge found = gauge.deepest(piece.path, piece.z0, piece.z1, params_.step);
+    const Gouge found = gauge.deepest(piece.path, piece.z0, piece.z1, step_);
     if (!(found.depth > 0)) return false;
     const Vec2 p = now_.vertical ? piece.path.a : piece.path.point(found.t);
     const Place at{p.x, p.y, piece.z0 + found.t * (piece.z1 - piece.z0)};
@@ -132,10 +171,10 @@ void LoadWalk::check_gouge(const MovePiece& piece) {
   check(fixtures_, result_.figures.fixture, IncidentKind::kFixture);
 }
 
-// Rapids, and plunges straight down, must not meet material.
+// Rapids and plunges must not meet material.
 void LoadWalk::check_contact(Vec2 p, double z0, double z1, double length, const Removal& removal) {
-  if (now_.move.kind != MoveKind::kRapid && !(now_.vertical && z1 < z0)) return;
-  const double grazed = now_.vertical
+  if (now_.move.kind != MoveKind::kRapid && !now_.plunges) return;
+  const double grazed = now_.plunges || now_.vertical
                             ? 2 * kPi * radius_ * kGraze * std::abs(z1 - z0)
                             : kGraze * length * std::max(0.0, stock_.top() - std::min(z0, z1));
   if (!(removal.volume > grazed)) return;
@@ -181,8 +220,7 @@ void LoadWalk::touch_at_end(const Segment& path, double z, double feed_angle) {
   find_engaged_arcs(stock_, {path.b, radius_ - kSkin, z, feed_angle}, low, high, arcs_);
 }
 
-void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length,
-                      const std::optional<Removal>& removal) {
+void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length) {
   LoadRecord& record = result_.record;
   last_feed_angle_ = feed_angle;
   last_vertical_ = now_.vertical;
@@ -196,11 +234,10 @@ void LoadWalk::sample(Vec2 p, double z, double feed_angle, double length,
   record.feed.push_back(now_.feed);
   record.removed_volume.push_back(removed_);
   record.gouge.push_back(now_.gouging ? part_.depth(p, z) : 0);
-  append_load(feed_angle, length, removal);
+  append_load(p, z, feed_angle, length);
 }
 
-void LoadWalk::append_load(double feed_angle, double length,
-                           const std::optional<Removal>& removal) {
+void LoadWalk::append_load(Vec2 p, double z, double feed_angle, double length) {
   LoadRecord& record = result_.record;
   const double engagement = engagement_of(arcs_);
   double deepest = 0, face = 0;  // face: mm^2 of material across the feed
@@ -216,10 +253,12 @@ void LoadWalk::append_load(double feed_angle, double length,
   now_.plunged = now_.plunged || (now_.vertical && engagement > 0);
   record.engagement.push_back(engagement);
   record.axial_depth.push_back(deepest);
-  // On a slope the tip cuts as well, so that what was removed has to be asked.
-  const bool level = now_.level_share == 1;
-  record.removal_rate.push_back(level || !removal ? (now_.vertical ? 0 : now_.feed * face)
-                                                  : now_.feed * removal->volume / length);
+  // The side of the tool moves on over the level share of the feed, its tip down over the rest.
+  const double before = record.size() > 1 ? record.z[record.size() - 2] : z;
+  double rate = now_.level_share * face;
+  if (length > 0 && z < before)
+    rate += (before - z) / length * stock_.area_above({p.x, p.y}, radius_, z);
+  record.removal_rate.push_back(now_.feed * rate);
   record.first_arc.push_back(record.arcs.size());
   record.arcs.insert(record.arcs.end(), arcs_.begin(), arcs_.end());
   append_chips();
@@ -271,7 +310,9 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
     return retraced(piece.path.point(0)) && retraced(piece.path.point(0.5)) &&
            retraced(piece.path.point(1));
   };
-  if (now_.move.z < from.z - kLevel) {
+  double length = 0;
+  for (const MovePiece& piece : pieces) length += piece.path.length();
+  if (from.z - now_.move.z > kEntrySlope * length) {
     for (const MovePiece& piece : pieces) entry_.push_back(piece.path);
     return MoveKind::kEntry;
   }
@@ -290,8 +331,8 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
 void LoadWalk::finish_move(const Move& from, const std::vector<MovePiece>& pieces) {
   if (now_.move.kind == MoveKind::kRapid) {
     entry_.clear();
-  } else if (params_.infer_kinds) {
-    const MoveKind kind = inferred_kind(from, pieces);
+  } else if (params_.infer_kinds || now_.plunges) {
+    const MoveKind kind = now_.plunges ? MoveKind::kEntry : inferred_kind(from, pieces);
     std::fill(result_.record.kind.begin() + static_cast<std::ptrdiff_t>(now_.first_sample),
               result_.record.kind.end(), static_cast<std::int8_t>(kind));
   }

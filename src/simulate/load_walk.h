@@ -14,10 +14,13 @@ namespace evenload {
 class LoadWalk {
  public:
   // `result` gets the record and those of the figures that are found on the way.
-  LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result);
+  LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation& result,
+           Progress& progress);
 
-  // Goes from `from` to `to`, the move of that number.
-  void add(const Move& from, const Move& to, std::size_t number);
+  // Goes from `from` to `to`, the move of that number. `from_share` and `to_share`: the progress at
+  // its ends. False when it was cancelled on the way.
+  bool add(const Move& from, const Move& to, std::size_t number, double from_share,
+           double to_share);
   // Ends the record.
   void finish();
 
@@ -30,6 +33,7 @@ class LoadWalk {
     double feed = 0;         // mm/min along the path
     double level_share = 0;  // of the feed's length that is level
     bool vertical = false;   // straight up or down
+    bool plunges = false;    // down, so steeply that the tip does the work
     bool gouging = false;    // its present piece touches the part
     double length = 0;       // mm of path so far
     double area = 0;         // mm^2 of material met on the way
@@ -38,7 +42,8 @@ class LoadWalk {
     Place met;               // where first
   };
 
-  void walk(const MovePiece& piece);
+  bool walk(const MovePiece& piece, double share);
+  int steps_of(const MovePiece& piece) const;
   Removal cut(const Segment& path, double z0, double z1);
   void check_gouge(const MovePiece& piece);
   void check_contact(Vec2 p, double z0, double z1, double length, const Removal& removal);
@@ -46,12 +51,11 @@ class LoadWalk {
   // its circle when a step of `path` takes it to z; the latter before the step is cut.
   void touch_at_start(Vec2 p, double z, double feed_angle);
   void touch_at_end(const Segment& path, double z, double feed_angle);
-  // Appends a sample; `removal` is the step's that led there, none at the start of a move.
-  void sample(Vec2 p, double z, double feed_angle, double length,
-              const std::optional<Removal>& removal);
+  // Appends a sample, before the step of `length` that leads there is cut.
+  void sample(Vec2 p, double z, double feed_angle, double length);
   bool cuts() const;
   bool seen_before(Vec2 p, double z, double feed_angle) const;
-  void append_load(double feed_angle, double length, const std::optional<Removal>& removal);
+  void append_load(Vec2 p, double z, double feed_angle, double length);
   void append_chips();
   void append_force(double feed_angle);
   void finish_move(const Move& from, const std::vector<MovePiece>& pieces);
@@ -60,7 +64,9 @@ class LoadWalk {
   DexelStock& stock_;
   const SimulationParams& params_;
   Simulation& result_;
+  Progress& progress_;
   double radius_;
+  double step_;  // mm, between samples at the most
   PartGauge part_, fixtures_;
   std::optional<ForceModel> force_;
   std::vector<EngagedArc> arcs_;

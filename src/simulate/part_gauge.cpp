@@ -10,6 +10,9 @@ namespace {
 // mm: a tip this near to a top stands on it.
 constexpr double kOnTop = 1e-6;
 
+// mm: regions nearer than twice this are one; no tool fits between.
+constexpr double kUniting = 0.005;
+
 // The parameter of an arc at an angle, or a value outside of [0, 1].
 double parameter_at(const Segment& arc, double angle) {
   const double turned = arc.sweep > 0 ? wrap_positive(angle - arc.start_angle)
@@ -17,20 +20,29 @@ double parameter_at(const Segment& arc, double angle) {
   return turned / arc.sweep;
 }
 
+// Regions that touch or overlap as one, so that no border runs inside.
+std::vector<Region> united(const std::vector<Region>& regions) {
+  if (regions.size() < 2) return regions;
+  return offset(offset(regions, kUniting), -kUniting);
+}
+
 }  // namespace
 
 PartGauge::PartGauge(const std::vector<Prism>& part, double tool_radius, double stock_top)
     : radius_(tool_radius), stock_top_(stock_top) {
-  std::map<double, std::vector<Curve>> by_top;
-  for (const Prism& prism : part)
-    for (const Curve& curve : prism.region.curves()) by_top[prism.top].push_back(curve);
-  for (const auto& [top, curves] : by_top) {
+  std::map<double, std::vector<Region>> by_top;
+  for (const Prism& prism : part) by_top[prism.top].push_back(prism.region);
+  for (const auto& [top, regions] : by_top) {
+    std::vector<Curve> curves;
     std::vector<Segment> edges;
     std::vector<Bounds> boxes;
-    for (const Curve& curve : curves) {
-      for (const Segment& edge : curve.segments()) {
-        edges.push_back(edge);
-        boxes.push_back(edge.bounds());
+    for (const Region& region : united(regions)) {
+      for (const Curve& curve : region.curves()) {
+        curves.push_back(curve);
+        for (const Segment& edge : curve.segments()) {
+          edges.push_back(edge);
+          boxes.push_back(edge.bounds());
+        }
       }
     }
     levels_.push_back({top, BoundaryIndex(curves), std::move(edges), BoxTree(boxes)});

@@ -21,7 +21,6 @@ struct Gouge {
 
 class PartGauge {
  public:
-  // Prisms of one top must not overlap.
   PartGauge(const std::vector<Prism>& part, double tool_radius, double stock_top);
 
   bool empty() const { return levels_.empty(); }

@@ -13,8 +13,9 @@ namespace {
 
 // mm by which a part may reach out of its stock: rounding of drawings.
 constexpr double kOutOfStock = 0.001;
-// Moves between two reports of progress.
-constexpr std::size_t kReportEvery = 64;
+// mm by which an arc's sweep may miss its end, and per mm of the arc: sweeps are computed from
+// rounded coordinates.
+constexpr double kSweepMismatch = 0.005;
 // Share of the progress that is done when the moves are.
 constexpr double kWalkShare = 0.95;
 
@@ -32,6 +33,11 @@ void check_params(const SimulationParams& params, const DexelStock& stock) {
   require(positive(params.step), "The step must be positive, in mm.");
   require(!params.force || params.spindle_speed > 0,
           "The force needs a spindle speed, in rev/min: give it with the cutting data.");
+  require(stock.resolution() <= 0.5 * params.tool_diameter,
+          "The resolution is coarser than the tool's radius: choose a finer one.");
+  for (const std::vector<Prism>* prisms : {&params.part, &params.fixtures})
+    for (const Prism& prism : *prisms)
+      require(std::isfinite(prism.top), "The top of a part or fixture must be a number, in mm.");
   for (const Prism& prism : params.part) {
     const Bounds box = bounds_of({prism.region}), around = stock.bounds();
     const double out =
@@ -57,10 +63,14 @@ void check_moves(const std::vector<Move>& moves) {
     const double begin = distance({moves[i - 1].x, moves[i - 1].y}, centre);
     const double end = distance({m.x, m.y}, centre), off = std::abs(begin - end);
     require(begin > 0 && end > 0, name + " is an arc without radius.");
+    const Vec2 turned = centre + rotated(Vec2{moves[i - 1].x, moves[i - 1].y} - centre, m.sweep);
     require(off <= kRadiusMismatch || off <= kRadiusMismatchShare * std::min(begin, end),
             name + " is an arc that starts " + std::to_string(begin) +
                 " mm from its centre and ends " + std::to_string(end) +
                 " mm from it: mend its centre.");
+    require(distance(turned, {m.x, m.y}) <=
+                off + kSweepMismatch * std::max(1.0, std::abs(m.sweep) * begin),
+            name + " is an arc whose sweep does not lead to its end: mend one of them.");
   }
 }
 
@@ -84,15 +94,12 @@ Simulation simulate(const std::vector<Move>& moves, DexelStock& stock,
   check_params(params, stock);
   check_moves(moves);
   Simulation result;
-  LoadWalk walk(stock, params, result);
-  for (std::size_t i = 1; i < moves.size(); ++i) {
-    if (i % kReportEvery == 0 &&
-        !progress.report(kWalkShare * static_cast<double>(i) / static_cast<double>(moves.size()))) {
-      result.cancelled = true;
-      break;
-    }
-    walk.add(moves[i - 1], moves[i], i);
-  }
+  LoadWalk walk(stock, params, result, progress);
+  const auto share_of = [&](std::size_t i) {
+    return kWalkShare * static_cast<double>(i) / static_cast<double>(moves.size());
+  };
+  for (std::size_t i = 1; i < moves.size() && !result.cancelled; ++i)
+    result.cancelled = !walk.add(moves[i - 1], moves[i], i, share_of(i), share_of(i + 1));
   walk.finish();
   if (params.machine) append_machine_time(moves, *params.machine, result.record);
   add_up_record(result.record, result.figures);

@@ -1,11 +1,12 @@
 // The judge of toolpaths: moves a tool through stock and tells what it feels.
 //
 // Knows nothing of how paths are made. 1. Every move is cut into steps; each step sweeps the
-// stock's dexels exactly, lines and arcs alike, so that no step is too long to be seen. 2. After
-// each step the arcs of the tool's circle that touch material are found, and from them engagement,
-// removal rate, chip thickness and force. 3. The part's geometry tells gouges, the dexels what is
-// left. On a slope a step's ground is cut at the higher of its ends, and the ground under the tool
-// at its end: depths are exact at samples. Source: [Jacsó 2021, simulation with dexels].
+// stock's dexels exactly, lines and arcs alike, so that no step is too long to be seen. 2. Before
+// a step is cut, the arcs of the tool's circle that it will cut at its end are found, and from them
+// engagement, removal rate, chip thickness and force. 3. The part's geometry tells gouges, the
+// dexels what is left. On a slope a step's ground is cut at the higher of its ends, and the ground
+// under the tool at its end: depths are exact at samples. Source: [Jacsó 2021, simulation with
+// dexels].
 #pragma once
 
 #include <optional>

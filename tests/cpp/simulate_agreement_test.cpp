@@ -103,7 +103,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, EverySimulatedPocket, testing::ValuesIn([] {
                              if (name != "too_small") names.push_back(name);
                            return names;
                          }()),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& pocket) { return pocket.param; });
 
 // Mean error in degrees of the engagement on contours of several radii.
 double contour_error(double resolution) {

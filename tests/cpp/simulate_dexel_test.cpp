@@ -116,7 +116,7 @@ TEST(SweptDisc, HoldsExactlyThePointsWithinTheRadiusOfThePath) {
   }
 }
 
-TEST(DexelStock, HasTheAreaOfItsRegionToSecondOrder) {
+TEST(DexelStock, HasTheAreaOfItsRegion) {
   const Region rect = rectangle(0.0123, -0.0077, 60.031, 41.017);
   EXPECT_NEAR(DexelStock({{rect, 0}}, -3, 0.05).area(), rect.area(), 0.0026);
   const Region ring = make_region(circle(20).outer, {circle(7.3, {2, 1}).outer});
@@ -147,6 +147,7 @@ TEST(DexelStock, RefusesWhatCannotBe) {
   EXPECT_THROW(DexelStock({{square, 0}}, 0, 0.05), std::invalid_argument);
   EXPECT_THROW(DexelStock({{square, std::nan("")}}, -3, 0.05), std::invalid_argument);
   EXPECT_THROW(DexelStock({{square, 0}}, -3, 1e-9), std::invalid_argument);
+  EXPECT_THROW(DexelStock({{square, 0}}, -3, 10.1), std::invalid_argument);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // What must not happen is found where it happens; what is left is found where it stands.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 #include <stdexcept>
@@ -132,7 +133,6 @@ TEST(Plunge, IntoMaterialIsFoundAndIntoAHoleIsNone) {
 }
 
 TEST(Rest, OfOneSquareMillimetreIsFoundWithItsPlace) {
-  DexelStock stock({{kBlock, 0}, {rectangle(9.5, 9.5, 10.5, 10.5), 0}}, -kDepth, kFine);
   // All but a post of 1 mm^2 is cut away beforehand.
   Region around = make_region(kPocket.outer, {rectangle(9.5, 9.5, 10.5, 10.5).outer});
   DexelStock left(
@@ -262,6 +262,94 @@ TEST(Simulate, RefusesWhatCannotBeWithTheMovesNumber) {
   expect_refused(clearing(), params, "step");
 }
 
+TEST(Simulate, RefusesTopsThatAreNoNumbersAndArcsThatDoNotLeadToTheirEnds) {
+  SimulationParams params = params_with_part();
+  params.part[0].top = std::nan("");
+  expect_refused(clearing(), params, "top");
+  params = params_for(3);
+  params.fixtures = {{rectangle(60, 0, 70, 10), std::nan("")}};
+  expect_refused(clearing(), params, "top");
+  expect_refused({line_to({10, 0}), arc_to({10, 0}, {0, 0}, kPi / 2)}, params_for(3), "sweep");
+  expect_refused({line_to({10, 0}), arc_to({0, 10}, {0, 0}, -kPi / 2)}, params_for(3), "sweep");
+  expect_refused({line_to({10, 0}), arc_to({0, 10}, {0, 0}, kPi)}, params_for(3), "sweep");
+  expect_refused({line_to({0, 0}), line_to({9e12, 0})}, params_for(3), "Move 1");
+}
+
+TEST(Simulate, StopsWithinALongMove) {
+  int asked = 0;
+  Progress progress([&asked](double) { return ++asked < 2; });
+  DexelStock stock({{kBlock, 0}}, -kDepth, 0.2);
+  const Simulation done = simulate({line_to({5, 0}), arc_to({5, 0}, {0, 0}, 400 * kPi)}, stock,
+                                   params_for(3), progress);
+  EXPECT_TRUE(done.cancelled);
+  EXPECT_LT(done.figures.cut_length, 1000);
+}
+
+TEST(LongSteps, NeitherMissTheLoadNorTheRest) {
+  SimulationParams params = params_for(3);
+  params.step = 1000;
+  const Simulation done = run({line_to({-20, 15}), line_to({60, 15})}, {kBlock}, params);
+  EXPECT_NEAR(done.figures.engagement.value, kPi, 1e-9);
+  EXPECT_NEAR(done.figures.removed_volume, 60 * 6 * 3, 1);
+  EXPECT_EQ(done.figures.rest.patches.size(), 2u);
+}
+
+TEST(TipBelowTheStock, CutsNoMoreThanThereIs) {
+  const Simulation deep =
+      run({line_to({-20, 15}, -5), line_to({60, 15}, -5)}, {kBlock}, params_for(3));
+  EXPECT_NEAR(deep.figures.removal_rate.value, kDepth * 6 * kFeed, 0.005 * kDepth * 6 * kFeed);
+  EXPECT_NEAR(*std::max_element(deep.record.axial_depth.begin(), deep.record.axial_depth.end()),
+              kDepth, 1e-9);
+}
+
+TEST(Gouge, IsAsDeepInAPartOfTwoHalvesAsInTheWhole) {
+  SimulationParams whole = params_for(3), halves = params_for(3);
+  whole.part = {{rectangle(0, 0, 40, 20), 0}};
+  halves.part = {{rectangle(0, 0, 20, 20), 0}, {rectangle(20, 0, 40, 20), 0}};
+  const std::vector<Move> moves{line_to({20, 30}), line_to({20, 12})};
+  const Simulation one = run(moves, {kBlock}, whole), two = run(moves, {kBlock}, halves);
+  EXPECT_NEAR(one.figures.gouge.value, 11, 1e-6);
+  EXPECT_NEAR(two.figures.gouge.value, 11, 1e-4);
+}
+
+TEST(Slope, OfACutIsNoEntryUnlessItIsSteep) {
+  SimulationParams params = params_for(3);
+  params.infer_kinds = true;
+  const Simulation flat =
+      run({line_to({-20, 15}, -2), line_to({60, 15}, -2.001)}, {kBlock}, params);
+  EXPECT_NEAR(flat.figures.engagement.value, kPi, 1e-9);
+  EXPECT_EQ(flat.figures.entry_length, 0);
+  const Simulation ramp = run({line_to({0, 15}, 0), line_to({40, 15}, -3)}, {kBlock}, params);
+  EXPECT_EQ(ramp.figures.cut_length, 0);
+  EXPECT_NEAR(ramp.figures.entry_engagement.value, kPi, 1e-9);
+}
+
+TEST(Slope, HasTheRemovalRateOfItsSideAndItsTip) {
+  // A steady ramp through full material: what is removed per length is the same at every place.
+  const double fall = 0.05, depth0 = 1;
+  for (const double turn : {0.0, 30.0}) {
+    const Vec2 from = rotated({5, 0}, turn * kDegree), to = rotated({35, 0}, turn * kDegree);
+    std::vector<Move> moves{line_to(from, -depth0), line_to(to, -depth0 - 30 * fall)};
+    const Simulation done =
+        run(moves, {turned(rectangle(-10, -10, 50, 10), turn * kDegree)}, params_for(3));
+    const LoadRecord& record = done.record;
+    const double along = std::hypot(1, fall);
+    for (std::size_t i = record.size() / 2; i < record.size(); ++i) {
+      const double depth = -record.z[i];
+      // Ahead of the tool the stock stands at full height; under its tip lies a step's fall.
+      const double expected = kFeed / along * (6 * depth + fall * kPi * 9);
+      EXPECT_NEAR(record.removal_rate[i], expected, 0.01 * expected) << i << " at " << turn;
+    }
+  }
+}
+
+TEST(Plunge, ThatLeansALittleIsFoundToo) {
+  const std::vector<Move> moves{move_to(MoveKind::kRapid, 20, 15, 5), line_to({20.001, 15}, -3)};
+  const Simulation done = run(moves, {kBlock}, params_with_part());
+  EXPECT_EQ(count_of(done, IncidentKind::kPlungeInMaterial), 1u);
+  EXPECT_EQ(done.figures.cut_length, 0);
+}
+
 TEST(Simulate, StopsWhenItIsCancelledAndSaysSo) {
   std::vector<Move> moves = clearing();
   while (moves.size() < 2000) moves.insert(moves.end() - 1, {line_to({10, 10}), line_to({20, 10})});
@@ -274,7 +362,7 @@ TEST(Simulate, StopsWhenItIsCancelledAndSaysSo) {
   EXPECT_EQ(done.record.first_arc.size(), done.record.size() + 1);
 }
 
-TEST(Simulate, IsTheSameOnTurnedMirroredAndShiftedPaths) {
+TEST(Simulate, IsTheSameOnTurnedAndShiftedPaths) {
   const Simulation original = run(clearing(), {kBlock}, params_for(3));
   std::vector<Move> moves = clearing();
   const Vec2 shift{1234.5, -987.6};

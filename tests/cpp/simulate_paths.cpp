@@ -26,7 +26,9 @@ Region rectangle(double x0, double y0, double x1, double y1) {
 Region circle(double radius, Vec2 centre) { return make_region(circle_curve(radius, centre)); }
 
 Region plate_with_hole(double half, double radius) {
-  return make_region(rectangle(-half, -half, half, half).outer, {circle_curve(radius, {})});
+  // Not quite in the middle, so that the dexels do not lie alike on both sides of the hole.
+  return make_region(rectangle(-half, -half, half + 0.137, half + 0.211).outer,
+                     {circle_curve(radius, {})});
 }
 
 Region turned(const Region& region, double angle) {

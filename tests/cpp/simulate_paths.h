@@ -14,7 +14,7 @@ inline constexpr double kFine = 0.05;  // mm: the resolution that users get
 
 Region rectangle(double x0, double y0, double x1, double y1);
 Region circle(double radius, Vec2 centre = {});
-// A rectangle with a round hole in its middle.
+// A rectangle with a round hole about the origin.
 Region plate_with_hole(double half, double radius);
 Region turned(const Region& region, double angle);
 
