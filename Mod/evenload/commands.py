@@ -9,7 +9,7 @@ from math import acos, atan2, ceil, cos, hypot, isfinite, pi, sin, sqrt, tan
 
 import Path
 
-RAPID, LINK, ENTRY, CUT = range(4)  # the kinds of moves, as the core counts them
+from evenload.planar import CUT, RAPID, sweep_of
 
 DECIMALS = 3  # of a mm: what FreeCAD's post-processors write unless told otherwise
 GRID = 10.0**-DECIMALS
@@ -187,23 +187,12 @@ def length(commands):
     return total
 
 
-def sweep_of(dx, dy, i, j, counter_clockwise):
-    """The sweep in rad, counter-clockwise positive, of an arc to (dx, dy) about (i, j), both seen
-    from its start. Ends that coincide make a full circle.
-    """
-    turn = atan2(dy - j, dx - i) - atan2(-j, -i)
-    if counter_clockwise:
-        return turn % (2 * pi) or 2 * pi
-    return -((-turn) % (2 * pi) or 2 * pi)
-
-
 # ---- back: what Path commands do ----
 
 ARC_MISMATCH = 0.005, 1e-3  # mm and share of the radius: LinuxCNC and grbl refuse what exceeds both
 SAME_PLACE = 1e-6  # mm: ends of an arc that are nearer make a full circle
-PECK_CLEARANCE = (
-    0.25  # mm above the last depth, where a pecking drill slows down: as LinuxCNC has it
-)
+# mm above the last depth, where a pecking drill slows down: as LinuxCNC has it
+PECK_CLEARANCE = 0.254
 SHORTEST_PECK = 1e-3  # mm
 CYCLES = (73, 81, 82, 83)
 RETRACTS = {98: True, 99: False}  # whether cycles end at the height where they began, not at R

@@ -20,7 +20,7 @@ from dataclasses import dataclass
 import Part
 from FreeCAD import Vector
 
-from evenload import commands, compiled, host, shape
+from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
 
 PRISMATIC = 1e-3  # share of the volume that a body may differ by from the prisms that stand for it
@@ -48,7 +48,15 @@ class Setup:
     earlier: list  # of (moves, tool diameter): what has been cut before, in this order
     notes: list  # sentences on what could not be taken as it is
 
-    def simulate(self, resolution=0.05, step=0.1, material=None, machine=None, progress=None):
+    def simulate(
+        self,
+        resolution=0.05,
+        step=0.1,
+        material=None,
+        machine=None,
+        progress=None,
+        fixtures=None,
+    ):
         """The Simulation; see `of`."""
         from evenload.simulation import simulate
 
@@ -71,6 +79,7 @@ class Setup:
             earlier=self.earlier,
             lines=self.lines,
             progress=progress,
+            fixtures=fixtures,
         )
         result.notes[:0] = self.notes
         return result
@@ -84,16 +93,19 @@ def of(
     machine=None,
     progress=None,
     after_earlier=True,
+    fixtures=None,
 ):
     """The Simulation of a Path operation in its Job.
 
     resolution: distance in mm of the stock's rows; step: along the path, in mm; material: name or
     coefficients, None for no forces; machine: name, file or dictionary of a machine's limits, None
     for programmed times only; progress: callable(share) -> bool, False stops it; after_earlier:
-    whether the job's earlier active operations have cut before. Raises ValueError with a sentence
+    whether the job's earlier active operations have cut before; fixtures: what must not be touched,
+    as `simulate` takes it. Raises ValueError with a sentence
     for an operation that cannot be simulated.
     """
-    return read(operation, after_earlier).simulate(resolution, step, material, machine, progress)
+    setup = read(operation, after_earlier)
+    return setup.simulate(resolution, step, material, machine, progress, fixtures)
 
 
 def read(operation, after_earlier=True):
@@ -174,7 +186,7 @@ def _hole(operation, top):
     if not diameter > 0:
         return []
     feed = 60 * operation.ToolController.VertFeed.Value
-    ends = ((commands.RAPID, top + ABOVE, 0.0), (commands.CUT, operation.FinalDepth.Value, feed))
+    ends = ((planar.RAPID, top + ABOVE, 0.0), (planar.CUT, operation.FinalDepth.Value, feed))
     return [([(kind, at.x, at.y, z, 0.0, 0.0, 0.0, f) for kind, z, f in ends], diameter)]
 
 

@@ -2,7 +2,7 @@
 
 import math
 
-from evenload import commands, shape
+from evenload import planar
 
 # (key, property, unit, decimals) in the table's order
 FIGURES = (
@@ -29,6 +29,7 @@ SIMULATED = (
     ("simulated_machine_time_s", "machine_time_total_s", "s", 1),
     ("simulated_rest_area_mm2", "rest_area", "mm2", 2),
     ("simulated_gouge_mm", "gouge_mm", "mm", 3),
+    ("simulated_fixture_mm", "fixture_mm", "mm", 3),
     ("simulated_rapid_in_material_mm", "rapid_in_material_mm", "mm", 2),
     ("simulated_plunge_in_material_mm", "plunge_in_material_mm", "mm", 2),
     ("simulated_air_mm", "air_mm", "mm", 0),
@@ -56,6 +57,7 @@ LABELS = {
     "simulated_machine_time_s": "  time on the machine",
     "simulated_rest_area_mm2": "  area left",
     "simulated_gouge_mm": "  gouge",
+    "simulated_fixture_mm": "  into fixtures",
     "simulated_rapid_in_material_mm": "  rapids in material",
     "simulated_plunge_in_material_mm": "  plunges in material",
     "simulated_air_mm": "  cuts in air",
@@ -182,7 +184,7 @@ def picture(op, path):
 
 def outline(chain):
     """[(x, y), ...] of a closed chain of (x, y, bulge, ...), arcs as short chords."""
-    points = [(x, y) for x, y in shape.flattened(chain)]
+    points = [(x, y) for x, y in planar.flattened(chain)]
     return points + points[:1]
 
 
@@ -213,11 +215,11 @@ def samples_of_gcode(text):
             continue
         if mode in (2, 3) and x is not None:
             i, j = at.get("I", 0.0), at.get("J", 0.0)
-            sweep = commands.sweep_of(nx - x, ny - y, i, j, mode == 3)
+            sweep = planar.sweep_of(nx - x, ny - y, i, j, mode == 3)
             ends = _arc(x, y, x + i, y + j, sweep)
         else:
             ends = [(nx, ny)]
-        kind = commands.CUT if mode else commands.RAPID
+        kind = planar.CUT if mode else planar.RAPID
         samples += [(u, v, feed if mode else 0.0, kind) for u, v in ends if None not in (u, v)]
         x, y = nx, ny
     return samples
@@ -284,12 +286,12 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
     pieces = {kind: ([], []) for kind in range(4)}
     for before, after in zip(samples, samples[1:]):
         jump = gap is not None and math.dist(before[:2], after[:2]) > gap
-        lines, values = pieces[commands.RAPID if jump else after[3]]
+        lines, values = pieces[planar.RAPID if jump else after[3]]
         if before[:2] != after[:2]:
             lines.append((before[:2], after[:2]))
             values.append(0.5 * (before[2] + after[2]) if before[3] == after[3] else after[2])
     many = len(samples) > MOST_VECTORS
-    lines, values = pieces[commands.CUT]
+    lines, values = pieces[planar.CUT]
     cuts = LineCollection(
         lines, array=values, cmap="turbo", linewidths=1.1, zorder=3, rasterized=many
     )
@@ -297,9 +299,9 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
     axes.add_collection(cuts)
     axes.figure.colorbar(cuts, ax=axes, label=meaning, shrink=0.8)
     for kind, colour, label, style in (
-        (commands.LINK, LINK_COLOUR, "links", "-"),
-        (commands.ENTRY, ENTRY_COLOUR, "entry", "-"),
-        (commands.RAPID, LINK_COLOUR, "rapids", ":"),
+        (planar.LINK, LINK_COLOUR, "links", "-"),
+        (planar.ENTRY, ENTRY_COLOUR, "entry", "-"),
+        (planar.RAPID, LINK_COLOUR, "rapids", ":"),
     ):
         lines = pieces[kind][0]
         if lines:
@@ -321,7 +323,7 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
                 hole[:2], hole[2] / 2, fill=False, linestyle="--", color=WALL_COLOUR, label="hole"
             )
         )
-    first = next((s for s in samples if s[3] != commands.RAPID), None)
+    first = next((s for s in samples if s[3] != planar.RAPID), None)
     if first:
         axes.plot(*first[:2], "o", color=START_COLOUR, markersize=7, zorder=5, label="start")
     if outlines:

@@ -13,6 +13,7 @@ import numpy
 import Part
 
 from evenload import compiled
+from evenload.planar import DEFLECTION, flattened
 
 UP = FreeCAD.Vector(0, 0, 1)
 SAME_HEIGHT = 1e-5  # mm: faces nearer than this are at one height
@@ -23,7 +24,6 @@ ABOVE_FLOOR = (
 # sides, and the tool keeps as far away from them: together that is half of the tolerance, and the
 # output has the rest.
 CURVE_SHARE = 0.25
-DEFLECTION = 0.005  # mm: of polygons that stand for the model's outline at a height
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
 MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
@@ -395,25 +395,6 @@ def _oriented(chain, counter_clockwise):
 
 def _points(wire):
     return numpy.array([(p.x, p.y) for p in wire.discretize(Deflection=DEFLECTION)])
-
-
-def flattened(chain):
-    """Points (x, y) in mm of a closed chain of (x, y, bulge, ...): arcs become chords, which leave
-    them by DEFLECTION at the most. The first point is not repeated.
-    """
-    points = []
-    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
-        points.append((x0, y0))
-        if bulge:
-            half = 2 * math.atan(bulge)
-            radius = 0.5 * math.hypot(x1 - x0, y1 - y0) / math.sin(half)
-            start = math.atan2(y1 - y0, x1 - x0) - half
-            cx, cy = x0 - radius * math.sin(start), y0 + radius * math.cos(start)
-            steps = max(2, math.ceil(abs(half) / math.acos(max(0.0, 1 - DEFLECTION / abs(radius)))))
-            for k in range(1, steps):
-                angle = start + 2 * half * k / steps
-                points.append((cx + radius * math.sin(angle), cy - radius * math.cos(angle)))
-    return numpy.array(points)
 
 
 def _inside(points, polygons):

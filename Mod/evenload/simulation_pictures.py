@@ -6,7 +6,7 @@ the file is None, nothing is written. No display is needed. Lengths in mm, times
 
 import numpy
 
-from evenload import commands, report, shape
+from evenload import planar, report
 
 LOAD_COLOUR, LIMIT_COLOUR, REST_COLOUR, WAY_COLOUR = "#1a73e8", "#d93025", "#e8710a", "#c5cbd3"
 PART_COLOURS = "#f1ece0", "#b7a88a"  # of the lowest and of the highest top
@@ -18,10 +18,10 @@ INCIDENTS = (
     ("plunge", "plunge in material", "v", "#1a73e8"),
 )
 KINDS = (
-    (commands.CUT, "cuts", LOAD_COLOUR),
-    (commands.ENTRY, "entries", report.ENTRY_COLOUR),
-    (commands.LINK, "links", report.LINK_COLOUR),
-    (commands.RAPID, "rapids", "#dadce0"),
+    (planar.CUT, "cuts", LOAD_COLOUR),
+    (planar.ENTRY, "entries", report.ENTRY_COLOUR),
+    (planar.LINK, "links", report.LINK_COLOUR),
+    (planar.RAPID, "rapids", "#dadce0"),
 )
 MOST_LABELS = 8  # rests that are named by their area, the largest first
 COLUMNS = 1200  # of a plot over time: more samples are drawn as their least, mean and largest
@@ -227,7 +227,7 @@ def _draw_way(axes, simulation):
 
     points = numpy.column_stack([simulation.x, simulation.y])
     pieces = numpy.stack([points[:-1], points[1:]], axis=1)
-    kept = numpy.asarray(simulation.kind)[1:] != commands.RAPID
+    kept = numpy.asarray(simulation.kind)[1:] != planar.RAPID
     many = len(points) > report.MOST_VECTORS
     axes.add_collection(
         LineCollection(pieces[kept], colors=WAY_COLOUR, linewidths=0.5, zorder=2, rasterized=many)
@@ -237,12 +237,12 @@ def _draw_way(axes, simulation):
 def _polygons(item):
     """Lists of (x, y): outer boundary and islands of a region, box, chain or list of points."""
     if hasattr(item, "outer"):
-        return [shape.flattened(chain) for chain in (item.outer, *item.islands)]
+        return [planar.flattened(chain) for chain in (item.outer, *item.islands)]
     if len(item) == 4 and not hasattr(item[0], "__len__"):
         x0, y0, x1, y1 = item
         return [numpy.array([(x0, y0), (x1, y0), (x1, y1), (x0, y1)])]
     if len(item[0]) > 2:
-        return [shape.flattened(list(item))]
+        return [planar.flattened(list(item))]
     return [numpy.array(item)]
 
 

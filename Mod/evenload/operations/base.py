@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import FreeCAD
 import Path
 
-from evenload import commands, compiled, host, shape
+from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
 
 FORMAT = 1  # of the properties in a document: to be raised when their meaning changes
@@ -436,9 +436,7 @@ class Operation(host.operation_base()):
             toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
         self._check_entries(obj, tool, toolpath)
         moves = toolpath.moves
-        while (
-            moves and moves[-1][0] == commands.RAPID and moves[-1][3] >= obj.ClearanceHeight.Value
-        ):
+        while moves and moves[-1][0] == planar.RAPID and moves[-1][3] >= obj.ClearanceHeight.Value:
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
         self.last = Computation(floors, regions, toolpath, tool, data, hole)
@@ -604,7 +602,7 @@ class Operation(host.operation_base()):
             return
         x = y = None
         for kind, nx, ny, nz, sweep, *_ in toolpath.moves:
-            if kind == commands.ENTRY and not sweep and x is not None and (nx, ny) != (x, y):
+            if kind == planar.ENTRY and not sweep and x is not None and (nx, ny) != (x, y):
                 raise ValueError(
                     "The tool '%s' does not cut at its centre and cannot enter by a ramp near "
                     "(%g, %g): set a pre-drilled hole, or take a tool that cuts at its centre."
