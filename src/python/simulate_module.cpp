@@ -193,6 +193,12 @@ void bind_simulate(py::module_& module) {
             return stock.height_at({x, y});
           },
           py::arg("x"), py::arg("y"), "z of the stock, -inf where there is none.")
+      .def(
+          "area_lacking",
+          [](const DexelStock& stock, const std::vector<PrismTuple>& prisms) {
+            return stock.area_lacking(prisms_from(prisms));
+          },
+          py::arg("prisms"), "mm^2 of prisms where the stock does not stand so high.")
       .def_property_readonly("area", &DexelStock::area, "mm^2")
       .def_property_readonly("volume", &DexelStock::volume, "mm^3")
       .def_property_readonly("resolution", &DexelStock::resolution, "mm")

@@ -8,6 +8,9 @@
 namespace evenload {
 namespace {
 
+constexpr double kSameHeight =
+    1e-3;  // mm: tops of models and stocks that should be one are that near
+
 // Fills, up to its top, the rows that cross a prism. `mirror`: columns in place of rows.
 void fill_rows(std::vector<DexelRow>& rows, double first, double spacing, const Prism& prism,
                bool mirror) {
@@ -207,6 +210,33 @@ double DexelStock::volume() const {
   });
   add_up(columns_, bottom_, {origin_.y, resolution_},
          [&](double length, double h, double) { by_columns += length * h; });
+  return resolution_ * (by_rows + by_columns) - resolution_ * resolution_ * by_nodes;
+}
+
+double DexelStock::area_lacking(const std::vector<Prism>& prisms) const {
+  const DexelStock wanted(prisms, *this);
+  // Where one row's pieces stand higher than another's: calls add(length, nodes).
+  const auto compare = [](const DexelRow& high, const DexelRow& low, const RowNodes& nodes,
+                          auto add) {
+    std::vector<double> ends;
+    for (const DexelRow* row : {&high, &low})
+      for (const DexelRow::Piece& piece : row->pieces()) ends.push_back(piece.x);
+    std::sort(ends.begin(), ends.end());
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+      const double middle = 0.5 * (ends[i] + ends[i + 1]);
+      if (ends[i + 1] > ends[i] && high.top_at(middle) > low.top_at(middle) + kSameHeight)
+        add(ends[i + 1] - ends[i], nodes.count(ends[i], ends[i + 1]));
+    }
+  };
+  double by_rows = 0, by_columns = 0, by_nodes = 0;
+  for (std::size_t j = 0; j < rows_.size(); ++j)
+    compare(wanted.rows_[j], rows_[j], {origin_.x, resolution_}, [&](double length, double nodes) {
+      by_rows += length;
+      by_nodes += nodes;
+    });
+  for (std::size_t i = 0; i < columns_.size(); ++i)
+    compare(wanted.columns_[i], columns_[i], {origin_.y, resolution_},
+            [&](double length, double) { by_columns += length; });
   return resolution_ * (by_rows + by_columns) - resolution_ * resolution_ * by_nodes;
 }
 

@@ -68,6 +68,8 @@ class DexelStock {
   double area() const;             // mm^2 with any material, by the law above
   double volume() const;           // mm^3
   double height_at(Vec2 p) const;  // by the nearest row
+  // mm^2 of what prisms take up where the stock does not stand so high, by the law above.
+  double area_lacking(const std::vector<Prism>& prisms) const;
   // mm^2 of the disc over which the stock stands higher than z, by rows.
   double area_above(Vec2 centre, double radius, double z) const;
 

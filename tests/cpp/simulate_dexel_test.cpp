@@ -140,6 +140,17 @@ TEST(DexelStock, LosesTheSweptVolumeAndNoMoreWhenCutAgain) {
   EXPECT_NEAR(stock.height_at({0, 0}), 0, 0);
 }
 
+TEST(DexelStock, TellsWhatItLacksOfAPart) {
+  const Region ell = make_region(
+      Curve({{{0, 0}}, {{30, 0}}, {{30, 10}}, {{10, 10}}, {{10, 20}}, {{0, 20}}}, true));
+  const DexelStock stock({{ell, 0}}, -3, 0.05);
+  EXPECT_NEAR(stock.area_lacking({{ell, 0}}), 0, 1e-9);
+  EXPECT_NEAR(stock.area_lacking({{rectangle(1, 1, 9, 19), -1}}), 0, 1e-9);
+  EXPECT_NEAR(stock.area_lacking({{rectangle(20, 12, 28, 18), 0}}), 48, 0.01);
+  EXPECT_NEAR(stock.area_lacking({{rectangle(0, 0, 20, 20), 0}}), 100, 0.01);
+  EXPECT_NEAR(stock.area_lacking({{rectangle(0, 0, 10, 10), 1}}), 100, 0.01);
+}
+
 TEST(DexelStock, RefusesWhatCannotBe) {
   const Region square = rectangle(0, 0, 10, 10);
   EXPECT_THROW(DexelStock({}, -3, 0.05), std::invalid_argument);
