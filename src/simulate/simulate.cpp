@@ -32,7 +32,10 @@ void check_params(const SimulationParams& params, const DexelStock& stock) {
   require(positive(params.step), "The step must be positive, in mm.");
   require(!params.force || params.spindle_speed > 0,
           "The force needs a spindle speed, in rev/min: give it with the cutting data.");
+  for (const Prism& prism : params.fixtures)
+    require(std::isfinite(prism.top), "The fixture's top must be a number, in mm.");
   for (const Prism& prism : params.part) {
+    require(std::isfinite(prism.top), "The part's top must be a number, in mm.");
     const Bounds box = bounds_of({prism.region}), around = stock.bounds();
     const double out =
         std::max({around.low.x - box.low.x, around.low.y - box.low.y, box.high.x - around.high.x,
