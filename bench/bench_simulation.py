@@ -3,28 +3,17 @@ import math
 import os
 import subprocess
 import sys
-import time
 from pathlib import Path
 
 import evenload
 import pocket_case
 from evenload import _core
+from timing import best_time
 
-REPEATS = 3
 RADIUS, DEPTH, FEED = 3.0, 3.0, 255.0
 STAR = {"material": "Star test piece", "spindle_speed": 6366}
 BLOCK, PITCH, MOVES = 300, 1.5, 100000  # mm, mm
 RESOLUTIONS = (0.4, 0.2, 0.1, 0.05)
-
-
-# All of it runs on one core, so that what other programs do does not count.
-def best_time(action):
-    times = []
-    for _ in range(REPEATS):
-        start = time.process_time()
-        action()
-        times.append(time.process_time() - start)
-    return min(times)
 
 
 # ---- the star ----
@@ -59,13 +48,11 @@ def spiral(moves, share=1.0):
 
 
 def seconds(path, resolution):
-    half = BLOCK / 2
-    start = time.process_time()
-    run = evenload.simulate(
-        path, (-half, -half, half, half), 0, -DEPTH, 2 * RADIUS, resolution=resolution
+    block = (-BLOCK / 2, -BLOCK / 2, BLOCK / 2, BLOCK / 2)
+    return best_time(
+        lambda: evenload.simulate(path, block, 0, -DEPTH, 2 * RADIUS, resolution=resolution),
+        repeats=1,
     )
-    assert run.cut_mm > 1000 and run.air_mm < 0.01 * run.cut_mm
-    return time.process_time() - start
 
 
 def long_path():
@@ -130,13 +117,14 @@ def contour_errors(resolution):
     errors = []
     for k in range(12):
         rho, theta = 6.1 + 2.37 * k, math.radians(35 + 9 * k)
-        root = math.sqrt(rho**2 + RADIUS**2 * (math.cos(theta) ** 2 - 1))
-        around = rho + RADIUS * (1 - math.cos(theta)) - rho + root - RADIUS
+        root = math.sqrt(rho**2 - (RADIUS * math.sin(theta)) ** 2)
+        side_step = RADIUS * (1 - math.cos(theta)) - rho + root
+        around = rho + side_step - RADIUS
         size = rho + 2 * RADIUS
         block = [(-size, -size, 0), (size, -size, 0), (size, size, 0), (-size, size, 0)]
         path = [(0, around, 0, 5, 0, 0, 0, 0), (2, around, 0, -DEPTH, 0, 0, 0, 100)]
-        for quarter in range(1, 7):
-            turned = quarter * math.pi / 4
+        for eighth in range(1, 7):
+            turned = eighth * math.pi / 4
             x, y = around * math.cos(turned), around * math.sin(turned)
             path.append((3, x, y, -DEPTH, math.pi / 4, 0, 0, FEED))
         stock = _core.Region(block, [circle(rho)])
@@ -162,9 +150,9 @@ def mean(values):
 def errors():
     for resolution in RESOLUTIONS:
         name = "simulation.resolution_%g." % resolution
-        start = time.process_time()
-        found = contour_errors(resolution)
-        yield name + "compute", time.process_time() - start, "s"
+        found = []
+        took = best_time(lambda: found.extend(contour_errors(resolution)), repeats=1)
+        yield name + "compute", took, "s"
         yield name + "engagement_error", mean(found), "deg"
         yield name + "largest_engagement_error", max(found), "deg"
         yield name + "area_error", mean(area_errors(resolution)), "mm2"
