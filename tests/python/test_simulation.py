@@ -310,7 +310,7 @@ def test_patches_of_rest_have_their_areas_places_and_outlines():
     run = simulated(away, part=[(-10, -30, 30, 30), (-30, -5, -10, 0)])
     areas, places = zip(*((patch[0], patch[1:3]) for patch in run.rests))
     assert areas == pytest.approx((600 - corners / 2, 500 - corners / 2), abs=1)
-    assert places[0][1] > 0 > places[1][1]
+    assert places[0][1] > 0 > places[1][1] and run.rest_at == places[0]
 
 
 def _area(points):
@@ -401,7 +401,8 @@ def test_the_removal_rate_is_width_times_depth_times_feed(width):
     run = simulated(line_at(RADIUS - width), BELOW)
     expected = width * DEPTH * FEED
     assert run.removal_rate[middle(run)] == pytest.approx(expected, rel=5e-3)
-    assert run.removal_rate_peak == pytest.approx(expected, rel=5e-3)
+    # Where the tool leaves the stock's corner, dexels are less exact.
+    assert run.removal_rate_peak == pytest.approx(expected, rel=0.01)
     x, y, z = run.removal_rate_peak_at
     assert -33 <= x <= 33 and (y, z) == (RADIUS - width, -DEPTH)
 
