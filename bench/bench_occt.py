@@ -1,13 +1,12 @@
 # Reading regions from shapes: many edges, many outlines, curves that become arcs.
 import math
-import time
 
 import Part
 from evenload import _occt
 from FreeCAD import Vector
+from timing import best_time
 
 TOLERANCE = 0.005  # mm
-REPEATS = 5
 
 
 def saw_face(teeth):
@@ -25,15 +24,6 @@ def circles(rows):
 
 def ellipse():
     return Part.Ellipse(Vector(0, 0, 0), 40, 15).toShape()
-
-
-def best_time(action):
-    times = []
-    for _ in range(REPEATS):
-        start = time.perf_counter()
-        action()
-        times.append(time.perf_counter() - start)
-    return min(times)
 
 
 def figures():

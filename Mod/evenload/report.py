@@ -23,6 +23,7 @@ FIGURES = (
 # (key, attribute of a Simulation, unit, decimals) of the rows that follow where there is one
 SIMULATED = (
     ("simulated_engagement_deg", "max_engagement_deg", "deg", 1),
+    ("simulated_entry_engagement_deg", "entry_engagement_deg", "deg", 1),
     ("simulated_removal_rate_mm3_min", "removal_rate_peak", "mm3/min", 0),
     ("simulated_removed_volume_mm3", "removed_volume_total", "mm3", 0),
     ("simulated_time_s", "time_total_s", "s", 1),
@@ -51,6 +52,7 @@ LABELS = {
     "retracts": "retracts",
     "blocks": "G-code blocks",
     "simulated_engagement_deg": "simulated: engagement",
+    "simulated_entry_engagement_deg": "  entry's engagement",
     "simulated_removal_rate_mm3_min": "  removal rate, largest",
     "simulated_removed_volume_mm3": "  removed volume",
     "simulated_time_s": "  time",

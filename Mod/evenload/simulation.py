@@ -2,7 +2,7 @@
 
     import evenload
     run = evenload.simulate("pocket.ngc", stock=(0, 0, 60, 60), top=0, bottom=-3, tool_diameter=6,
-                            teeth=2, cutting={"material": "Al 7075-T6", "spindle_speed": 12000})
+                            teeth=2, cutting={"material": "Al7075-T6", "spindle_speed": 12000})
     run.max_engagement_deg, run.gouge_mm, run.engagement_deg.max()
 
 docs/simulation.md has the method, its conventions and its limits.
@@ -17,6 +17,7 @@ import numpy
 from evenload import compiled, machines, materials
 
 RAPID_FEED = 5000.0  # mm/min, where neither the cutting data nor a machine has one
+OUT_OF_STOCK = 0.005  # mm all round by which a part may reach out of its stock: rounding, chords
 HELIX_ANGLE_DEG = 30.0  # of end mills, where the cutting data have none
 CUTTING_KEYS = ("material", "spindle_speed", "helix_angle_deg", "rapid_feed")
 FORCES = (
@@ -74,20 +75,22 @@ class Simulation:
     max_engagement_at: tuple
     link_engagement_deg: float  # of links
     link_engagement_at: tuple
+    entry_engagement_deg: float  # of entries
+    entry_engagement_at: tuple
     removal_rate_peak: float  # mm3/min, of cuts
     removal_rate_peak_at: tuple
-    force_peak_max: object  # N, of cuts
+    force_peak_max: object  # N, of cuts and entries
     force_peak_max_at: object
     gouge_mm: float
     gouge_at: tuple  # None where there is none, as all places
-    fixture_mm: float  # into fixtures
+    fixture_mm: object  # into fixtures; None without any
     fixture_at: tuple
     rapid_in_material_mm: float  # of path
     rapid_in_material_at: tuple
     plunge_in_material_mm: float
     plunge_in_material_at: tuple
     incidents: list  # of (what, x, y, z, move, line, amount in mm), a move's worst
-    rest_area: float  # mm2 that the tool could reach and that still stands
+    rest_area: float  # mm2 that the tool could reach and that still stands; nan when cancelled
     rest_depth: float  # mm
     rest_at: tuple  # (x, y) of the largest patch
     rests: list  # of (area in mm2, x, y, depth in mm), the largest first
@@ -120,14 +123,16 @@ class Simulation:
         return {
             "max_engagement_deg": self.max_engagement_deg,
             "link_engagement_deg": self.link_engagement_deg,
+            "entry_engagement_deg": self.entry_engagement_deg,
             "removal_rate_peak_mm3_min": self.removal_rate_peak,
             "h_max_mm": _largest(self.h_max),
             "force_peak_max_n": self.force_peak_max,
             "torque_peak_nm": _largest(self.torque_peak),
             "power_mean_max_w": _largest(self.power_mean),
             "gouge_mm": self.gouge_mm,
-            "rest_area_mm2": self.rest_area,
-            "rest_depth_mm": self.rest_depth,
+            "fixture_mm": self.fixture_mm,
+            "rest_area_mm2": None if self.cancelled else self.rest_area,
+            "rest_depth_mm": None if self.cancelled else self.rest_depth,
             "rapid_in_material_mm": self.rapid_in_material_mm,
             "plunge_in_material_mm": self.plunge_in_material_mm,
             "cut_mm": self.cut_mm,
@@ -138,6 +143,7 @@ class Simulation:
             "time_s": self.time_total_s,
             "machine_time_s": self.machine_time_total_s,
             "removed_volume_mm3": self.removed_volume_total,
+            "cancelled": self.cancelled,
         }
 
 
@@ -165,9 +171,10 @@ def simulate(
     source: the path of a G-code file, a Toolpath of the core, or a list of moves (kind, x, y, z,
         sweep, cx, cy, feed), the first of which says where the tool is; mm, rad, mm/min.
     stock: a Region, a box (xmin, ymin, xmax, ymax), a closed chain [(x, y, bulge), ...], or a list
-        of these, from `bottom` to `top`; or a Simulation, whose remaining stock is taken.
-    part: what must stay, in the same words, each up to `top` or, as (what, height), up to another
-        height; None: nothing must stay. fixtures: what must not be touched, likewise.
+        of these, from `bottom` to `top` or, as (what, height), to another height; or a Simulation,
+        whose remaining stock is taken with its top, bottom and resolution.
+    part: what must stay, in the same words; None or an empty list: nothing must stay. fixtures:
+        what must not be touched, likewise.
     cutting: {"material": see materials.load, "spindle_speed": rev/min, "helix_angle_deg",
         "rapid_feed": mm/min}, each as far as known. A G-code file's own spindle speed is taken
         where there is none here.
@@ -181,27 +188,37 @@ def simulate(
     Raises ValueError with a sentence, which names the move or the line, for what cannot be used.
     """
     core = compiled.core()
+    sizes = {"tool_diameter": tool_diameter, "top": top, "bottom": bottom}
+    for name, value in {**sizes, "resolution": resolution, "step": step}.items():
+        _check_number(name, value)
+    if isinstance(teeth, bool) or not isinstance(teeth, (int, numpy.integer)):
+        raise ValueError("teeth must be a whole number, not %r." % (teeth,))
     path = _Path(core, source, lines)
     data = _cutting(core, cutting, path)
     profile = None
     if machine is not None:
         limits = machines.load(machine)
-        profile = core.MachineProfile(**limits)
         data.setdefault("rapid_feed", limits["rapid_feed"])
+        limits["rapid_feed"] = min(limits["rapid_feed"], data["rapid_feed"])
+        profile = core.MachineProfile(**limits)
     data.setdefault("rapid_feed", RAPID_FEED)
 
     stock_regions = []
     if isinstance(stock, Simulation):
         dexels = stock.stock.copy()
         top, bottom = dexels.top, dexels.bottom
+        prisms = _prisms(core, part, top, "The part", may_be_none=True)
     else:
-        stock_regions = [region for region, _ in _prisms(core, stock, top, "The stock")]
-        dexels = core.DexelStock([(r, float(top)) for r in stock_regions], bottom, resolution)
-    for other, diameter in earlier:
-        moves = _Path(core, other, None).moves
-        core.simulate(moves, dexels, tool_diameter=diameter, step=_coarse(diameter), find_rest=False)
+        prisms = _prisms(core, part, top, "The part", may_be_none=True)
+        blocks = _prisms(core, stock, top, "The stock")
+        stock_regions = [region for region, _ in blocks]
+        dexels = core.DexelStock(blocks, bottom, resolution)
+        _check_within(dexels, prisms)
+    for moves, diameter in _earlier(core, earlier):
+        core.simulate(
+            moves, dexels, tool_diameter=diameter, step=_coarse(diameter), find_rest=False
+        )
 
-    prisms = [] if part is None else _prisms(core, part, top, "The part")
     record, figures, cancelled = core.simulate(
         path.moves,
         dexels,
@@ -210,16 +227,24 @@ def simulate(
         step=step,
         infer_kinds=path.is_gcode if infer_kinds is None else infer_kinds,
         part=prisms,
-        fixtures=[] if fixtures is None else _prisms(core, fixtures, top, "The fixture"),
+        fixtures=_prisms(core, fixtures, top, "The fixture", may_be_none=True),
         machine=profile,
         progress=progress,
         **data,
     )
     speed = data.get("spindle_speed", 0.0)
     result = _simulation(record, figures, path.lines, speed * teeth)
-    result.cancelled = cancelled
+    if fixtures is None:
+        result.fixture_mm = None
+    if cancelled:  # the rest was not looked for
+        result.cancelled = True
+        result.rest_area = result.rest_depth = result.unreachable_area = math.nan
+    if path.dwell_s:
+        result.time_total_s += path.dwell_s
+        if result.machine_time_total_s is not None:
+            result.machine_time_total_s += path.dwell_s
     result.stock, result.stock_regions, result.part = dexels, stock_regions, prisms
-    result.tool_diameter, result.top, result.bottom = float(tool_diameter), top, bottom
+    result.tool_diameter, result.top, result.bottom = float(tool_diameter), dexels.top, bottom
     result.notes = list(path.notes)
     return result
 
@@ -238,9 +263,14 @@ class _Path:
 
     def __init__(self, core, source, lines):
         self.is_gcode = isinstance(source, (str, os.PathLike))
-        self.notes, self.spindle_speed = [], 0.0
+        self.notes, self.spindle_speed, self.dwell_s = [], 0.0, 0.0
         if not self.is_gcode:
-            self.moves = source if isinstance(source, core.Toolpath) else list(source)
+            self.moves = source if isinstance(source, core.Toolpath) else _listed(source)
+            if self.moves is None:
+                raise ValueError(
+                    "The source is %r: give the path of a G-code file, a Toolpath or a list of"
+                    " moves." % (source,)
+                )
             self.lines = None if lines is None else numpy.asarray(lines, numpy.int64)
             if self.lines is not None and len(self.lines) != len(self.moves):
                 raise ValueError(
@@ -248,6 +278,8 @@ class _Path:
                     % (len(self.lines), len(self.moves))
                 )
             return
+        if lines is not None:
+            raise ValueError("A G-code file has lines of its own: give 'lines' with moves only.")
         try:
             with open(source, encoding="utf-8", errors="replace") as file:
                 text = file.read()
@@ -257,14 +289,22 @@ class _Path:
             ) from None
         program = core.read_gcode(text)
         self.moves = program.moves
+        if len(self.moves) < 2:
+            raise ValueError("The G-code file '%s' has no moves." % source)
         self.lines = numpy.asarray(program.lines, numpy.int64)
         self.notes = ["Line %d: %s" % note for note in program.notes]
         speeds = {speed for speed in program.spindle_speeds if speed > 0}
-        self.spindle_speed = max(speeds, default=0.0)
+        self.spindle_speed = min(speeds, default=0.0)
         if len(speeds) > 1:
             self.notes.append(
-                "The program has several spindle speeds: %g rev/min was taken."
+                "The program has several spindle speeds: the lowest, %g rev/min, was taken."
                 % self.spindle_speed
+            )
+        self.dwell_s = program.dwell_s
+        if self.dwell_s:
+            self.notes.append(
+                "Dwells of %g s count in the total times only, not in those of the samples."
+                % self.dwell_s
             )
         if len({tool for tool in program.tools if tool}) > 1:
             self.notes.append("The program changes tools: all of it was simulated with one.")
@@ -272,13 +312,18 @@ class _Path:
 
 def _cutting(core, cutting, path):
     """Keyword arguments of the core for the cutting data."""
-    cutting = dict(cutting or {})
-    for key in cutting:
+    if cutting is None:
+        cutting = {}
+    if not isinstance(cutting, dict):
+        raise ValueError("The cutting data are %r: give a dictionary." % (cutting,))
+    for key, value in cutting.items():
         if key not in CUTTING_KEYS:
             raise ValueError(
                 "The cutting data have the unknown key '%s': they are %s."
                 % (key, ", ".join(CUTTING_KEYS))
             )
+        if key != "material" and value is not None:
+            _check_number("'%s' of the cutting data" % key, value)
     data = {}
     speed = cutting.get("spindle_speed") or path.spindle_speed
     if speed:
@@ -293,13 +338,49 @@ def _cutting(core, cutting, path):
             )
         row = materials.load(cutting["material"])
         data["force"] = core.ForceCoefficients(row["ktc"], row["krc"], row["kte"], row["kre"])
-        helix = float(cutting.get("helix_angle_deg", HELIX_ANGLE_DEG))
+        given = cutting.get("helix_angle_deg")
+        helix = float(HELIX_ANGLE_DEG if given is None else given)
         data["helix_angle"] = math.radians(helix)
     return data
 
 
-def _prisms(core, shapes, top, what):
+def _check_within(stock, part):
+    """Raises ValueError for a part that is not within its stock."""
+    outlines = [chain for region, _ in part for chain in (region.outer, *region.islands)]
+    around = sum(
+        math.dist(a[:2], b[:2]) for chain in outlines for a, b in zip(chain, chain[1:] + chain[:1])
+    )
+    lacking = stock.area_lacking(part) if part else 0.0
+    if lacking > OUT_OF_STOCK * around:
+        raise ValueError(
+            "The stock does not contain the part: %.3g mm2 of it lie outside; enlarge the stock."
+            % lacking
+        )
+
+
+def _earlier(core, earlier):
+    """[(moves, tool diameter), ...] of what was cut beforehand."""
+    cuts = _listed(earlier)
+    if cuts is None or any(not isinstance(cut, (list, tuple)) or len(cut) != 2 for cut in cuts):
+        raise ValueError("earlier must be a list of (source, tool diameter).")
+    for _, diameter in cuts:
+        _check_number("The tool diameter of an earlier cut", diameter)
+    return [(_Path(core, source, None).moves, diameter) for source, diameter in cuts]
+
+
+def _listed(values):
+    """A list of what can be gone through, None for what cannot."""
+    try:
+        iter(values)
+    except TypeError:
+        return None
+    return list(values)
+
+
+def _prisms(core, shapes, top, what, may_be_none=False):
     """[(Region, top), ...] from what `simulate` takes as stock, part or fixtures."""
+    if may_be_none and (shapes is None or (isinstance(shapes, (list, tuple)) and not shapes)):
+        return []
     one = _region(core, shapes, what)
     if one is not None:
         return [(one, float(top))]
@@ -341,14 +422,28 @@ def _region(core, shape, what):
                 % what
             )
         return core.Region([(x0, y0, 0.0), (x1, y0, 0.0), (x1, y1, 0.0), (x0, y1, 0.0)])
-    points = [tuple(p) if isinstance(p, (list, tuple, numpy.ndarray)) else None for p in shape]
-    if any(p is None or len(p) not in (2, 3, 4) or not all(map(_is_number, p)) for p in points):
+    if not all(_is_vertex(p) for p in shape):
         return None
-    return core.Region([p if len(p) > 2 else (*p, 0.0) for p in points])
+    return core.Region([(*p, 0.0) if len(p) == 2 else tuple(p) for p in shape])
+
+
+def _is_vertex(p):
+    """Whether p is (x, y), (x, y, bulge) or (x, y, bulge, open); four numbers are a box."""
+    return (
+        isinstance(p, (list, tuple, numpy.ndarray))
+        and len(p) in (2, 3, 4)
+        and all(map(_is_number, p[:3]))
+        and (len(p) < 4 or isinstance(p[3], (bool, numpy.bool_)))
+    )
 
 
 def _is_number(value):
     return isinstance(value, (int, float, numpy.number)) and not isinstance(value, bool)
+
+
+def _check_number(name, value):
+    if not _is_number(value):
+        raise ValueError("%s must be a number, not %r." % (name, value))
 
 
 def _coarse(diameter):
@@ -390,6 +485,8 @@ def _simulation(record, figures, lines, teeth_per_minute):
         max_engagement_at=place("engagement"),
         link_engagement_deg=degrees("link_engagement"),
         link_engagement_at=place("link_engagement"),
+        entry_engagement_deg=degrees("entry_engagement"),
+        entry_engagement_at=place("entry_engagement"),
         removal_rate_peak=figures["removal_rate"][0],
         removal_rate_peak_at=place("removal_rate"),
         force_peak_max=figures["force"][0] if with_force else None,

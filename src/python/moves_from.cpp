@@ -9,13 +9,18 @@ namespace evenload {
 namespace {
 
 Move move_from(const py::sequence& values, std::size_t number) {
-  const int kind = values.size() == 8 ? values[0].cast<int>() : -1;
-  if (kind < 0 || kind > 3)
-    throw std::invalid_argument(
-        "Move " + std::to_string(number) +
-        " must be (kind, x, y, z, sweep, cx, cy, feed), kind 0 rapid, 1 link, 2 entry or 3 cut.");
-  const auto at = [&values](std::size_t i) { return values[i].cast<double>(); };
-  return {static_cast<MoveKind>(kind), at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+  try {
+    const auto at = [&values](std::size_t i) { return values[i].cast<double>(); };
+    const double kind = values.size() == 8 ? at(0) : -1;  // an array has it as a float
+    if (kind == 0 || kind == 1 || kind == 2 || kind == 3) {
+      const auto known = static_cast<MoveKind>(static_cast<int>(kind));
+      return {known, at(1), at(2), at(3), at(4), at(5), at(6), at(7)};
+    }
+  } catch (const py::cast_error&) {  // no numbers: refused below
+  }
+  throw std::invalid_argument(
+      "Move " + std::to_string(number) +
+      " must be (kind, x, y, z, sweep, cx, cy, feed), kind 0 rapid, 1 link, 2 entry or 3 cut.");
 }
 
 }  // namespace

@@ -27,7 +27,9 @@ class WindowMean {
       sum_ -= sums_[first_];
       ++first_;
     }
-    return sum_ / std::max(length_, kLoadWindow);
+    if (length_ <= kLoadWindow) return sum_ / kLoadWindow;
+    const double out = (length_ - kLoadWindow) / lengths_[first_];  // share of the oldest piece
+    return (sum_ - out * sums_[first_]) / kLoadWindow;
   }
 
  private:

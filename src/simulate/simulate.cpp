@@ -35,10 +35,10 @@ void check_params(const SimulationParams& params, const DexelStock& stock) {
           "The force needs a spindle speed, in rev/min: give it with the cutting data.");
   require(stock.resolution() <= 0.5 * params.tool_diameter,
           "The resolution is coarser than the tool's radius: choose a finer one.");
-  for (const std::vector<Prism>* prisms : {&params.part, &params.fixtures})
-    for (const Prism& prism : *prisms)
-      require(std::isfinite(prism.top), "The top of a part or fixture must be a number, in mm.");
+  for (const Prism& prism : params.fixtures)
+    require(std::isfinite(prism.top), "The fixture's top must be a number, in mm.");
   for (const Prism& prism : params.part) {
+    require(std::isfinite(prism.top), "The part's top must be a number, in mm.");
     const Bounds box = bounds_of({prism.region}), around = stock.bounds();
     const double out =
         std::max({around.low.x - box.low.x, around.low.y - box.low.y, box.high.x - around.high.x,

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 #include "simulate_paths.h"
 
@@ -257,6 +258,10 @@ TEST(Simulate, RefusesWhatCannotBeWithTheMovesNumber) {
   params = params_for(3);
   params.part = {{rectangle(-20, 0, 5, 5), 0}};
   expect_refused(clearing(), params, "does not contain the part");
+  params.part = {{rectangle(-5, -5, 5, 5), std::nan("")}};
+  expect_refused(clearing(), params, "part's top");
+  std::swap(params.part, params.fixtures);
+  expect_refused(clearing(), params, "fixture's top");
   params = params_for(3);
   params.step = -1;
   expect_refused(clearing(), params, "step");

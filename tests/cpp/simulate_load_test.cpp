@@ -2,9 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <vector>
 
 #include "cutting/engagement.h"
+#include "simulate/load_figures.h"
 #include "simulate_paths.h"
 
 namespace evenload {
@@ -91,6 +94,40 @@ TEST(RemovalRate, IsAreaRateTimesDepthTimesFeed) {
       ASSERT_NEAR(record.removal_rate[i], expected, 0.005 * expected) << i << " at " << turn;
     EXPECT_NEAR(run.figures.removal_rate.value, expected, 0.005 * expected);
   }
+}
+
+// The record of a cut along x with these engagements, in rad, at samples `apart` mm apart.
+LoadRecord record_of(const std::vector<double>& engagements, double apart) {
+  LoadRecord record;
+  for (std::size_t i = 0; i < engagements.size(); ++i) {
+    record.x.push_back(apart * static_cast<double>(i));
+    record.length.push_back(i == 0 ? 0 : apart);
+    for (auto* zeros : {&record.y, &record.z, &record.time, &record.removal_rate})
+      zeros->push_back(0);
+    record.kind.push_back(static_cast<std::int8_t>(MoveKind::kCut));
+    record.engagement.push_back(engagements[i]);
+  }
+  return record;
+}
+
+TEST(WorstEngagement, IsTheMeanOverATenthWhereverSamplesLie) {
+  LoadFigures figures;
+  add_up_record(record_of({0, 1, 1, 0}, 0.08), figures);
+  // 0.08 mm of the plateau, and 0.02 mm of a slope whose mean is 0.5.
+  EXPECT_NEAR(figures.engagement.value, 0.9, 1e-12);
+  EXPECT_NEAR(figures.engagement.at.x, 0.16, 1e-12);
+  figures = {};
+  add_up_record(record_of({0, 0, 1, 1, 1, 1, 0}, 0.03), figures);
+  EXPECT_NEAR(figures.engagement.value, 0.09 / 0.1 + 0.01 / 0.1 * 0.5, 1e-12);
+  figures = {};
+  add_up_record(record_of({1, 1}, 0.25), figures);
+  EXPECT_NEAR(figures.engagement.value, 1, 1e-12);
+}
+
+TEST(WorstEngagement, OfAPathShorterThanATenthIsThatOfOneThatGoesOnInTheAir) {
+  LoadFigures figures;
+  add_up_record(record_of({1, 1}, 0.05), figures);
+  EXPECT_NEAR(figures.engagement.value, 0.5, 1e-12);
 }
 
 }  // namespace
