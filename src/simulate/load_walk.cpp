@@ -331,8 +331,8 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
 void LoadWalk::finish_move(const Move& from, const std::vector<MovePiece>& pieces) {
   if (now_.move.kind == MoveKind::kRapid) {
     entry_.clear();
-  } else if (params_.infer_kinds || now_.plunges) {
-    const MoveKind kind = now_.plunges ? MoveKind::kEntry : inferred_kind(from, pieces);
+  } else if (params_.infer_kinds || (now_.plunges && now_.move.kind == MoveKind::kCut)) {
+    const MoveKind kind = params_.infer_kinds ? inferred_kind(from, pieces) : MoveKind::kEntry;
     std::fill(result_.record.kind.begin() + static_cast<std::ptrdiff_t>(now_.first_sample),
               result_.record.kind.end(), static_cast<std::int8_t>(kind));
   }

@@ -129,10 +129,10 @@ def test_samples_of_a_file_have_its_lines_and_those_of_moves_the_lines_given(tmp
 def test_a_file_s_notes_and_spindle_speed_are_taken(tmp_path):
     text = "T1 M6\nS3000 M3\nG0 X-40 Y1.5 Z5 A2\nG1 Z-3 F600\nS4000\nT2 M6\nG1 X40 F400\n"
     run = simulated(written(tmp_path, text), BELOW, teeth=2)
-    assert run.feed_per_tooth[middle(run)] == pytest.approx(400 / 4000 / 2)
+    assert run.feed_per_tooth[middle(run)] == pytest.approx(400 / 3000 / 2)  # the lowest speed
     assert run.notes == [
         "Line 3: 'A2' is not simulated.",
-        "The program has several spindle speeds: 4000 rev/min was taken.",
+        "The program has several spindle speeds: the lowest, 3000 rev/min, was taken.",
         "The program changes tools: all of it was simulated with one.",
     ]
     own = simulated(tmp_path / "path.ngc", BELOW, teeth=2, cutting={"spindle_speed": 8000})
@@ -143,7 +143,7 @@ def test_kinds_are_told_from_what_moves_do_in_files_only_unless_asked(tmp_path):
     # Down beside the stock, through it, on faster beside it, and back up.
     path = written(tmp_path, "G0 X-40 Y0 Z5\nG1 Z-3 F600\nX40 F255\nY50 F900\nZ5\nG0 X0\n")
     told = [(1, ENTRY), (2, CUT), (3, LINK), (4, LINK), (5, RAPID)]
-    plain = [(1, CUT), (2, CUT), (3, CUT), (4, CUT), (5, RAPID)]
+    plain = [(1, ENTRY), (2, CUT), (3, CUT), (4, CUT), (5, RAPID)]  # a plunge is no cut
     moves = core.read_gcode(path.read_text()).moves
     for source, asked, expected in (
         (path, None, told),
@@ -257,7 +257,8 @@ def test_a_part_is_gouged_in_all_its_words(part):
 def test_without_a_part_nothing_must_stay():
     for part in (None, [], ()):
         run = simulated(climb(60), BELOW, part=part, fixtures=part)
-        assert run.gouge_mm == run.fixture_mm == 0 and run.gouge_at is None
+        assert run.gouge_mm == 0 and run.gouge_at is None
+        assert run.fixture_mm == (None if part is None else 0)
         assert run.rest_area == pytest.approx(run.stock.area) == pytest.approx(60 * 28.5)
 
 
@@ -330,7 +331,7 @@ def test_all_arrays_have_one_length():
     assert arrays.pop("first_arc").shape == (size + 1,)
     assert {v.shape for v in arrays.values()} == {(size,)}
     assert not any(numpy.isnan(v).any() for v in arrays.values())
-    assert run.length.max() <= 0.1 + 1e-9
+    assert run.length[abs(run.x) < 30].max() <= 0.1 + 1e-9  # beside the stock it is one step
     assert len(simulated(climb(60), BELOW, step=1.0).x) < size / 3
 
 
@@ -454,6 +455,30 @@ def test_a_material_may_be_a_dictionary_and_twice_as_hard():
 # ---- times and lengths ----
 
 
+def test_dwells_count_in_the_total_times(tmp_path):
+    text = "S3000 M3\nG0 X-40 Y1.5 Z5\nG1 Z-3 F600\nG4 P30\nX40 F400\n"
+    run = simulated(written(tmp_path, text), BELOW, machine="linuxcnc_mill")
+    assert run.time_total_s == pytest.approx(run.time_s[-1] + 30)
+    assert run.machine_time_total_s == pytest.approx(run.machine_time_s[-1] + 30)
+    assert "Dwells of 30 s" in run.notes[-1]
+
+
+def test_the_machine_is_never_faster_than_the_program():
+    moves = [*line_at(0), (RAPID, 40, 0, 5, 0, 0, 0, 0), (RAPID, -40, 0, 5, 0, 0, 0, 0)]
+    for cutting in ({"rapid_feed": 1000}, {"rapid_feed": 20000}, {}):
+        run = simulated(moves, cutting=cutting, machine="machining_centre")
+        assert run.machine_time_total_s >= run.time_total_s
+
+
+def test_a_part_beside_its_stock_is_refused_within_the_stock_s_box_too():
+    ell = [(0, 0, 0), (30, 0, 0), (30, 10, 0), (10, 10, 0), (10, 20, 0), (0, 20, 0)]
+    with pytest.raises(ValueError, match="does not contain the part: 48 mm2"):
+        simulated(climb(60), ell, part=(20, 12, 28, 18))
+    with pytest.raises(ValueError, match="does not contain the part"):
+        simulated(climb(60), ell, part=(5, 5, 15, 18))
+    simulated(climb(60), ell, part=[ell])
+
+
 def test_the_programmed_time_is_the_sum_of_lengths_over_feeds():
     moves = [*line_at(0), (RAPID, 40, 0, 5, 0, 0, 0, 0), (RAPID, -40, 0, 5, 0, 0, 0, 0)]
     run = simulated(moves, cutting={"rapid_feed": 4000})
@@ -518,7 +543,8 @@ def test_a_cancelled_run_ends_where_it_was_stopped():
     assert 0.2 * len(whole.x) < size < 0.8 * len(whole.x)
     for name in ("x", "engagement_deg", "force_peak", "machine_time_s", "h_mean"):
         assert numpy.array_equal(getattr(stopped, name), getattr(whole, name)[:size]), name
-    assert stopped.rest_area == 0 and stopped.rests == []
+    assert math.isnan(stopped.rest_area) and stopped.rests == []
+    assert stopped.figures()["rest_area_mm2"] is None and stopped.figures()["cancelled"]
     assert stopped.removed_volume_total == stopped.removed_volume[-1]
     assert stopped.time_total_s == whole.time_s[size - 1]
 
@@ -541,6 +567,7 @@ def test_figures_are_plain_numbers_for_json(moves, options):
     run = simulated(moves, BELOW, **options)
     figures = run.figures()
     assert json.loads(json.dumps(figures, allow_nan=False)) == figures
+    assert figures.pop("cancelled") is False
     assert {type(value) for value in figures.values()} <= {float, type(None)}
     other = [run.incidents, run.rests, run.rest_outlines, run.rest_at, run.gouge_at, run.notes]
     other += [run.max_engagement_at, run.removal_rate_peak_at, run.force_peak_max_at]
@@ -554,9 +581,10 @@ def test_figures_are_plain_numbers_for_json(moves, options):
             "torque_peak_nm",
             "power_mean_max_w",
             "machine_time_s",
+            "fixture_mm",
         }
     elif not empty:
-        assert forceless == set()
+        assert forceless == {"fixture_mm"}
 
 
 def test_figures_are_those_of_the_run():
