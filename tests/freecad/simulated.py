@@ -35,6 +35,8 @@ def simulated(op, **changes):
     result.update(
         max_engagement_deg=float(degrees[worst]),
         max_engagement_at=(float(x[worst]), float(y[worst])),
+        entry_engagement_deg=0.0,
+        fixture_mm=None,
         removal_rate_peak=float(rate.max()),
         force_peak_max=float(force.max()),
         removed_volume_total=900.0 * depth,

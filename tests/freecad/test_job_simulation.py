@@ -146,7 +146,7 @@ def test_pecks_go_down_by_q_and_end_at_the_bottom(code, clears):
     assert [z for kind, _, _, z in ends(found) if kind == CUT] == [-1.5, -4, -5]
     assert [z for kind, _, _, z in ends(found) if kind == RAPID].count(1) == (4 if clears else 2)
     before_cut = [a[3] for a, b in zip(found, found[1:]) if b[0] == CUT]
-    assert before_cut == [1, -1.25, -3.75]
+    assert before_cut == [1, -1.246, -3.746]
 
 
 def test_moves_there_and_back_are_the_same(square):
