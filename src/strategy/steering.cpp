@@ -14,9 +14,10 @@ constexpr double kDegree = kPi / 180;
 constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
 constexpr double kFinestWallStep =
     0.002;                           // the same along the exact border where the limit is passed
-constexpr double kFirstStep = 0.05;  // of free steering; adapted from there
+constexpr double kFirstStep = 0.12;  // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
-constexpr double kLargestStep = 0.4;
+constexpr double kLargestStep = 2;
+constexpr double kLookStep = 0.4;       // between two looks on the way
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 constexpr double kRunOut = 0.1;         // of which this much is kept
 constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
@@ -25,9 +26,11 @@ constexpr double kProgress =
 
 constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
 constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
-constexpr double kSolved = 0.03 * kDegree;    // of the engagement at the end of a step
-constexpr double kSmooth = 0.4 * kDegree;     // of the engagement in the middle of a step
-constexpr double kMeanLength = 0.1;           // mm of path over which engagement is a mean
+constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
+constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
+constexpr double kSmooth = 0.7 * kDegree;   // of the engagement in the middle of a step
+constexpr double kGrowth = 0.85, kLeastGrowth = 0.7, kMostGrowth = 2.5;  // of steps
+constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
@@ -341,8 +344,6 @@ void Steering::overload() {
 void Steering::step_free() {
   const Pose from = pose();
   const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
-  // A step turns by a radian at most, so that its end says what happens on the way.
-  step_ = std::min(step_, std::min(turn_, right_radius_));
   const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
   for (;;) {
     const double length = step_;
@@ -350,7 +351,9 @@ void Steering::step_free() {
       return contact(end_of(move_of(from, curvature, length))).steer - theta_;
     };
     // excess falls as the curvature grows: bracket and solve.
-    double low = rightmost, high = sharpest, curvature = std::clamp(curvature_, low, high);
+    // A step turns by a radian at most, so that its end says what happens on the way.
+    const double least = std::max(rightmost, -1 / length), most = std::min(sharpest, 1 / length);
+    double low = least, high = most, curvature = std::clamp(curvature_, low, high);
     double value = excess(curvature);
     double low_value = 1, high_value = -1;  // signs only, until known
     bool low_known = false, high_known = false;
@@ -365,7 +368,7 @@ void Steering::step_free() {
         high_value = value;
         high_known = true;
       }
-      if ((low_known && low >= sharpest) || (high_known && high <= rightmost)) break;
+      if ((low_known && low >= most) || (high_known && high <= least)) break;
       if (low_known && high_known && high - low < 1e-7) break;
       double next = curvature - value / slope;
       if (low_known && high_known) {
@@ -374,9 +377,9 @@ void Steering::step_free() {
         else if (i > 1)
           next = low + (high - low) * low_value / (low_value - high_value);
       }
-      if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : sharpest;
-      if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : rightmost;
-      curvature = std::clamp(next, rightmost, sharpest);
+      if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : most;
+      if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : least;
+      curvature = std::clamp(next, least, most);
       value = excess(curvature);
     }
     if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less
@@ -384,6 +387,12 @@ void Steering::step_free() {
       value = high_value;
     }
     const bool smallest = length <= smallest_step * 1.001;
+    const bool held_back = (curvature >= most && most < sharpest && value > kSolved) ||
+                           (curvature <= least && least > rightmost && value < -kSolved);
+    if (held_back && !smallest) {
+      step_ = std::max(smallest_step, 0.5 * length);
+      continue;
+    }
     if (value > kOverload) {
       if (!smallest) {
         step_ = std::max(smallest_step, 0.5 * length);
@@ -396,7 +405,9 @@ void Steering::step_free() {
     const bool steady = value > -kSolved * 2;
     double error = 0;
     // Where the engagement falls on the way it may have risen before: look more often.
-    const int looks = steady ? 1 : 4;
+    const int along = static_cast<int>(std::ceil(length / (kLookStep * radius_)));
+    const bool bends = std::abs(curvature - curvature_) * length > kBend;
+    const int looks = std::max(steady ? (bends ? 3 : 1) : 4, along);
     for (int i = 1; i <= looks; ++i) {
       const double t = static_cast<double>(i) / (looks + 1);
       const double above = contact(end_of(move.part(0, t))).steer - theta_;
@@ -419,7 +430,10 @@ void Steering::step_free() {
     append(move);
     note_contact(contact(end_of(move)).total, length);
     curvature_ = curvature;
-    if (error < 0.25 * kSmooth) step_ = std::min(kLargestStep * radius_, 1.5 * length);
+    // The error grows with the square of the step.
+    const double growth = kGrowth * std::sqrt(kSmooth / std::max(error, 1e-9));
+    step_ =
+        std::min(kLargestStep * radius_, std::clamp(growth, kLeastGrowth, kMostGrowth) * length);
     if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
     return;
   }

@@ -43,7 +43,7 @@ std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.
 void expect_within_limits(const Case& pocket, const Toolpath& path, const Findings& found) {
   EXPECT_EQ(path.report.termination, Termination::kComplete)
       << (path.report.notes.empty() ? "" : path.report.notes.front());
-  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 4 * kDegree)
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 2 * kDegree)
       << found.cut_engagement / kDegree << " degrees at " << text(found.cut_engagement_at);
   EXPECT_LE(found.gouge, 0.005) << "at " << text(found.gouge_at);
   EXPECT_LE(found.left_share, 0.001) << "at " << text(found.left_at);
