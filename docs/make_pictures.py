@@ -4,9 +4,7 @@
 
 FOLDER holds the module _core: a build tree, by default build/release of this checkout, or
 Mod/evenload of an installed addon. Run it with the Python that the module was built for. Needs
-numpy and matplotlib; no display. The sheet of a simulation needs FreeCAD's modules as well:
-
-    PYTHONPATH=/usr/lib/freecad/lib python3 docs/make_pictures.py
+numpy and matplotlib, no display and no FreeCAD.
 
 What the tool removes is counted here on a grid of cells, so that the removal rates shown are not
 the core's own opinion of them; the simulator's pictures show the simulator's own dexels and loads.
@@ -633,11 +631,6 @@ def draw_looks(axes, dexels, centre, radius):
 
 def draw_star_simulation(core):
     """The sheet of a simulation, as operations and batch jobs have it."""
-    try:
-        import FreeCAD  # noqa: F401  the package below needs it to be there first
-    except ImportError:
-        print("%-14s not made: FreeCAD's modules are not on PYTHONPATH" % "simulation_star.png")
-        return
     from evenload import simulate, simulation_pictures
 
     job = Job(core, star(), hole=(0.0, 0.0, 11.0))
