@@ -22,7 +22,7 @@ namespace {
 constexpr double kTightestTurn = 0.001;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
-constexpr double kShortCorner = 0.02;
+constexpr double kShortCorner = 0.05;
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
 constexpr double kNarrowestHelix = 0.02;
 // mm: of the place of an entry.

@@ -20,6 +20,7 @@ constexpr double kLargestStep = 2;
 constexpr double kLookStep = 0.4;       // between two looks on the way
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 constexpr double kRunOut = 0.1;         // of which this much is kept
+constexpr double kContactEnd = 0.01;    // to which the end of contact within a step is found
 constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
 constexpr double kProgress =
     0.01;  // less than this between two overloads: the place cannot be entered
@@ -133,6 +134,29 @@ void Steering::cut_back(double length) {
 // Says that the last `length` mm of the path met `total` rad of material.
 void Steering::note_contact(double total, double length) {
   if (total > kInContact) met_.push_back({travelled_, length, total});
+}
+
+// The share of the next move on which there is contact, where it begins with contact and ends
+// without; else 0.
+double Steering::contact_until(const Segment& move) const {
+  if (!has_cut() || idle() > kHere || contact(end_of(move)).total > kInContact) return 0;
+  double low = 0, high = 1;
+  while ((high - low) * move.length() > kContactEnd * radius_) {
+    const double middle = 0.5 * (low + high);
+    (contact(end_of(move.part(0, middle))).total > kInContact ? low : high) = middle;
+  }
+  return high;
+}
+
+// Makes a free step, and notes what it meets, also where contact ends on the way.
+void Steering::make_step(const Segment& move) {
+  const double length = move.length(), touched = contact_until(move);
+  const double total = contact(end_of(move)).total;
+  append(move);
+  if (total > kInContact)
+    note_contact(total, length);
+  else if (touched > 0)
+    met_.push_back({travelled_ - (1 - touched) * length, touched * length, kInContact});
 }
 
 // The highest engagement on the left turn from `from`, up to where it has passed its first peak, or
@@ -419,16 +443,11 @@ void Steering::step_free() {
     }
     const double share = reach_of(move);
     if (share < 1) {
-      const Segment part = share * length > 1e-7 ? move.part(0, share) : Segment();
-      if (share * length > 1e-7) {
-        append(part);
-        note_contact(contact(pose()).total, part.length());
-      }
+      if (share * length > 1e-7) make_step(move.part(0, share));
       roll_out();
       return;
     }
-    append(move);
-    note_contact(contact(end_of(move)).total, length);
+    make_step(move);
     curvature_ = curvature;
     // The error grows with the square of the step.
     const double growth = kGrowth * std::sqrt(kSmooth / std::max(error, 1e-9));

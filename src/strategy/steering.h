@@ -80,6 +80,8 @@ class Steering {
   bool over_mean(double total, double step) const;
   double reach_of(const Segment& move) const;
   void note_contact(double total, double length);
+  double contact_until(const Segment& move) const;
+  void make_step(const Segment& move);
   bool has_cut() const { return !met_.empty(); }
   double idle() const { return has_cut() ? travelled_ - met_.back().until : travelled_; }
   void reset(const Pose& start);
