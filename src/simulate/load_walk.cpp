@@ -22,8 +22,8 @@ constexpr double kLargestChange = 5 * kPi / 180;
 constexpr double kFinest = 0.13;
 // Of the tool's radius: longer steps would pass by what the tool meets.
 constexpr double kLongestStep = 0.5;
-// Steps of one piece of a move; a hundred times what any real move has.
-constexpr double kMostSteps = 1e7;
+// Steps of one piece of a move: 200 m at the usual step; no real move is so long.
+constexpr double kMostSteps = 2e6;
 // Samples between two reports of progress.
 constexpr std::size_t kReportEvery = 1024;
 // Fall per length: flatter moves down are cuts, not entries.
@@ -96,16 +96,16 @@ int LoadWalk::steps_of(const MovePiece& piece) const {
   if (steps > kMostSteps)
     throw std::invalid_argument("Move " + std::to_string(now_.number) + " is " +
                                 std::to_string(length) +
-                                " mm long, too long for its step: choose a longer step.");
+                                " mm long, too long to be simulated: mend its end.");
   return std::max(1, static_cast<int>(steps));
 }
 
 // False when cancelled.
 bool LoadWalk::walk(const MovePiece& piece, double share) {
+  const int steps = steps_of(piece);
   check_gouge(piece);
   const Segment& path = piece.path;
   const double length = std::hypot(path.length(), piece.z1 - piece.z0);
-  const int steps = steps_of(piece);
   const auto direction = [&](double t) {
     return now_.vertical ? last_feed_angle_ : angle_of(path.tangent(t));
   };

@@ -31,7 +31,12 @@ std::vector<Region> united(const std::vector<Region>& regions) {
 PartGauge::PartGauge(const std::vector<Prism>& part, double tool_radius, double stock_top)
     : radius_(tool_radius), stock_top_(stock_top) {
   std::map<double, std::vector<Region>> by_top;
-  for (const Prism& prism : part) by_top[prism.top].push_back(prism.region);
+  std::vector<Region> all;
+  for (const Prism& prism : part) {
+    by_top[prism.top].push_back(prism.region);
+    all.push_back(prism.region);
+  }
+  box_ = bounds_of(all);
   for (const auto& [top, regions] : by_top) {
     std::vector<Curve> curves;
     std::vector<Segment> edges;
@@ -84,7 +89,9 @@ void PartGauge::visit_nearest(const Segment& path, const Segment& edge, Visit vi
 
 Gouge PartGauge::deepest(const Segment& path, double z0, double z1, double step) const {
   Gouge worst;
-  if (levels_.empty() || std::min(z0, z1) >= levels_.back().top - kOnTop) return worst;
+  const Bounds near = grown(path.bounds(), radius_);
+  if (levels_.empty() || std::min(z0, z1) >= levels_.back().top - kOnTop || !overlap(near, box_))
+    return worst;
   const auto look = [&](double t) {
     if (!(t >= 0 && t <= 1)) return;
     const double found = depth(path.point(t), z0 + t * (z1 - z0));
@@ -93,7 +100,6 @@ Gouge PartGauge::deepest(const Segment& path, double z0, double z1, double step)
   const int pieces = std::max(1, static_cast<int>(std::ceil(path.length() / step)));
   for (int k = 0; k <= pieces; ++k) look(static_cast<double>(k) / pieces);
   if (!(path.length() > 0)) return worst;
-  const Bounds near = grown(path.bounds(), radius_);
   for (const Level& level : levels_) {
     if (level.top - std::min(z0, z1) <= kOnTop) continue;
     level.tree.visit(near,

@@ -43,6 +43,7 @@ class PartGauge {
 
   double radius_;
   double stock_top_;
+  Bounds box_;  // around all of the part
   std::vector<Level> levels_;
 };
 

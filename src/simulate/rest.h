@@ -29,7 +29,7 @@ struct Rest {
 // rest.
 inline constexpr double kRestTolerance = 0.01;
 
-// The rest of `stock` against `part`, whose prisms end where they meet; without a part all of the
+// The rest of `stock` against `part`, whose prisms may touch and overlap; without a part all of the
 // stock should have gone.
 Rest find_rest(const DexelStock& stock, const std::vector<Prism>& part, double tool_radius);
 
