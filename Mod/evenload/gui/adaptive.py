@@ -6,7 +6,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload.gui import views
-from evenload.operations import adaptive, base
+from evenload.operations import adaptive, settings
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
@@ -43,8 +43,8 @@ LABELS = {
 FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
 MILLIMETRES = "App::PropertyLength"
-RESULTS = [setting.name for setting in base.RESULT_SETTINGS]
-SETTINGS = {setting.name: setting for setting in base.SETTINGS}
+RESULTS = [setting.name for setting in settings.RESULT_SETTINGS]
+SETTINGS = {setting.name: setting for setting in settings.SETTINGS}
 
 
 def create():

@@ -11,198 +11,14 @@ import Path
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
-
-FORMAT = 1  # of the properties in a document: to be raised when their meaning changes
-GROUP = "EvenLoad"
-RESULTS = "EvenLoad results"
-
-
-@dataclass(frozen=True)
-class Setting:
-    """One property of an operation. `value` is its default; for an enumeration the list of choices,
-    the first is the default; None where it follows the tool and its controller.
-    """
-
-    name: str
-    type: str
-    value: object
-    doc: str
-    group: str = GROUP
-
-    def in_setup_sheet(self):
-        """Whether FreeCAD's SetupSheet can keep a default for it."""
-        return self.type in SETUP_SHEET_TYPES and self.value is not None and self.group == GROUP
-
-
-SETUP_SHEET_TYPES = (
-    "App::PropertyAngle",
-    "App::PropertyBool",
-    "App::PropertyEnumeration",
-    "App::PropertyLength",
+from evenload.operations import checks
+from evenload.operations.settings import (
+    FOLLOWERS,
+    GROUP,
+    HIDDEN_SETTINGS,
+    RESULT_SETTINGS,
+    SETTINGS,
 )
-
-SETTINGS = (
-    Setting(
-        "EngagementAngle",
-        "App::PropertyAngle",
-        60.0,
-        "Target and limit of the tool's engagement angle, between 0 and 180 degrees",
-    ),
-    Setting(
-        "SideStep",
-        "App::PropertyLength",
-        None,
-        "The engagement angle as the side step of a straight cut, r (1 - cos angle): "
-        "setting one sets the other",
-    ),
-    Setting(
-        "CutMode",
-        "App::PropertyEnumeration",
-        ["Climb", "Conventional"],
-        "Which way the cutting edges meet the material, for a spindle that turns clockwise",
-    ),
-    Setting(
-        "FeedControl",
-        "App::PropertyEnumeration",
-        ["Constant feed", "Constant removal rate"],
-        "What stays the same where the engagement is below its target",
-    ),
-    Setting(
-        "MaximumFeed",
-        "App::PropertySpeed",
-        None,
-        "Cap of the feed control; at first twice the tool controller's horizontal feed",
-    ),
-    Setting(
-        "LinkFeed",
-        "App::PropertySpeed",
-        None,
-        "Feed of links at depth over cleared ground; at first the tool controller's horizontal "
-        "rapid feed",
-    ),
-    Setting(
-        "LinkLift",
-        "App::PropertyLength",
-        0.0,
-        "How far links rise above the floor; never above the top",
-    ),
-    Setting(
-        "Entry",
-        "App::PropertyEnumeration",
-        ["Automatic", "Helix", "Ramp", "Predrilled hole"],
-        "How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, "
-        "else a ramp",
-    ),
-    Setting("HelixAngle", "App::PropertyAngle", 3.0, "Descent of helix and ramp against the level"),
-    Setting(
-        "HelixDiameter",
-        "App::PropertyLength",
-        None,
-        "Diameter of the tool centre's helix; at first 0.9 of the tool's, and less where that "
-        "does not fit",
-    ),
-    Setting(
-        "EntryPoint",
-        "App::PropertyVectorDistance",
-        FreeCAD.Vector(),
-        "Centre of the pre-drilled hole",
-    ),
-    Setting(
-        "HoleDiameter",
-        "App::PropertyLength",
-        0.0,
-        "Diameter of the pre-drilled hole; there is no hole until it is set",
-    ),
-    Setting(
-        "RollRadius",
-        "App::PropertyLength",
-        None,
-        "Wished radius of roll-in and roll-out; at first 0.15 of the tool's diameter",
-    ),
-    Setting(
-        "MinimumRadius",
-        "App::PropertyLength",
-        None,
-        "Wished smallest radius of the path; at first 0.15 of the tool's diameter",
-    ),
-    Setting("StockToLeave", "App::PropertyLength", 0.0, "What stays at the walls"),
-    Setting(
-        "WallPass", "App::PropertyBool", True, "A last pass along the walls takes what is left"
-    ),
-    Setting(
-        "Tolerance",
-        "App::PropertyLength",
-        0.005,
-        "Largest distance of the output from the exact path; never into a wall",
-    ),
-    Setting("Arcs", "App::PropertyBool", True, "Arcs in the output (G2, G3); without, lines only"),
-)
-
-RESULT_SETTINGS = (
-    Setting(
-        "MaxEngagement",
-        "App::PropertyAngle",
-        0.0,
-        "Largest engagement angle, mean over 0.1 mm",
-        RESULTS,
-    ),
-    Setting(
-        "CuttingTime",
-        "App::PropertyFloat",
-        0.0,
-        "Time for cuts, links, entries and retracts, in s",
-        RESULTS,
-    ),
-    Setting(
-        "IdealTime",
-        "App::PropertyFloat",
-        0.0,
-        "Area over side step and feed, in s: no path is faster",
-        RESULTS,
-    ),
-    Setting("RemovedVolume", "App::PropertyVolume", 0.0, "Volume that the path removes", RESULTS),
-    Setting(
-        "UncutArea",
-        "App::PropertyArea",
-        0.0,
-        "Area that the tool could reach and did not clear",
-        RESULTS,
-    ),
-    Setting(
-        "Retracts",
-        "App::PropertyInteger",
-        0,
-        "How often the tool rises and comes down again",
-        RESULTS,
-    ),
-    Setting(
-        "Report",
-        "App::PropertyString",
-        "",
-        "What was not done, where and why; the error of a failed operation",
-        RESULTS,
-    ),
-)
-
-HIDDEN_SETTINGS = (
-    Setting(
-        "OwnValues",
-        "App::PropertyStringList",
-        [],
-        "Names of the settings that no longer follow the tool",
-        RESULTS,
-    ),
-    Setting(
-        "FormatVersion",
-        "App::PropertyInteger",
-        FORMAT,
-        "Format of this operation's properties",
-        RESULTS,
-    ),
-)
-
-FOLLOWERS = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius")
-POSITIVE = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius", "Tolerance")
 
 
 @dataclass
@@ -420,7 +236,7 @@ class Operation(host.operation_base()):
     def opExecute(self, obj):
         core = compiled.core()
         tool, data = tools.read(obj.ToolController)
-        levels = self._check(obj, tool, data)
+        levels = checks.settings(obj, tool, data)
         floors = shape.floors(
             obj.Base,
             [m.Shape for m in self.model],
@@ -429,7 +245,7 @@ class Operation(host.operation_base()):
             obj.Tolerance.Value,
         )
         regions = [floor.region() for floor in floors]
-        hole = self._hole(obj, tool, floors)
+        hole = checks.hole(obj, tool, floors)
         with self._watch(obj) as watch:
             slack = max(floor.slack for floor in floors)
             parameters = self._parameters(obj, tool, data, levels, hole, slack)
@@ -480,87 +296,6 @@ class Operation(host.operation_base()):
         if job.Stock is None:
             raise ValueError("The job '%s' has no stock: give it one." % job.Label)
         tools.read(obj.ToolController)
-
-    def _check(self, obj, tool, data):
-        """Raises ValueError for settings that cannot be used; returns the levels' heights."""
-        angle = obj.EngagementAngle.Value
-        if not 0 < angle < 180:
-            raise ValueError(
-                "EngagementAngle is %g degrees: it must lie between 0 and 180 degrees." % angle
-            )
-        if not 0 < obj.SideStep.Value < tool.diameter:
-            raise ValueError(
-                "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
-                % (obj.SideStep.Value, tool.diameter)
-            )
-        for name in POSITIVE:
-            if not getattr(obj, name).Value > 0:
-                raise ValueError("%s is %s: it must be positive." % (name, _text(obj, name)))
-        for name in ("LinkLift", "HoleDiameter", "StockToLeave"):
-            if getattr(obj, name).Value < 0:
-                raise ValueError("%s is %s: it must not be negative." % (name, _text(obj, name)))
-        if not 0 < obj.HelixAngle.Value < 90:
-            raise ValueError(
-                "HelixAngle is %g degrees: it must lie between 0 and 90 degrees."
-                % obj.HelixAngle.Value
-            )
-        if 60 * obj.MaximumFeed.Value < data.feed * (1 - 1e-9):
-            raise ValueError(
-                "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
-                "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
-            )
-        return self._levels(obj, tool)
-
-    def _levels(self, obj, tool):
-        start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
-        if not start > final:
-            raise ValueError(
-                "StartDepth (%g mm) does not lie above FinalDepth (%g mm): raise StartDepth or "
-                "lower FinalDepth." % (start, final)
-            )
-        if not step > 0:
-            raise ValueError("StepDown is %g mm: it must be positive." % step)
-        if tool.cutting_length and start - final > tool.cutting_length + 1e-6:
-            raise ValueError(
-                "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
-                "take a longer tool or raise FinalDepth."
-                % (start - final, tool.cutting_length, tool.name)
-            )
-        if obj.SafeHeight.Value < start:
-            raise ValueError(
-                "SafeHeight (%g mm) lies below StartDepth (%g mm): raise it."
-                % (obj.SafeHeight.Value, start)
-            )
-        if obj.ClearanceHeight.Value < obj.SafeHeight.Value:
-            raise ValueError(
-                "ClearanceHeight (%g mm) lies below SafeHeight (%g mm): raise it."
-                % (obj.ClearanceHeight.Value, obj.SafeHeight.Value)
-            )
-        return host.cutting_levels(start, step, final)
-
-    def _hole(self, obj, tool, floors):
-        """(x, y, diameter) of the pre-drilled hole, or None."""
-        diameter, at = obj.HoleDiameter.Value, obj.EntryPoint
-        if obj.Entry not in ("Automatic", "Predrilled hole"):
-            return None
-        if not diameter > 0:
-            if obj.Entry == "Predrilled hole":
-                raise ValueError(
-                    "Entry is 'Predrilled hole', but there is no hole: set EntryPoint and "
-                    "HoleDiameter."
-                )
-            return None
-        if diameter < tool.diameter - 1e-9:
-            raise ValueError(
-                "HoleDiameter (%g mm) is smaller than the tool's diameter of %g mm: drill a "
-                "larger hole or choose another Entry." % (diameter, tool.diameter)
-            )
-        if not any(floor.contains(at.x, at.y) for floor in floors):
-            raise ValueError(
-                "EntryPoint (%g, %g) lies outside %s: move it inside."
-                % (at.x, at.y, " and ".join(floor.name for floor in floors))
-            )
-        return at.x, at.y, diameter
 
     def _parameters(self, obj, tool, data, levels, hole, slack):
         """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may
@@ -676,10 +411,3 @@ def _set(obj, name, value):
     before = getattr(before, "Value", before)
     if abs(before - value) > 1e-9 * max(1.0, abs(value)):
         setattr(obj, name, value)
-
-
-def _text(obj, name):
-    value = getattr(obj, name)
-    if obj.getTypeIdOfProperty(name) == "App::PropertySpeed":
-        return "%g mm/min" % (60 * value.Value)
-    return "%g mm" % value.Value

@@ -1,0 +1,94 @@
+"""Whether an operation's settings can be used, and the sentences that say why not."""
+
+from evenload import host
+from evenload.operations.settings import POSITIVE
+
+
+def settings(obj, tool, data):
+    """Raises ValueError for settings that cannot be used; returns the levels' heights."""
+    angle = obj.EngagementAngle.Value
+    if not 0 < angle < 180:
+        raise ValueError(
+            "EngagementAngle is %g degrees: it must lie between 0 and 180 degrees." % angle
+        )
+    if not 0 < obj.SideStep.Value < tool.diameter:
+        raise ValueError(
+            "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
+            % (obj.SideStep.Value, tool.diameter)
+        )
+    for name in POSITIVE:
+        if not getattr(obj, name).Value > 0:
+            raise ValueError("%s is %s: it must be positive." % (name, _text(obj, name)))
+    for name in ("LinkLift", "HoleDiameter", "StockToLeave"):
+        if getattr(obj, name).Value < 0:
+            raise ValueError("%s is %s: it must not be negative." % (name, _text(obj, name)))
+    if not 0 < obj.HelixAngle.Value < 90:
+        raise ValueError(
+            "HelixAngle is %g degrees: it must lie between 0 and 90 degrees." % obj.HelixAngle.Value
+        )
+    if 60 * obj.MaximumFeed.Value < data.feed * (1 - 1e-9):
+        raise ValueError(
+            "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
+            "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
+        )
+    return _levels(obj, tool)
+
+
+def _levels(obj, tool):
+    start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
+    if not start > final:
+        raise ValueError(
+            "StartDepth (%g mm) does not lie above FinalDepth (%g mm): raise StartDepth or "
+            "lower FinalDepth." % (start, final)
+        )
+    if not step > 0:
+        raise ValueError("StepDown is %g mm: it must be positive." % step)
+    if tool.cutting_length and start - final > tool.cutting_length + 1e-6:
+        raise ValueError(
+            "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
+            "take a longer tool or raise FinalDepth."
+            % (start - final, tool.cutting_length, tool.name)
+        )
+    if obj.SafeHeight.Value < start:
+        raise ValueError(
+            "SafeHeight (%g mm) lies below StartDepth (%g mm): raise it."
+            % (obj.SafeHeight.Value, start)
+        )
+    if obj.ClearanceHeight.Value < obj.SafeHeight.Value:
+        raise ValueError(
+            "ClearanceHeight (%g mm) lies below SafeHeight (%g mm): raise it."
+            % (obj.ClearanceHeight.Value, obj.SafeHeight.Value)
+        )
+    return host.cutting_levels(start, step, final)
+
+
+def hole(obj, tool, floors):
+    """(x, y, diameter) of the pre-drilled hole, or None."""
+    diameter, at = obj.HoleDiameter.Value, obj.EntryPoint
+    if obj.Entry not in ("Automatic", "Predrilled hole"):
+        return None
+    if not diameter > 0:
+        if obj.Entry == "Predrilled hole":
+            raise ValueError(
+                "Entry is 'Predrilled hole', but there is no hole: set EntryPoint and "
+                "HoleDiameter."
+            )
+        return None
+    if diameter < tool.diameter - 1e-9:
+        raise ValueError(
+            "HoleDiameter (%g mm) is smaller than the tool's diameter of %g mm: drill a "
+            "larger hole or choose another Entry." % (diameter, tool.diameter)
+        )
+    if not any(floor.contains(at.x, at.y) for floor in floors):
+        raise ValueError(
+            "EntryPoint (%g, %g) lies outside %s: move it inside."
+            % (at.x, at.y, " and ".join(floor.name for floor in floors))
+        )
+    return at.x, at.y, diameter
+
+
+def _text(obj, name):
+    value = getattr(obj, name)
+    if obj.getTypeIdOfProperty(name) == "App::PropertySpeed":
+        return "%g mm/min" % (60 * value.Value)
+    return "%g mm" % value.Value
