@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
 
 namespace evenload {
 namespace {
@@ -9,6 +10,8 @@ namespace {
 // mm: material thinner than this may be brushed by a link; just above what rounding the G-code can
 // bring about.
 constexpr double kLinkTolerance = 3e-4;
+// mm: links stay this far from what is not cleared, but at their ends.
+constexpr double kLinkDistance = 1e-3;
 // mm: how far beyond the wall's offset a link may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
 // Shares of the tool's radius: between two looks for material, and for the wall.
@@ -59,9 +62,12 @@ double length_of(const std::vector<Segment>& moves) {
   return length;
 }
 
-bool is_free(const ClearedGround& ground, const Area& centres, const std::vector<Segment>& moves) {
-  const double look = kLook * ground.tool_radius();
+bool is_free(const GroundBefore& before, const Area& centres, const std::vector<Segment>& moves,
+             double ends) {
+  const ClearedGround& ground = before.ground;
+  const double look = kLook * ground.tool_radius(), whole = length_of(moves);
   std::vector<AngularInterval> scratch;
+  double done = 0;
   for (const Segment& move : moves) {
     const double length = move.length();
     const int n = std::max(1, static_cast<int>(std::ceil(length / look)));
@@ -74,34 +80,54 @@ bool is_free(const ClearedGround& ground, const Area& centres, const std::vector
         if (inside < -kWallTolerance) return false;
         wall_free = t * length + inside;
       }
-      const double right = angle_of(move.tangent(t)) - kPi / 2;
-      ground.uncovered(p, right, right + kPi, scratch, kLinkTolerance);
+      const double right = angle_of(move.tangent(t)) - kPi / 2, at = done + t * length;
+      const bool at_end = at < ends || at > whole - ends;
+      ground.uncovered(p, right, right + kPi, scratch, at_end ? kLinkTolerance : -kLinkDistance,
+                       before.last);
       if (!scratch.empty()) return false;
     }
+    done += length;
   }
   return true;
 }
 
-std::vector<Segment> shortest_link(const ClearedGround& ground, const Area& centres,
-                                   const Pose& from, const Pose& to, double turn_radius,
-                                   double longest) {
-  struct Candidate {
-    std::vector<Segment> moves;
-    double length;
-  };
-  std::vector<Candidate> candidates;
-  for (const double radius : {turn_radius, 0.5 * turn_radius})
+namespace {
+
+struct Candidate {
+  std::vector<Segment> moves;
+  double length;
+};
+
+std::vector<Candidate> candidates(const Pose& from, const Pose& to,
+                                  std::initializer_list<double> radii, double longest) {
+  std::vector<Candidate> result;
+  for (const double radius : radii)
     for (const double side_a : {1.0, -1.0})
       for (const double side_b : {1.0, -1.0}) {
         Candidate candidate;
         if (!turn_straight_turn(from, to, radius, side_a, side_b, candidate.moves)) continue;
         candidate.length = length_of(candidate.moves);
-        if (candidate.length <= longest) candidates.push_back(std::move(candidate));
+        if (candidate.length <= longest) result.push_back(std::move(candidate));
       }
-  std::stable_sort(candidates.begin(), candidates.end(),
+  std::stable_sort(result.begin(), result.end(),
                    [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
-  for (const Candidate& candidate : candidates)
-    if (is_free(ground, centres, candidate.moves)) return candidate.moves;
+  return result;
+}
+
+}  // namespace
+
+std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
+                                   const Pose& from, const Pose& to, double turn_radius,
+                                   double longest, LinkSpace space) {
+  for (const auto& radii : {std::initializer_list<double>{turn_radius, 0.5 * turn_radius},
+                            std::initializer_list<double>{0.2 * turn_radius}}) {
+    for (const Candidate& candidate : candidates(from, to, radii, longest)) {
+      // So far from an end a turn has left a wall that it began along.
+      const double ends =
+          space == LinkSpace::kClear ? std::sqrt(4 * kLinkDistance * turn_radius) : longest;
+      if (is_free(ground, centres, candidate.moves, ends)) return candidate.moves;
+    }
+  }
   return {};
 }
 

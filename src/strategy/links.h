@@ -10,15 +10,29 @@
 
 namespace evenload {
 
-// The shortest turn-straight-turn path from `from` to `to` with turns of `turn_radius` mm, or of
-// half of that, that stays inside `centres` and meets no material; empty when there is none no
-// longer than `longest` mm.
-std::vector<Segment> shortest_link(const ClearedGround& ground, const Area& centres,
-                                   const Pose& from, const Pose& to, double turn_radius,
-                                   double longest);
+// The ground as it was before the move numbered `last`.
+struct GroundBefore {
+  const ClearedGround& ground;
+  std::size_t last;
+};
 
-// True when the tool can go along `moves` inside `centres` without meeting material.
-bool is_free(const ClearedGround& ground, const Area& centres, const std::vector<Segment>& moves);
+// How near a link may come to what is not cleared, but at its ends.
+enum class LinkSpace {
+  kClear,   // so far that rounded G-code meets nothing
+  kGrazing  // along walls and fronts
+};
+
+// The shortest turn-straight-turn path from `from` to `to` with turns of `turn_radius` mm or of
+// half of that, where there is none of a fifth, that stays inside `centres` and meets no material;
+// empty when there is none no longer than `longest` mm.
+std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
+                                   const Pose& from, const Pose& to, double turn_radius,
+                                   double longest, LinkSpace space = LinkSpace::kClear);
+
+// True when the tool can go along `moves` inside `centres` without meeting material. Within `ends`
+// mm of both ends of the way it may graze.
+bool is_free(const GroundBefore& ground, const Area& centres, const std::vector<Segment>& moves,
+             double ends);
 
 double length_of(const std::vector<Segment>& moves);
 

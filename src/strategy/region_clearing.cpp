@@ -41,6 +41,8 @@ constexpr double kLongestRamp = 1.5;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
+// Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
+constexpr double kKeptIdle = 0.03;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
@@ -207,7 +209,7 @@ class RegionClearing {
     std::vector<Segment> way;
     if (room > 1e-6)
       way.push_back(Segment::arc(*task_.hole + Vec2{room / 2, 0}, room / 2, kPi, kPi));
-    if (is_free(ground_, exact_, way)) {
+    if (is_free({ground_, ground_.size()}, exact_, way, length_of(way))) {
       add_moves(MoveKind::kLink, way);
       here_ = start;
       cut_from(start);
@@ -279,44 +281,95 @@ class RegionClearing {
     return Pose{best->point(0.5) + 1.02 * radius_ * outwards, angle_of(-outwards) + kPi / 2};
   }
 
-  // A pass from a free pose with the widest turn that can be made from there.
+  // A pass from the free pose where the tool stands, with the widest turn that can be made there.
   bool cut_from(const Pose& start) {
+    double turn_radius = 0;
+    Pass pass = pass_from_pose(start, &turn_radius);
+    return !pass.empty() && take(std::move(pass), turn_radius);
+  }
+
+  Pass pass_from_pose(const Pose& start, double* turn_radius) {
     for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
       if (stages_[k].turn_radius <= 0) break;
       Pass pass = steering_at(k).from_pose(start);
-      if (!pass.empty()) return take(std::move(pass), stages_[k].turn_radius);
+      *turn_radius = stages_[k].turn_radius;
+      if (!pass.empty()) return pass;
     }
-    return false;
+    return {};
   }
 
-  // Takes a pass into the result. False when it cuts next to nothing.
+  // Goes to where the pass meets material, and takes it into the result. `before`: the size of the
+  // ground before the pass. False when it cuts next to nothing.
+  bool go_and_take(Pass pass, double turn_radius, std::size_t before) {
+    // Nearest to the material, or where nothing is near.
+    std::vector<Segment> shorter = pass.moves;
+    drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
+    const Pose start{shorter.front().a, angle_of(shorter.front().tangent(0))};
+    if (link_to(start, turn_radius, before))
+      pass.moves = std::move(shorter);
+    else if (!link_to(pass.start(), turn_radius, before))
+      come_down_at(pass.start());
+    return take(std::move(pass), turn_radius);
+  }
+
+  static void drop_first(std::vector<Segment>& moves, double length) {
+    std::size_t whole = 0;
+    for (; whole + 1 < moves.size() && moves[whole].length() <= length; ++whole)
+      length -= moves[whole].length();
+    moves.erase(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(whole));
+    const double share = length / moves.front().length();
+    if (share > 1e-9 && share < 1) moves.front() = moves.front().part(share, 1);
+  }
+
+  static void drop_last(std::vector<Segment>& moves, double length) {
+    for (; moves.size() > 1 && moves.back().length() <= length; moves.pop_back())
+      length -= moves.back().length();
+    const double share = 1 - length / moves.back().length();
+    if (share > 0 && share < 1 - 1e-9) moves.back() = moves.back().part(0, share);
+  }
+
+  // Takes a pass that begins where the tool stands into the result. False when it cuts next to
+  // nothing.
   bool take(Pass pass, double turn_radius) {
-    if (pass.empty()) return false;
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;
       tightest_at_ = pass.moves.back().b;
     }
-    add_moves(MoveKind::kCut, pass.moves);
     look_again(pass.moves);
+    // What lies at the ends of the way is cleared, but for less than counts as contact.
+    drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
+    add_moves(MoveKind::kCut, pass.moves);
     ++result_.passes;
     return pass.cut_area > kLeastCut * radius_ * radius_;
   }
 
-  // Goes to `to` over cleared ground, or up and down where that is quicker or the only way.
-  void go_to(const Pose& to, double turn_radius) {
+  // Goes to `to` over ground that was cleared before the move numbered `before`; false where there
+  // is no way, or none so quick as to go up and down.
+  bool link_to(const Pose& to, double turn_radius, std::size_t before) {
     const double gap = distance(here_.p, to.p);
-    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return;
+    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
     const double rise =
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
-    const std::vector<Segment> link =
-        shortest_link(ground_, exact_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
-                      retract_minutes * params_.link_feed);
+    const double turn = turn_radius > 0 ? turn_radius : link_turn();
+    std::vector<Segment> link = shortest_link({ground_, before}, exact_, here_, to, turn,
+                                              retract_minutes * params_.link_feed);
     if (!link.empty()) {
       add_moves(MoveKind::kLink, link);
       ++result_.links;
-      return;
+      return true;
     }
+    // What grazes is no link, but a cut of next to nothing.
+    const double feed = params_.feed_control == FeedControl::kConstantFeed ? params_.feed
+                                                                          : params_.maximum_feed;
+    link = shortest_link({ground_, before}, exact_, here_, to, turn, retract_minutes * feed,
+                         LinkSpace::kGrazing);
+    if (link.empty()) return false;
+    add_moves(MoveKind::kCut, link);
+    return true;
+  }
+
+  void come_down_at(const Pose& to) {
     begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
     here_ = to;
   }
@@ -334,14 +387,11 @@ class RegionClearing {
         continue;
       }
       const PassStart start = choose(starts, last_start);
-      const Mark before = mark();
-      go_to(start.pose, stages_[start.stage].turn_radius);
-      const std::size_t first = ground_.size();
+      const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = pass_from(start, &turn_radius);
-      if (!take(std::move(pass), turn_radius)) {
+      if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
-        if (ground_.size() == first) back_to(before);  // no pass: the way to it is not needed
         continue;
       }
       last_start = start.pose.p;
@@ -351,8 +401,38 @@ class RegionClearing {
     }
   }
 
-  // The pass from `start` with the widest turn, no wider than its stage's, that can enter there.
+  // The pass along the wall of the latest stage, after the start's own, that can be followed within
+  // the limit all the way; found by halving, since the earlier the stage the less there is to cut.
+  Pass latest_wall_pass(const PassStart& start, double* turn_radius) {
+    Pass best;
+    std::size_t low = start.stage + 1, high = stages_.size();  // of the stages not yet decided
+    while (low < high) {
+      const std::size_t k = low + (high - low) / 2;
+      const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+      Pass pass;
+      if (hit.distance < kSamePlace)
+        pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
+      if (pass.empty()) {
+        high = k;
+        continue;
+      }
+      for (std::size_t i = 0; i < pass.moves.size(); ++i) ground_.remove_last();
+      best = std::move(pass);
+      *turn_radius = stages_[k].turn_radius;
+      low = k + 1;
+    }
+    for (const Segment& move : best.moves) ground_.add(move);
+    return best;
+  }
+
+  // The pass from `start`. In a corner the one of the latest stage that can follow the wall within
+  // the limit all the way: it takes at once what the stages before would take bit by bit. Else the
+  // one with the widest turn, no wider than its stage's, that can enter there.
   Pass pass_from(const PassStart& start, double* turn_radius) {
+    if (start.corner) {
+      Pass pass = latest_wall_pass(start, turn_radius);
+      if (!pass.empty()) return pass;
+    }
     for (std::size_t k = start.stage; k < stages_.size(); ++k) {
       WallPlace place = start.place;
       if (k != start.stage) {
@@ -369,31 +449,15 @@ class RegionClearing {
     return {};
   }
 
-  // How far the result has come, to go back to when an attempt comes to nothing.
-  struct Mark {
-    Pose here;
-    std::size_t runs, moves;
-    int links, passes;
-  };
-  Mark mark() const {
-    return {here_, result_.runs.size(), result_.runs.back().moves.size(), result_.links,
-            result_.passes};
-  }
-  void back_to(const Mark& mark) {
-    result_.runs.resize(mark.runs);
-    result_.runs.back().moves.resize(mark.moves);
-    result_.links = mark.links;
-    here_ = mark.here;
-  }
-
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
   // cut within the limit.
   bool enter_untouched() {
     if (params_.entry == EntryKind::kPredrilledHole) return false;
     for (const Stage& stage : stages_) {
       for (const Region& room : stage.rooms) {
+        if (has_cleared_wall(room)) continue;
         const Circle circle = largest_circle(room, kEntryTolerance);
-        if (circle.radius < kNarrowestHelix * radius_ || !is_untouched(room, circle.centre))
+        if (circle.radius < kNarrowestHelix * radius_ || ground_.is_cleared_point(circle.centre))
           continue;
         Descent descent;
         const Pose start = choose_entry(circle, descent);
@@ -406,12 +470,11 @@ class RegionClearing {
     return false;
   }
 
-  bool is_untouched(const Region& room, Vec2 centre) const {
-    if (ground_.is_cleared_point(centre)) return false;
+  bool has_cleared_wall(const Region& room) const {
     for (const Curve& curve : room.curves())
       for (const Segment& segment : curve.segments())
-        if (ground_.is_clear(segment.a) || ground_.is_clear(segment.point(0.5))) return false;
-    return true;
+        if (ground_.is_clear(segment.a) || ground_.is_clear(segment.point(0.5))) return true;
+    return false;
   }
 
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
@@ -436,12 +499,10 @@ class RegionClearing {
     if (!leftover_.prepared())
       leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
     while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
-      const std::size_t k = widest_stage_at(*start);
-      if (k == stages_.size()) continue;
-      const Mark before = mark();
-      go_to(*start, stages_[k].turn_radius);
-      if (cut_from(*start)) return true;
-      if (result_.passes == before.passes) back_to(before);
+      const std::size_t before = ground_.size();
+      double turn_radius = 0;
+      Pass pass = pass_from_pose(*start, &turn_radius);
+      if (!pass.empty() && go_and_take(std::move(pass), turn_radius, before)) return true;
     }
     return false;
   }

@@ -11,7 +11,7 @@ namespace {
 // Each stage turns this much more tightly than the one before: small enough that what a stage
 // leaves in a corner is one pass for the next, large enough that a channel of any width finds a
 // stage that uses most of it.
-constexpr double kStageRatio = 0.6;
+constexpr double kStageRatio = 0.9;
 
 // The walls are opened by this much more than the turn radius, so that a pass in the narrowest
 // channel of its stage still has room between its roll-in and its roll-out.

@@ -297,11 +297,17 @@ void Steering::step_on_wall() {
       note_contact(engagement_at(low), (low - wall_.t) * length);
     }
     wall_.t = low;
-    overload();
+    if (may_leave_wall_)
+      overload();
+    else
+      give_up();
     return;
   }
   if (turn_ <= 0 && over_mean(total, step)) {
-    mode_ = Mode::kEnd;
+    if (may_leave_wall_)
+      mode_ = Mode::kEnd;
+    else
+      give_up();
     return;
   }
   append(wall.part(wall_.t, t1));
@@ -491,6 +497,11 @@ void Steering::roll_out() {
   mode_ = Mode::kWall;
 }
 
+void Steering::give_up() {
+  cut_back(travelled_);
+  mode_ = Mode::kEnd;
+}
+
 Pass Steering::run() {
   while (mode_ != Mode::kEnd) {
     if (mode_ == Mode::kWall)
@@ -500,6 +511,10 @@ Pass Steering::run() {
   }
   // However long the last step was, the same run-out is kept.
   cut_back(has_cut() ? std::max(0.0, idle() - kRunOut * radius_) : travelled_);
+  if (has_cut()) {
+    pass_.idle_before = met_.front().until - met_.front().length;
+    pass_.idle_after = idle();
+  }
   for (const Met& met : met_) {
     pass_.cut_length += met.length;
     pass_.cut_area += met.length * radius_ * (1 - std::cos(met.total));
@@ -524,6 +539,13 @@ Pass Steering::from_wall(const WallPlace& start) {
   wall_ = start;
   mode_ = Mode::kWall;
   return run();
+}
+
+Pass Steering::along_wall(const WallPlace& start) {
+  may_leave_wall_ = false;
+  Pass pass = from_wall(start);
+  may_leave_wall_ = true;
+  return pass;
 }
 
 Pass Steering::from_pose(const Pose& start) {

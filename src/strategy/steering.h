@@ -38,7 +38,12 @@ struct Pass {
   std::vector<Segment> moves;  // tangent to each other but for sharp corners of the exact border
   double cut_length = 0;       // mm with material in contact
   double cut_area = 0;         // mm^2 removed, nearly
+  // mm without contact at both ends
+  double idle_before = 0, idle_after = 0;
   bool empty() const { return moves.empty(); }
+  // Condition: not empty.
+  Pose start() const { return {moves.front().a, angle_of(moves.front().tangent(0))}; }
+  Pose end() const { return {moves.back().b, angle_of(moves.back().tangent(1))}; }
 };
 
 class Steering {
@@ -54,6 +59,8 @@ class Steering {
   // wall into the material. Moves are added to the ground as they are made. Empty when no material
   // is met, or when none can be entered within the limit.
   Pass from_wall(const WallPlace& start);
+  // The same, but never leaves the wall: empty where that would exceed the limit.
+  Pass along_wall(const WallPlace& start);
   // The same from a free pose that just touches material on its right.
   Pass from_pose(const Pose& start);
 
@@ -75,6 +82,7 @@ class Steering {
   void step_free();
   bool roll_in(TurnPart part);
   void escape();
+  void give_up();
   void roll_out();
   void overload();
   bool over_mean(double total, double step) const;
@@ -96,6 +104,7 @@ class Steering {
   Pass pass_;
   Pose start_;
   Mode mode_ = Mode::kEnd;
+  bool may_leave_wall_ = true;
   WallPlace wall_;
   double travelled_ = 0;  // mm
   // What was met on the way, so that it can be forgotten when the path is cut back.

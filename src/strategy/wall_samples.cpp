@@ -60,8 +60,10 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
         if (cell == cells.end()) continue;
         for (const std::size_t other : cell->second)
           if (samples_[other].stage < samples_[i].stage &&
-              distance(samples_[other].p, samples_[i].p) < near)
+              distance(samples_[other].p, samples_[i].p) < near) {
             samples_[i].earlier.push_back(other);
+            samples_[other].corner = true;
+          }
       }
   }
 }
@@ -143,7 +145,8 @@ std::vector<PassStart> WallSamples::starts(bool in_order) const {
       result.push_back({track.stage,
                         before->place,
                         {before->p, angle_of(wall.tangent(before->place.t))},
-                        index});
+                        index,
+                        sample.corner});
     }
   }
   return result;

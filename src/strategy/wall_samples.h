@@ -21,6 +21,7 @@ struct PassStart {
   WallPlace place;         // the last cleared sample
   Pose pose;               // there
   std::size_t sample = 0;  // the first uncleared sample
+  bool corner = false;     // later stages have walls of their own nearby
 };
 
 class WallSamples {
@@ -48,6 +49,7 @@ class WallSamples {
     bool has_witness = false;
     bool shared = false;  // belongs to the stage before as well
     bool clear = false;
+    bool corner = false;  // later stages have samples of their own nearby
     int failures = 0;
     std::vector<std::size_t> earlier;  // samples of earlier stages nearby, which come first
   };
