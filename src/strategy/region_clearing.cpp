@@ -7,6 +7,7 @@
 #include <sstream>
 #include <utility>
 
+#include "cutting/engagement.h"
 #include "geometry/medial_axis.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
@@ -43,6 +44,10 @@ constexpr double kLongestRamp = 1.5;
 constexpr double kRetractPrice = 0.3;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
+// Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
+constexpr double kPassPrice = 0.3;
+// Of the stages that a pass into a corner is tried in every so manieth is.
+constexpr std::size_t kStagesAtOnce = 3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
@@ -401,6 +406,42 @@ class RegionClearing {
     }
   }
 
+  // mm^2 per mm of cutting at the nominal feed: what a pass removes, by the time that it takes.
+  double worth(const Pass& pass) const {
+    const double full = pass.cut_area / side_step(params_.engagement_angle, radius_);
+    const double thin = std::max(0.0, length_of(pass.moves) - full);
+    return pass.cut_area /
+           (full + thin * params_.feed / params_.maximum_feed + kPassPrice * radius_);
+  }
+
+  // Takes the moves of a pass, the newest, back from the ground.
+  void take_back(const Pass& pass) {
+    for (std::size_t i = 0; i < pass.moves.size(); ++i) ground_.remove_last();
+  }
+
+  // The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
+  // full engagement, and the less it is stopped by the walls.
+  Pass best_corner_pass(const PassStart& start, double* turn_radius) {
+    Pass best = latest_wall_pass(start, turn_radius);
+    take_back(best);
+    double most = best.empty() ? 0 : worth(best), last = 0;
+    for (std::size_t k = start.stage; k + 1 < stages_.size(); k += kStagesAtOnce) {
+      const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+      if (hit.distance > kSamePlace) break;
+      Pass pass = steering_at(k).from_wall({hit.curve, hit.segment, hit.t});
+      take_back(pass);
+      const double value = pass.empty() ? 0 : worth(pass);
+      if (value < last) break;
+      last = value;
+      if (value <= most) continue;
+      most = value;
+      best = std::move(pass);
+      *turn_radius = stages_[k].turn_radius;
+    }
+    for (const Segment& move : best.moves) ground_.add(move);
+    return best;
+  }
+
   // The pass along the wall of the latest stage, after the start's own, that can be followed within
   // the limit all the way; found by halving, since the earlier the stage the less there is to cut.
   Pass latest_wall_pass(const PassStart& start, double* turn_radius) {
@@ -416,7 +457,7 @@ class RegionClearing {
         high = k;
         continue;
       }
-      for (std::size_t i = 0; i < pass.moves.size(); ++i) ground_.remove_last();
+      take_back(pass);
       best = std::move(pass);
       *turn_radius = stages_[k].turn_radius;
       low = k + 1;
@@ -430,7 +471,7 @@ class RegionClearing {
   // one with the widest turn, no wider than its stage's, that can enter there.
   Pass pass_from(const PassStart& start, double* turn_radius) {
     if (start.corner) {
-      Pass pass = latest_wall_pass(start, turn_radius);
+      Pass pass = best_corner_pass(start, turn_radius);
       if (!pass.empty()) return pass;
     }
     for (std::size_t k = start.stage; k < stages_.size(); ++k) {
