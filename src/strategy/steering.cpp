@@ -29,8 +29,11 @@ constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
 constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
-constexpr double kSmooth = 0.7 * kDegree;   // of the engagement in the middle of a step
-constexpr double kGrowth = 0.85, kLeastGrowth = 0.7, kMostGrowth = 2.5;  // of steps
+// Of the engagement on the way of a step: so much above its target, and so much below, but no more
+// than a share of the target.
+constexpr double kSmooth = 0.9 * kDegree;
+constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24;
+constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
@@ -433,7 +436,8 @@ void Steering::step_free() {
     }
     const Segment move = move_of(from, curvature, length);
     const bool steady = value > -kSolved * 2;
-    double error = 0;
+    double error = 0;  // as a share of what is allowed
+    const double slack = std::min(kSlack, kSlackShare * theta_);
     // Where the engagement falls on the way it may have risen before: look more often.
     const int along = static_cast<int>(std::ceil(length / (kLookStep * radius_)));
     const bool bends = std::abs(curvature - curvature_) * length > kBend;
@@ -441,10 +445,14 @@ void Steering::step_free() {
     for (int i = 1; i <= looks; ++i) {
       const double t = static_cast<double>(i) / (looks + 1);
       const double above = contact(end_of(move.part(0, t))).steer - theta_;
-      error = std::max(error, steady ? std::abs(above) : above);
+      error = std::max(error, above / kSmooth);
+      if (steady) error = std::max(error, -above / slack);
     }
-    if (error > kSmooth && !smallest) {
-      step_ = std::max(smallest_step, 0.5 * length);
+    // The error grows with the square of the step.
+    const double growth =
+        std::clamp(kGrowth / std::sqrt(std::max(error, 1e-9)), kLeastGrowth, kMostGrowth);
+    if (error > 1 && !smallest) {
+      step_ = std::max(smallest_step, growth * length);
       continue;
     }
     const double share = reach_of(move);
@@ -455,10 +463,7 @@ void Steering::step_free() {
     }
     make_step(move);
     curvature_ = curvature;
-    // The error grows with the square of the step.
-    const double growth = kGrowth * std::sqrt(kSmooth / std::max(error, 1e-9));
-    step_ =
-        std::min(kLargestStep * radius_, std::clamp(growth, kLeastGrowth, kMostGrowth) * length);
+    step_ = std::min(kLargestStep * radius_, growth * length);
     if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
     return;
   }
