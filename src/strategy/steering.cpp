@@ -14,7 +14,7 @@ constexpr double kDegree = kPi / 180;
 constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
 constexpr double kFinestWallStep =
     0.002;                           // the same along the exact border where the limit is passed
-constexpr double kFirstStep = 0.12;  // of free steering; adapted from there
+constexpr double kFirstStep = 0.2;   // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 2;
 constexpr double kLookStep = 0.4;       // between two looks on the way
