@@ -16,7 +16,8 @@ constexpr double kFinestWallStep =
     0.002;                           // the same along the exact border where the limit is passed
 constexpr double kFirstStep = 0.2;   // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
-constexpr double kLargestStep = 2;
+constexpr double kLargestStep = 4;
+constexpr double kMostTurn = 1.5;        // rad, of a step
 constexpr double kLookStep = 0.4;       // between two looks on the way
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 constexpr double kRunOut = 0.1;         // of which this much is kept
@@ -139,10 +140,10 @@ void Steering::note_contact(double total, double length) {
   if (total > kInContact) met_.push_back({travelled_, length, total});
 }
 
-// The share of the next move on which there is contact, where it begins with contact and ends
-// without; else 0.
+// The share of the next move, which ends without contact, on which there is contact; 0 where it
+// begins without.
 double Steering::contact_until(const Segment& move) const {
-  if (!has_cut() || idle() > kHere || contact(end_of(move)).total > kInContact) return 0;
+  if (!has_cut() || idle() > kHere) return 0;
   double low = 0, high = 1;
   while ((high - low) * move.length() > kContactEnd * radius_) {
     const double middle = 0.5 * (low + high);
@@ -151,10 +152,10 @@ double Steering::contact_until(const Segment& move) const {
   return high;
 }
 
-// Makes a free step, and notes what it meets, also where contact ends on the way.
-void Steering::make_step(const Segment& move) {
-  const double length = move.length(), touched = contact_until(move);
-  const double total = contact(end_of(move)).total;
+// Makes a step at whose end `total` rad are engaged, and notes what it meets, also where contact
+// ends on the way.
+void Steering::make_step(const Segment& move, double total) {
+  const double length = move.length(), touched = total > kInContact ? 0 : contact_until(move);
   append(move);
   if (total > kInContact)
     note_contact(total, length);
@@ -313,9 +314,8 @@ void Steering::step_on_wall() {
       give_up();
     return;
   }
-  append(wall.part(wall_.t, t1));
+  make_step(wall.part(wall_.t, t1), total);
   wall_.t = t1;
-  note_contact(total, step);
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
@@ -384,8 +384,9 @@ void Steering::step_free() {
       return contact(end_of(move_of(from, curvature, length))).steer - theta_;
     };
     // excess falls as the curvature grows: bracket and solve.
-    // A step turns by a radian at most, so that its end says what happens on the way.
-    const double least = std::max(rightmost, -1 / length), most = std::min(sharpest, 1 / length);
+    // A step turns by so much at most that its end says what happens on the way.
+    const double least = std::max(rightmost, -kMostTurn / length),
+                 most = std::min(sharpest, kMostTurn / length);
     double low = least, high = most, curvature = std::clamp(curvature_, low, high);
     double value = excess(curvature);
     double low_value = 1, high_value = -1;  // signs only, until known
@@ -441,7 +442,7 @@ void Steering::step_free() {
     // Where the engagement falls on the way it may have risen before: look more often.
     const int along = static_cast<int>(std::ceil(length / (kLookStep * radius_)));
     const bool bends = std::abs(curvature - curvature_) * length > kBend;
-    const int looks = std::max(steady ? (bends ? 3 : 1) : 4, along);
+    const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
     for (int i = 1; i <= looks; ++i) {
       const double t = static_cast<double>(i) / (looks + 1);
       const double above = contact(end_of(move.part(0, t))).steer - theta_;
@@ -457,11 +458,14 @@ void Steering::step_free() {
     }
     const double share = reach_of(move);
     if (share < 1) {
-      if (share * length > 1e-7) make_step(move.part(0, share));
+      if (share * length > 1e-7) {
+        const Segment part = move.part(0, share);
+        make_step(part, contact(end_of(part)).total);
+      }
       roll_out();
       return;
     }
-    make_step(move);
+    make_step(move, contact(end_of(move)).total);
     curvature_ = curvature;
     step_ = std::min(kLargestStep * radius_, growth * length);
     if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;

@@ -89,7 +89,7 @@ class Steering {
   double reach_of(const Segment& move) const;
   void note_contact(double total, double length);
   double contact_until(const Segment& move) const;
-  void make_step(const Segment& move);
+  void make_step(const Segment& move, double total);
   bool has_cut() const { return !met_.empty(); }
   double idle() const { return has_cut() ? travelled_ - met_.back().until : travelled_; }
   void reset(const Pose& start);
