@@ -120,7 +120,8 @@ std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centr
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space) {
   for (const auto& radii : {std::initializer_list<double>{turn_radius, 0.5 * turn_radius},
-                            std::initializer_list<double>{0.2 * turn_radius}}) {
+                            std::initializer_list<double>{0.2 * turn_radius},
+                            std::initializer_list<double>{0.05 * turn_radius}}) {
     for (const Candidate& candidate : candidates(from, to, radii, longest)) {
       // So far from an end a turn has left a wall that it began along.
       const double ends =

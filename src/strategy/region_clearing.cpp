@@ -310,9 +310,9 @@ class RegionClearing {
     std::vector<Segment> shorter = pass.moves;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
     const Pose start{shorter.front().a, angle_of(shorter.front().tangent(0))};
-    if (link_to(start, turn_radius, before))
+    if (link_to(start, before))
       pass.moves = std::move(shorter);
-    else if (!link_to(pass.start(), turn_radius, before))
+    else if (!link_to(pass.start(), before))
       come_down_at(pass.start());
     return take(std::move(pass), turn_radius);
   }
@@ -350,14 +350,13 @@ class RegionClearing {
 
   // Goes to `to` over ground that was cleared before the move numbered `before`; false where there
   // is no way, or none so quick as to go up and down.
-  bool link_to(const Pose& to, double turn_radius, std::size_t before) {
+  bool link_to(const Pose& to, std::size_t before) {
     const double gap = distance(here_.p, to.p);
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
     const double rise =
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
-    const double turn = turn_radius > 0 ? turn_radius : link_turn();
-    std::vector<Segment> link = shortest_link({ground_, before}, exact_, here_, to, turn,
+    std::vector<Segment> link = shortest_link({ground_, before}, exact_, here_, to, link_turn(),
                                               retract_minutes * params_.link_feed);
     if (!link.empty()) {
       add_moves(MoveKind::kLink, link);
@@ -367,7 +366,7 @@ class RegionClearing {
     // What grazes is no link, but a cut of next to nothing.
     const double feed = params_.feed_control == FeedControl::kConstantFeed ? params_.feed
                                                                           : params_.maximum_feed;
-    link = shortest_link({ground_, before}, exact_, here_, to, turn, retract_minutes * feed,
+    link = shortest_link({ground_, before}, exact_, here_, to, link_turn(), retract_minutes * feed,
                          LinkSpace::kGrazing);
     if (link.empty()) return false;
     add_moves(MoveKind::kCut, link);

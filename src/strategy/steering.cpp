@@ -34,6 +34,7 @@ constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a
 // than a share of the target.
 constexpr double kSmooth = 0.9 * kDegree;
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24;
+constexpr double kBias = 0.8 * kDegree, kBiasShare = 1.0 / 75;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
@@ -378,10 +379,12 @@ void Steering::step_free() {
   const Pose from = pose();
   const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
   const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
+  // Where the engagement rises on the way of a step, the ends lie a little below the limit.
+  const double target = theta_ - (rises_ ? std::min(kBias, kBiasShare * theta_) : 0);
   for (;;) {
     const double length = step_;
     const auto excess = [&](double curvature) {
-      return contact(end_of(move_of(from, curvature, length))).steer - theta_;
+      return contact(end_of(move_of(from, curvature, length))).steer - target;
     };
     // excess falls as the curvature grows: bracket and solve.
     // A step turns by so much at most that its end says what happens on the way.
@@ -438,6 +441,7 @@ void Steering::step_free() {
     const Segment move = move_of(from, curvature, length);
     const bool steady = value > -kSolved * 2;
     double error = 0;  // as a share of what is allowed
+    bool rises = false;
     const double slack = std::min(kSlack, kSlackShare * theta_);
     // Where the engagement falls on the way it may have risen before: look more often.
     const int along = static_cast<int>(std::ceil(length / (kLookStep * radius_)));
@@ -446,8 +450,14 @@ void Steering::step_free() {
     for (int i = 1; i <= looks; ++i) {
       const double t = static_cast<double>(i) / (looks + 1);
       const double above = contact(end_of(move.part(0, t))).steer - theta_;
-      error = std::max(error, above / kSmooth);
-      if (steady) error = std::max(error, -above / slack);
+      if (steady && -above / slack > error) {
+        error = -above / slack;
+        rises = false;
+      }
+      if (above / kSmooth > error) {
+        error = above / kSmooth;
+        rises = true;
+      }
     }
     // The error grows with the square of the step.
     const double growth =
@@ -467,6 +477,7 @@ void Steering::step_free() {
     }
     make_step(move, contact(end_of(move)).total);
     curvature_ = curvature;
+    rises_ = rises;
     step_ = std::min(kLargestStep * radius_, growth * length);
     if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
     return;
@@ -540,6 +551,7 @@ void Steering::reset(const Pose& start) {
   troubles_ = 0;
   step_ = kFirstStep * radius_;
   curvature_ = 0;
+  rises_ = false;
 }
 
 Pass Steering::from_wall(const WallPlace& start) {

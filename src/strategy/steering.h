@@ -116,6 +116,7 @@ class Steering {
   std::vector<Met> met_;
   double step_ = 0;         // mm, adaptive
   double curvature_ = 0;    // of the last free step
+  bool rises_ = false;      // the engagement, on its way
   double trouble_at_ = -1;  // mm travelled where the furthest overload was met
   int troubles_ = 0;
   mutable std::vector<AngularInterval> scratch_;
