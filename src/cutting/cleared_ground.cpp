@@ -20,6 +20,9 @@ constexpr double kMaximumCells = 6e6;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
+// Share of the circle's radius: what turning by a small angle may be out by.
+constexpr double kDiscMargin = 1e-9;
+
 // A place where the border of a swept area crosses the circle: unit vector from the circle's
 // centre.
 struct Crossing {
@@ -95,6 +98,13 @@ bool overlaps(const std::vector<AngularInterval>& set, double low, double high) 
 // `v` turned counter-clockwise by the angle of unit vector `turn`.
 Vec2 rotated(Vec2 v, Vec2 turn) {
   return {v.x * turn.x - v.y * turn.y, v.x * turn.y + v.y * turn.x};
+}
+
+// `v` turned counter-clockwise by a small `angle`; the error is of its fifth order.
+Vec2 rotated_little(Vec2 v, double angle) {
+  const double square = angle * angle;
+  const double c = 1 - square / 2 * (1 - square / 12), s = angle * (1 - square / 6);
+  return rotated(v, {c, s});
 }
 
 // The middle of the arc that runs counter-clockwise from unit vector `from` to unit vector `to`.
@@ -226,7 +236,7 @@ double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
 }
 
-void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
+bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
                              std::vector<AngularInterval>& set) const {
   const Segment& s = primitive.segment;
   const double reach = primitive.radius;
@@ -282,8 +292,9 @@ void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
   }
   const int count = crossings.count;
   if (count == 0) {
-    if (distance(primitive, p + Vec2{radius, 0}) <= reach) set.clear();
-    return;
+    if (distance(primitive, p + Vec2{radius, 0}) > reach) return false;
+    set.clear();
+    return true;
   }
   for (int i = 0; i < count; ++i)
     crossings.at[static_cast<std::size_t>(i)].angle =
@@ -292,14 +303,18 @@ void ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
   for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
     for (std::size_t k = i; k > 0 && crossings.at[k].angle < crossings.at[k - 1].angle; --k)
       std::swap(crossings.at[k], crossings.at[k - 1]);
+  bool covers = false;
   for (int i = 0; i < count; ++i) {
     const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
     const Crossing& to = crossings.at[static_cast<std::size_t>((i + 1) % count)];
     const double high = i + 1 < count ? to.angle : to.angle + 2 * kPi;
     if (high - from.angle < 1e-12) continue;
     const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
-    if (distance(primitive, p + radius * middle) <= reach) cut_wrapped(set, from.angle, high);
+    if (distance(primitive, p + radius * middle) > reach) continue;
+    cut_wrapped(set, from.angle, high);
+    covers = true;
   }
+  return covers;
 }
 
 // Takes from `set` what the moves swept that matter within `window`. `seen`: moves taken already.
@@ -310,14 +325,16 @@ void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, s
     subtract(primitives_[static_cast<std::size_t>(cell.covered_by)], p, radius, set);
     return;
   }
+  if (cell.newest < 0) return;
   // A disc that holds what is left of the window.
   AngularInterval part;
   Vec2 middle;
   double half = 0;
   const auto measure = [&] {
     part = part_within(set, window.low, window.high);
-    middle = p + radius * unit(0.5 * (part.low + part.high));
-    half = 0.5 * part.width() * radius;
+    const double aside = 0.5 * (part.low + part.high - window.low - window.high);
+    middle = p + rotated_little(window.middle - p, aside);
+    half = 0.5 * part.width() * radius + kDiscMargin * radius;
   };
   measure();
   for (std::int32_t at = cell.newest; at >= 0 && part.width() > 0;) {
@@ -328,8 +345,7 @@ void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, s
     const Primitive& primitive = primitives_[index];
     if (distance(primitive, middle) >= primitive.radius + half) continue;
     seen.moves[index] = seen.look;
-    subtract(primitive, p, radius, set);
-    if (part_within(set, window.low, window.high).width() < part.width()) measure();
+    if (subtract(primitive, p, radius, set)) measure();
   }
 }
 

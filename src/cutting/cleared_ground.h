@@ -89,8 +89,9 @@ class ClearedGround {
     std::vector<std::uint64_t> moves;  // the last look that did
     std::uint64_t look = 0;
   };
-  // Takes what the move covers from the circle's arcs in `set`.
-  void subtract(const Primitive& primitive, Vec2 p, double radius,
+  // Takes what the move covers from the circle's arcs in `set`; false where it covers nothing of
+  // the circle.
+  bool subtract(const Primitive& primitive, Vec2 p, double radius,
                 std::vector<AngularInterval>& set) const;
   void subtract_near(const Window& window, Vec2 p, double radius, std::size_t last, Seen& seen,
                      std::vector<AngularInterval>& set) const;
