@@ -419,23 +419,43 @@ class RegionClearing {
   }
 
   // The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
-  // full engagement, and the less it is stopped by the walls.
+  // full engagement, and the less it is stopped by the walls. Stages are tried from the one that was
+  // best last, uphill.
   Pass best_corner_pass(const PassStart& start, double* turn_radius) {
     Pass best = latest_wall_pass(start, turn_radius);
     take_back(best);
-    double most = best.empty() ? 0 : worth(best), last = 0;
-    for (std::size_t k = start.stage; k + 1 < stages_.size(); k += kStagesAtOnce) {
+    double most = best.empty() ? 0 : worth(best);
+    const auto value_of = [&](std::size_t k) {
       const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-      if (hit.distance > kSamePlace) break;
+      if (hit.distance > kSamePlace) return 0.0;
       Pass pass = steering_at(k).from_wall({hit.curve, hit.segment, hit.t});
       take_back(pass);
       const double value = pass.empty() ? 0 : worth(pass);
-      if (value < last) break;
-      last = value;
-      if (value <= most) continue;
-      most = value;
-      best = std::move(pass);
-      *turn_radius = stages_[k].turn_radius;
+      if (value > most) {
+        most = value;
+        best = std::move(pass);
+        *turn_radius = stages_[k].turn_radius;
+        best_in_corner_ = k;
+      }
+      return value;
+    };
+    const std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
+    if (start.stage < end) {
+      const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
+      const double middle = value_of(first);
+      double last = middle;
+      for (std::size_t k = first + kStagesAtOnce; k < end; k += kStagesAtOnce) {
+        const double value = value_of(k);
+        if (value < last) break;
+        last = value;
+      }
+      if (last <= middle)
+        for (std::size_t k = first; k >= start.stage + kStagesAtOnce;) {
+          k -= kStagesAtOnce;
+          const double value = value_of(k);
+          if (value < last) break;
+          last = value;
+        }
     }
     for (const Segment& move : best.moves) ground_.add(move);
     return best;
@@ -559,6 +579,7 @@ class RegionClearing {
   Leftover leftover_;
   RegionResult result_;
   Pose here_;
+  std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;
 };
