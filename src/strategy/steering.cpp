@@ -39,6 +39,7 @@ constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of st
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
+constexpr double kSharp = 0.02;       // of unit vectors along the wall on both sides of a corner
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
 // mm: material thinner than this is not seen; what has been cut must not be found again by
@@ -320,14 +321,29 @@ void Steering::step_on_wall() {
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
+// True where the wall turns sharply within kMeanLength mm of the step of `step` mm.
+bool Steering::near_corner(double step) const {
+  const Curve& curve = stage_.centres.curves()[wall_.curve];
+  const std::size_t n = curve.segment_count();
+  const Segment wall = curve.segment(wall_.segment);
+  const double done = wall_.t * wall.length(), left = wall.length() - done - step;
+  if (wall.length() < kMeanLength) return true;
+  const auto is_sharp = [&](std::size_t before, std::size_t after) {
+    return norm(curve.segment(before).tangent(1) - curve.segment(after).tangent(0)) > kSharp;
+  };
+  return (done < kMeanLength && is_sharp((wall_.segment + n - 1) % n, wall_.segment)) ||
+         (left < kMeanLength && is_sharp(wall_.segment, (wall_.segment + 1) % n));
+}
+
 // Along the exact border nothing can be steered: true where `total` rad over the next `step` mm
-// would lift the mean engagement over the last kMeanLength mm above kCornerShare of the limit.
+// would lift the mean engagement over the last kMeanLength mm above the limit, or above
+// kCornerShare of it near a sharp corner.
 bool Steering::over_mean(double total, double step) const {
   double sum = total * std::min(step, kMeanLength);
   const double from = travelled_ + step - kMeanLength;
   for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
     sum += met->total * (met->until - std::max(from, met->until - met->length));
-  return sum > kCornerShare * theta_ * kMeanLength;
+  return sum > (near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
 }
 
 // The share of `move` that can be made before the centre of the left turn meets the border of its

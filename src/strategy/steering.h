@@ -85,6 +85,7 @@ class Steering {
   void give_up();
   void roll_out();
   void overload();
+  bool near_corner(double step) const;
   bool over_mean(double total, double step) const;
   double reach_of(const Segment& move) const;
   void note_contact(double total, double length);
