@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <initializer_list>
+#include <optional>
 
 namespace evenload {
 namespace {
@@ -14,6 +15,10 @@ constexpr double kLinkTolerance = 3e-4;
 constexpr double kLinkDistance = 1e-3;
 // mm: how far beyond the wall's offset a link may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
+// mm: what one more block may shorten a link by for its own sake.
+constexpr double kBlockPrice = 0.6;
+// rad: of one arc of two.
+constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
 constexpr double kLook = 0.04;
 // A turn of just under a full circle is a turn of nothing with a rounding error.
@@ -51,6 +56,34 @@ bool turn_straight_turn(const Pose& a, const Pose& b, double radius, double side
   const Vec2 to = cb - side_b * radius * left_normal(unit(heading));
   if (distance(from, to) > 1e-7) moves.push_back(Segment::line(from, to));
   push_turn(moves, cb, radius, side_b, heading, turn_angle(side_b, heading, b.heading));
+  return true;
+}
+
+// The arc from `a` to `b` that starts in `direction`; nothing where it turns by more than
+// kMostTurn, or more tightly than `tightest` mm.
+std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, double tightest) {
+  const Vec2 chord = b - a;
+  const double half_turn = std::atan2(cross(direction, chord), dot(direction, chord));
+  if (std::abs(2 * half_turn) > kMostTurn) return std::nullopt;
+  if (std::abs(half_turn) < 1e-7) return Segment::line(a, b);
+  const Segment arc = Segment::from_bulge(a, b, std::tan(half_turn / 2));
+  return arc.radius < tightest ? std::nullopt : std::optional<Segment>(arc);
+}
+
+// Two arcs, tangent to each other, whose joint is as far along both ends' tangents. False when there
+// are none that turn no more tightly than `tightest` mm.
+bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segment>& moves) {
+  const Vec2 from = unit(a.heading), to = unit(b.heading), v = b.p - a.p;
+  const double along = dot(v, from + to), apart = 2 * (1 - dot(from, to));
+  const double denominator = along + std::sqrt(along * along + apart * squared_norm(v));
+  if (!(denominator > 1e-9)) return false;
+  const double reach = squared_norm(v) / denominator;
+  const Vec2 joint = 0.5 * (a.p + reach * from + b.p - reach * to);
+  const std::optional<Segment> first = tangent_arc(a.p, joint, from, tightest);
+  if (!first) return false;
+  const std::optional<Segment> second = tangent_arc(joint, b.p, first->tangent(1), tightest);
+  if (!second) return false;
+  moves = {*first, *second};
   return true;
 }
 
@@ -95,22 +128,28 @@ namespace {
 
 struct Candidate {
   std::vector<Segment> moves;
-  double length;
+  double cost = 0;  // mm
 };
 
 std::vector<Candidate> candidates(const Pose& from, const Pose& to,
                                   std::initializer_list<double> radii, double longest) {
   std::vector<Candidate> result;
+  const auto offer = [&](Candidate candidate) {
+    const double length = length_of(candidate.moves);
+    candidate.cost = length + kBlockPrice * static_cast<double>(candidate.moves.size());
+    if (length <= longest) result.push_back(std::move(candidate));
+  };
   for (const double radius : radii)
     for (const double side_a : {1.0, -1.0})
       for (const double side_b : {1.0, -1.0}) {
         Candidate candidate;
         if (!turn_straight_turn(from, to, radius, side_a, side_b, candidate.moves)) continue;
-        candidate.length = length_of(candidate.moves);
-        if (candidate.length <= longest) result.push_back(std::move(candidate));
+        offer(std::move(candidate));
       }
+  Candidate candidate;
+  if (turn_turn(from, to, std::min(radii), candidate.moves)) offer(std::move(candidate));
   std::stable_sort(result.begin(), result.end(),
-                   [](const Candidate& a, const Candidate& b) { return a.length < b.length; });
+                   [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   return result;
 }
 
