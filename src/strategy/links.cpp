@@ -70,8 +70,8 @@ std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, double tighte
   return arc.radius < tightest ? std::nullopt : std::optional<Segment>(arc);
 }
 
-// Two arcs, tangent to each other, whose joint is as far along both ends' tangents. False when there
-// are none that turn no more tightly than `tightest` mm.
+// Two arcs, tangent to each other, whose joint is as far along both ends' tangents. False when
+// there are none that turn no more tightly than `tightest` mm.
 bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segment>& moves) {
   const Vec2 from = unit(a.heading), to = unit(b.heading), v = b.p - a.p;
   const double along = dot(v, from + to), apart = 2 * (1 - dot(from, to));

@@ -22,9 +22,10 @@ enum class LinkSpace {
   kGrazing  // along walls and fronts
 };
 
-// The shortest turn-straight-turn path from `from` to `to` with turns of `turn_radius` mm or of
-// half of that, where there is none of a fifth, that stays inside `centres` and meets no material;
-// empty when there is none no longer than `longest` mm.
+// The cheapest path of turn, straight and turn, or of two turns, from `from` to `to`, that stays
+// inside `centres` and meets no material: the shortest, where each piece counts a little besides. It
+// turns by `turn_radius` mm or half of that; where there is no such path by a fifth, then by a
+// twentieth. Empty when there is none no longer than `longest` mm.
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space = LinkSpace::kClear);

@@ -364,8 +364,8 @@ class RegionClearing {
       return true;
     }
     // What grazes is no link, but a cut of next to nothing.
-    const double feed = params_.feed_control == FeedControl::kConstantFeed ? params_.feed
-                                                                          : params_.maximum_feed;
+    const double feed =
+        params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
     link = shortest_link({ground_, before}, exact_, here_, to, link_turn(), retract_minutes * feed,
                          LinkSpace::kGrazing);
     if (link.empty()) return false;
@@ -419,8 +419,8 @@ class RegionClearing {
   }
 
   // The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
-  // full engagement, and the less it is stopped by the walls. Stages are tried from the one that was
-  // best last, uphill.
+  // full engagement, and the less it is stopped by the walls. Stages are tried from the one that
+  // was best last, uphill.
   Pass best_corner_pass(const PassStart& start, double* turn_radius) {
     Pass best = latest_wall_pass(start, turn_radius);
     take_back(best);

@@ -13,14 +13,15 @@ constexpr double kDegree = kPi / 180;
 // Lengths as shares of the tool's radius.
 constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
 constexpr double kFinestWallStep =
-    0.002;                           // the same along the exact border where the limit is passed
-constexpr double kFirstStep = 0.2;   // of free steering; adapted from there
+    0.002;                          // the same along the exact border where the limit is passed
+constexpr double kFirstStep = 0.2;  // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
-constexpr double kMostTurn = 1.5;        // rad, of a step
-constexpr double kLookStep = 0.25;       // between two looks on the way
+constexpr double kMostTurn = 1.5;       // rad, of a step
+constexpr double kLookStep = 0.25;      // between two looks on the way
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 constexpr double kRunOut = 0.1;         // of which this much is kept
+constexpr double kContactLook = 0.1;    // between two looks for the end of contact
 constexpr double kContactEnd = 0.01;    // to which the end of contact within a step is found
 constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
 constexpr double kProgress =
@@ -39,7 +40,7 @@ constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of st
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
-constexpr double kSharp = 0.02;       // of unit vectors along the wall on both sides of a corner
+constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
 // mm: material thinner than this is not seen; what has been cut must not be found again by
@@ -142,16 +143,23 @@ void Steering::note_contact(double total, double length) {
   if (total > kInContact) met_.push_back({travelled_, length, total});
 }
 
-// The share of the next move, which ends without contact, on which there is contact; 0 where it
-// begins without.
+// The share of the next move, which ends without contact, up to which there is contact; 0 where
+// there is none.
 double Steering::contact_until(const Segment& move) const {
-  if (!has_cut() || idle() > kHere) return 0;
-  double low = 0, high = 1;
-  while ((high - low) * move.length() > kContactEnd * radius_) {
-    const double middle = 0.5 * (low + high);
-    (contact(end_of(move.part(0, middle))).total > kInContact ? low : high) = middle;
+  const auto touches = [&](double t) {
+    return contact(end_of(move.part(0, t))).total > kInContact;
+  };
+  const int n = static_cast<int>(std::ceil(move.length() / (kContactLook * radius_)));
+  for (int i = n - 1; i >= 0; --i) {
+    double low = static_cast<double>(i) / n, high = static_cast<double>(i + 1) / n;
+    if (i > 0 ? !touches(low) : !has_cut() || idle() > kHere) continue;
+    while ((high - low) * move.length() > kContactEnd * radius_) {
+      const double middle = 0.5 * (low + high);
+      (touches(middle) ? low : high) = middle;
+    }
+    return high;
   }
-  return high;
+  return 0;
 }
 
 // Makes a step at whose end `total` rad are engaged, and notes what it meets, also where contact

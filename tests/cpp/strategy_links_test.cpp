@@ -16,6 +16,8 @@ double uniform(std::mt19937& random, double low, double high) {
   return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
 }
 
+GroundBefore now(const ClearedGround& ground) { return {ground, ground.size()}; }
+
 TEST(Links, LeadFromPoseToPoseTangentToBoth) {
   const Area centres({make_region(rectangle(0, 0, 40, 40))});
   ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
@@ -26,7 +28,7 @@ TEST(Links, LeadFromPoseToPoseTangentToBoth) {
       return Pose{{uniform(random, 2, 38), uniform(random, 2, 38)}, uniform(random, -kPi, kPi)};
     };
     const Pose from = pose(), to = pose();
-    const std::vector<Segment> link = shortest_link(ground, centres, from, to, kTurn, 1e3);
+    const std::vector<Segment> link = shortest_link(now(ground), centres, from, to, kTurn, 1e3);
     ASSERT_FALSE(link.empty());
     EXPECT_LE(distance(link.front().a, from.p), 1e-9);
     EXPECT_LE(distance(link.back().b, to.p), 1e-7);
@@ -45,9 +47,9 @@ TEST(Links, LeadFromPoseToPoseTangentToBoth) {
       }
     EXPECT_GE(length_of(link), distance(from.p, to.p) - 1e-9);
     EXPECT_LE(length_of(link), distance(from.p, to.p) + 4 * kPi * kTurn + 1e-9);
-    EXPECT_TRUE(is_free(ground, centres, link));
+    EXPECT_TRUE(is_free(now(ground), centres, link, 0.05));
     EXPECT_TRUE(
-        shortest_link(ground, centres, from, to, kTurn, 0.9 * distance(from.p, to.p)).empty());
+        shortest_link(now(ground), centres, from, to, kTurn, 0.9 * distance(from.p, to.p)).empty());
   }
 }
 
@@ -58,14 +60,47 @@ TEST(Links, KeepOutOfMaterialAndWalls) {
   for (const double x : {31.0, 34.0, 37.0, 40.0}) ground.add(Segment::line({x, 0}, {x, 40}));
   // Material lies in the way, then the island alone, then nothing below it.
   const Pose left{{5, 20}, 0}, right{{35, 20}, 0};
-  EXPECT_TRUE(shortest_link(ground, centres, left, right, kTurn, 1e3).empty());
-  EXPECT_FALSE(is_free(ground, centres, {Segment::line(left.p, right.p)}));
-  EXPECT_FALSE(is_free(ground, centres, {Segment::line({5, 2}, {35, 2})}));
+  EXPECT_TRUE(shortest_link(now(ground), centres, left, right, kTurn, 1e3).empty());
+  EXPECT_FALSE(is_free(now(ground), centres, {Segment::line(left.p, right.p)}, 0.05));
+  EXPECT_FALSE(is_free(now(ground), centres, {Segment::line({5, 2}, {35, 2})}, 0.05));
   ground.add_disc({20, 20}, 60);
-  EXPECT_TRUE(shortest_link(ground, centres, left, right, kTurn, 1e3).empty());
-  EXPECT_FALSE(is_free(ground, centres, {Segment::line(left.p, right.p)}));
-  EXPECT_TRUE(is_free(ground, centres, {Segment::line({5, 2}, {35, 2})}));
-  EXPECT_FALSE(is_free(ground, centres, {Segment::line({5, 2}, {5, -1})}));
+  EXPECT_TRUE(shortest_link(now(ground), centres, left, right, kTurn, 1e3).empty());
+  EXPECT_FALSE(is_free(now(ground), centres, {Segment::line(left.p, right.p)}, 0.05));
+  EXPECT_TRUE(is_free(now(ground), centres, {Segment::line({5, 2}, {35, 2})}, 0.05));
+  EXPECT_FALSE(is_free(now(ground), centres, {Segment::line({5, 2}, {5, -1})}, 0.05));
+}
+
+TEST(Links, GoOnlyWhereTheGroundWasClearedBefore) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add_disc({5, 20}, 8);
+  ground.add_disc({35, 20}, 8);
+  const Pose left{{5, 20}, 0}, right{{35, 20}, 0};
+  const GroundBefore before = now(ground);
+  ground.add_disc({20, 20}, 60);
+  EXPECT_TRUE(shortest_link(before, centres, left, right, kTurn, 1e3).empty());
+  EXPECT_FALSE(shortest_link(now(ground), centres, left, right, kTurn, 1e3).empty());
+}
+
+TEST(Links, KeepClearOfTheWallAlongWhichTheyWouldOnlyGraze) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add(Segment::line({0, 0}, {40, 0}));  // and nothing beside
+  const Pose from{{5, 0}, 0}, to{{35, 0}, 0};
+  EXPECT_TRUE(shortest_link(now(ground), centres, from, to, kTurn, 1e3).empty());
+  EXPECT_NEAR(
+      length_of(shortest_link(now(ground), centres, from, to, kTurn, 1e3, LinkSpace::kGrazing)), 30,
+      1e-9);
+}
+
+TEST(Links, TakeTwoArcsWhereThreePiecesAreHardlyShorter) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add_disc({20, 20}, 60);
+  const Pose from{{20, 20}, 0}, back{{20, 21.9}, kPi};
+  const std::vector<Segment> turn = shortest_link(now(ground), centres, from, back, kTurn, 1e3);
+  EXPECT_LE(turn.size(), 2u);
+  for (const Segment& move : turn) EXPECT_GE(move.radius, 0.5 * kTurn - 1e-9);
 }
 
 }  // namespace
