@@ -8,9 +8,8 @@
 namespace evenload {
 namespace {
 
-// mm: material thinner than this may be brushed by a link; just above what rounding the G-code can
-// bring about.
-constexpr double kLinkTolerance = 3e-4;
+// mm: material thinner than this may be brushed by a link at its ends.
+constexpr double kLinkTolerance = 3e-5;
 // mm: links stay this far from what is not cleared, but at their ends.
 constexpr double kLinkDistance = 1e-3;
 // mm: how far beyond the wall's offset a link may stand by rounding.
@@ -21,6 +20,7 @@ constexpr double kBlockPrice = 0.6;
 constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
 constexpr double kLook = 0.04;
+constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // A turn of just under a full circle is a turn of nothing with a rounding error.
 constexpr double kFullTurn = 2 * kPi - 1e-6;
 
@@ -100,6 +100,15 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
   const ClearedGround& ground = before.ground;
   const double look = kLook * ground.tool_radius(), whole = length_of(moves);
   std::vector<AngularInterval> scratch;
+  // Where the tool stands, the end of the way that it came hides what lies ahead: the first looks
+  // are nearby.
+  for (const double share : kFirstLooks) {
+    const double t = std::min(1.0, share * ground.tool_radius() / moves.front().length());
+    const double right = angle_of(moves.front().tangent(t)) - kPi / 2;
+    ground.uncovered(moves.front().point(t), right, right + kPi, scratch, kLinkTolerance,
+                     before.last);
+    if (!scratch.empty()) return false;
+  }
   double done = 0;
   for (const Segment& move : moves) {
     const double length = move.length();
