@@ -8,10 +8,13 @@ namespace evenload {
 namespace {
 
 // s: what one more block must save.
-constexpr double kBlockPrice = 0.02;
+constexpr double kBlockPrice = 0.025;
+// s: what a change of feed must save where a move ends anyway. It costs no block; but feeds that
+// hardly differ shall be one.
+constexpr double kChangePrice = 0.0005;
 // mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
 // second.
-constexpr double kShortestPiece = 0.3;
+constexpr double kShortestPiece = 0.2;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -30,7 +33,7 @@ std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t fi
   for (std::size_t j = 1; j <= n; ++j) {
     double slowest = params.maximum_feed, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
-    const double price = move_ends ? 0.25 * kBlockPrice : kBlockPrice;
+    const double price = move_ends ? kChangePrice : kBlockPrice;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
       slowest = std::min(slowest, allowed_feed(profile[first + i], params));
       length += profile[first + i].length;

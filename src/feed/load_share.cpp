@@ -12,17 +12,43 @@ namespace {
 // Secants close in from below; straight lines take one, the most curved of the tests takes four.
 constexpr int kMostSecants = 20;
 
+// The arcs, each end kArcDoubt further out within the leading half circle; those that meet are one.
+std::vector<AngularInterval> widened(const std::vector<AngularInterval>& arcs) {
+  std::vector<AngularInterval> result;
+  for (const AngularInterval& arc : arcs) {
+    const double low = std::max(arc.low - kArcDoubt, -kPi / 2);
+    const double high = std::min(arc.high + kArcDoubt, kPi / 2);
+    if (!result.empty() && low <= result.back().high)
+      result.back().high = high;
+    else
+      result.push_back({low, high});
+  }
+  return result;
+}
+
+std::vector<AngularInterval> straight_cut(double angle) { return {{-kPi / 2, angle - kPi / 2}}; }
+
+// As a share of the feed per tooth.
+double largest_chip(const std::vector<AngularInterval>& arcs) {
+  double largest = 0;
+  for (const AngularInterval& arc : arcs)
+    largest = std::max(largest, std::cos(std::clamp(0.0, arc.low, arc.high)));
+  return largest;
+}
+
 // The force at one axial depth, held against a straight cut at that depth.
 class ForceLimit {
  public:
-  ForceLimit(double angle, double radius, const ForceTask& task, double depth)
+  // `straight`: the arcs of the straight cut.
+  ForceLimit(const std::vector<AngularInterval>& straight, double radius, const ForceTask& task,
+             double depth)
       : model_(task.coefficients, radius, task.teeth, task.helix_angle),
         teeth_per_minute_(task.teeth * task.spindle_speed),
         feed_(task.feed),
         maximum_feed_(task.maximum_feed),
         depth_(depth),
         mirrored_(task.mirrored) {
-    nominal_ = peak(arcs_of({{-kPi / 2, angle - kPi / 2}}), feed_);
+    nominal_ = peak(arcs_of(straight), feed_);
     if (!(nominal_ > 0))
       throw std::invalid_argument(
           "A constant force needs a material that resists: give it a force coefficient above 0.");
@@ -72,19 +98,28 @@ LoadShare removal_rate_share(double angle, double radius) {
 }
 
 LoadShare chip_thickness_share(double angle) {
-  const double nominal = largest_chip_thickness(angle, 1);
-  return [nominal](const Load& load, const auto&) { return load.chip / nominal; };
+  const std::vector<AngularInterval> straight = straight_cut(angle);
+  const double nominal = largest_chip(straight), doubted = largest_chip(widened(straight));
+  return [nominal, doubted](const Load& load, const std::vector<AngularInterval>& arcs) {
+    return std::max(load.chip / nominal, largest_chip(widened(arcs)) / doubted);
+  };
 }
 
 LoadShare force_share(double angle, double radius, const ForceTask& task) {
   if (!(task.spindle_speed > 0))
     throw std::invalid_argument(
         "A constant force needs the spindle's speed: set that of the tool controller.");
-  std::vector<ForceLimit> limits;
-  for (const double depth : task.depths) limits.emplace_back(angle, radius, task, depth);
-  return [limits](const Load&, const std::vector<AngularInterval>& arcs) {
+  const std::vector<AngularInterval> straight = straight_cut(angle);
+  std::vector<ForceLimit> exact, doubted;
+  for (const double depth : task.depths) {
+    exact.emplace_back(straight, radius, task, depth);
+    doubted.emplace_back(widened(straight), radius, task, depth);
+  }
+  return [exact, doubted](const Load&, const std::vector<AngularInterval>& arcs) {
+    const std::vector<AngularInterval> wide = widened(arcs);
     double share = 0;
-    for (const ForceLimit& limit : limits) share = std::max(share, limit.share(arcs));
+    for (const ForceLimit& limit : exact) share = std::max(share, limit.share(arcs));
+    for (const ForceLimit& limit : doubted) share = std::max(share, limit.share(wide));
     return share;
   };
 }

@@ -2,8 +2,9 @@
 // angle has at the nominal feed; a share says how many times as much a place of the path has at
 // that feed, so that feed / share is the feed allowed there.
 //
-// Laws: the straight cut itself has the share 1 in chip thickness and force, kRateMargin less in
-// removal rate; at feed / share the measure is nominal, never above it.
+// Laws: the straight cut itself has the share 1 in chip thickness and force, 1 / kRateMargin in
+// removal rate; at feed / share the measure is not above nominal (removal rate: not by more than
+// that margin); more material never has a smaller share in chip thickness and removal rate.
 // Conditions: 0 < angle < pi, all sizes positive.
 #pragma once
 
@@ -11,12 +12,18 @@
 
 #include "cutting/force.h"
 #include "feed/load_profile.h"
+#include "geometry/vec2.h"
 
 namespace evenload {
 
 // Above the nominal removal rate by this share at the single place that decides; the mean over 0.1
 // mm stays about there.
 inline constexpr double kRateMargin = 1.025;
+// rad: how well the ends of an arc are known. Engagement is held to about a degree, and the
+// simulator's dexels of 0.05 mm see a tool of 6 mm no better. In short arcs that is a large part of
+// chip and force; so these are also compared with all arcs, the straight cut's among them, longer
+// by this, and the larger share counts.
+inline constexpr double kArcDoubt = 1.5 * kPi / 180;
 // Force control never asks for less than this share of the nominal feed: teeth that hardly advance
 // rub instead of cutting.
 inline constexpr double kLeastForceFeed = 0.1;
