@@ -1,6 +1,7 @@
 #include "strategy/feeds.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 #include <string>
