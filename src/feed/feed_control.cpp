@@ -90,7 +90,7 @@ std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
     std::size_t end = i;
     while (end < profile.size() && profile[end].run == run && is_cut(profile[end])) ++end;
     for (const Piece& piece : divide(profile, i, end, params)) {
-      std::fill(feeds.begin() + piece.first, feeds.begin() + piece.last, piece.feed);
+      std::fill_n(feeds.data() + piece.first, piece.last - piece.first, piece.feed);
       // The piece's samples, move by move.
       std::size_t a = piece.first;
       while (a < piece.last) {

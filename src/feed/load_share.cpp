@@ -9,7 +9,8 @@
 namespace evenload {
 namespace {
 
-// Secants close in from below; straight lines take one, the most curved of the tests takes four.
+// Secants close in from below: a force in proportion to the feed takes one, and where these do not
+// suffice the feed is only a little slower than it could be.
 constexpr int kMostSecants = 20;
 
 // The arcs, each end kArcDoubt further out within the leading half circle; those that meet are one.
@@ -72,6 +73,7 @@ class ForceLimit {
  private:
   std::vector<EngagedArc> arcs_of(const std::vector<AngularInterval>& engaged) const {
     std::vector<EngagedArc> arcs;
+    arcs.reserve(engaged.size());
     for (const AngularInterval& arc : engaged)
       arcs.push_back(mirrored_ ? EngagedArc{-arc.high, -arc.low, depth_}
                                : EngagedArc{arc.low, arc.high, depth_});

@@ -92,10 +92,10 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     const auto share = [&](std::size_t i) { return profile[i].share; };
     const std::size_t worst = worst_of(profile, share);
     if (share(worst) >= 1 / kLeastForceFeed)
-      note << "The force is above that of a straight cut at the engagement angle "
+      note << "No feed down to a tenth of the nominal keeps the force at that of a straight cut at "
+              "the engagement angle "
            << place_of(whole, profile[worst], mirrored)
-           << ", though the feed is a tenth there: raise EngagementAngle or HorizFeed, or choose "
-              "another FeedControl.";
+           << ": raise EngagementAngle or HorizFeed, or choose another FeedControl.";
   }
   if (note.tellp() > 0) report.notes.push_back(note.str());
 }
