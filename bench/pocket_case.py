@@ -17,8 +17,8 @@ def chain(points):
     return [tuple(point) for point in points]
 
 
-def path_of(case):
-    """The Toolpath that clears it."""
+def path_of(case, feed_control="constant removal rate", **parameters):
+    """The Toolpath that clears it; parameters: more of `clear_pocket`'s."""
     outer = [(*point, bool(case.get("open"))) for point in case["outer"]]
     feed, link_feed, maximum_feed = (case[key] for key in FEEDS)
     entry = {}
@@ -29,7 +29,7 @@ def path_of(case):
         [_core.Region(outer, [chain(island) for island in case["islands"]])],
         tool_diameter=case["tool"],
         engagement_angle=math.radians(case["engagement_deg"]),
-        feed_control="constant removal rate",
+        feed_control=feed_control,
         feed=feed,
         plunge_feed=feed,
         link_feed=link_feed,
@@ -39,6 +39,7 @@ def path_of(case):
         safe_height=3.0,
         clearance_height=5.0,
         **entry,
+        **parameters,
     )
 
 

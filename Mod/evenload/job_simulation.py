@@ -63,6 +63,7 @@ class Setup:
         cutting = dict(self.cutting)
         if material is not None:
             cutting["material"] = material
+            cutting["helix_angle_deg"] = self.tool.helix_angle
         result = simulate(
             self.moves,
             self.stock[0] if len(self.stock) == 1 else self.stock,

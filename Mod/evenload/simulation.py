@@ -15,10 +15,10 @@ from dataclasses import dataclass, field
 import numpy
 
 from evenload import compiled, machines, materials
+from evenload.tool import HELIX_ANGLE_DEG
 
 RAPID_FEED = 5000.0  # mm/min, where neither the cutting data nor a machine has one
 OUT_OF_STOCK = 0.005  # mm all round by which a part may reach out of its stock: rounding, chords
-HELIX_ANGLE_DEG = 30.0  # of end mills, where the cutting data have none
 CUTTING_KEYS = ("material", "spindle_speed", "helix_angle_deg", "rapid_feed")
 FORCES = (
     "force_peak",

@@ -1,11 +1,13 @@
 """What an operation needs to know of its tool controller."""
 
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 ASSUMED_RAPID = (
     5000.0  # mm/min: for estimated times only, where the tool controller names no rapid feed
 )
+
+HELIX_ANGLE_DEG = 30.0  # of end mills, where nobody says
 
 # Tools that do not leave a flat floor and a straight wall: the tool bit's shape, and its name in a
 # sentence.
@@ -39,6 +41,8 @@ class Tool:
     centre_cutting: bool
     teeth: int = 1  # 1 where the tool bit does not say
     bull_nosed: bool = False  # whether the corner between floor and side is rounded
+    helix_angle: float = HELIX_ANGLE_DEG  # degrees, of the flutes
+    assumed: dict = field(default_factory=dict)  # {what the tool bit does not say: what is taken}
 
 
 @dataclass(frozen=True)
@@ -71,13 +75,16 @@ def read(controller):
     diameter = _number(bit, "Diameter")
     if not diameter > 0:
         raise ValueError("The diameter of the tool '%s' is %g mm: set it." % (name, diameter))
+    teeth, helix_angle, assumed = _edges(bit)
     tool = Tool(
         name,
         diameter,
         _number(bit, "CuttingEdgeHeight"),
         _cuts_at_its_centre(bit),
-        max(1, int(_number(bit, "Flutes"))),
+        teeth,
         "bullnose" in _shapes(bit),
+        helix_angle,
+        assumed,
     )
     data = CuttingData(
         60 * controller.HorizFeed.Value,
@@ -113,6 +120,20 @@ def other_shape(controller):
 def _number(bit, prop):
     value = getattr(bit, prop, 0.0)
     return float(getattr(value, "Value", value))
+
+
+def _edges(bit):
+    """(teeth, helix angle in degrees, what of them was assumed). FreeCAD's own tool bits have
+    Flutes; a HelixAngle is there when the user has added it.
+    """
+    teeth, helix_angle, assumed = int(_number(bit, "Flutes")), HELIX_ANGLE_DEG, {}
+    if teeth < 1:
+        teeth, assumed["number of teeth"] = 1, "1 tooth"
+    if hasattr(bit, "HelixAngle"):
+        helix_angle = _number(bit, "HelixAngle")
+    else:
+        assumed["helix angle"] = "a helix of %g degrees" % helix_angle
+    return teeth, helix_angle, assumed
 
 
 def _cuts_at_its_centre(bit):

@@ -8,13 +8,13 @@ namespace evenload {
 namespace {
 
 // s: what one more block must save.
-constexpr double kBlockPrice = 0.02;
-// Above the nominal removal rate by this share at the single sample that decides; the mean over 0.1
-// mm stays about there.
-constexpr double kRateMargin = 1.025;
+constexpr double kBlockPrice = 0.023;
+// s: what a change of feed must save where a move ends anyway. It costs no block; but feeds that
+// hardly differ shall be one.
+constexpr double kChangePrice = 0.0005;
 // mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
 // second.
-constexpr double kShortestPiece = 0.3;
+constexpr double kShortestPiece = 0.2;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -27,20 +27,15 @@ struct Piece {
 std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t first,
                           std::size_t last, const FeedParams& params) {
   const std::size_t n = last - first;
-  const auto allowed = [&](const LoadSample& sample) {
-    const double limit = kRateMargin * params.feed * params.nominal_width;
-    return sample.peak_width * params.maximum_feed <= limit ? params.maximum_feed
-                                                            : limit / sample.peak_width;
-  };
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
   cost[0] = 0;
   for (std::size_t j = 1; j <= n; ++j) {
     double slowest = params.maximum_feed, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
-    const double price = move_ends ? 0.25 * kBlockPrice : kBlockPrice;
+    const double price = move_ends ? kChangePrice : kBlockPrice;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
-      slowest = std::min(slowest, allowed(profile[first + i]));
+      slowest = std::min(slowest, allowed_feed(profile[first + i], params));
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < kShortestPiece && !(move_begins && move_ends)) continue;
@@ -61,17 +56,24 @@ std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t fi
 
 }  // namespace
 
+double allowed_feed(const LoadSample& sample, const FeedParams& params) {
+  return sample.share * params.maximum_feed <= params.feed ? params.maximum_feed
+                                                           : params.feed / sample.share;
+}
+
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params) {
   for (PlanarRun& run : runs)
     for (PlanarMove& move : run.moves)
       move.feed = move.kind == MoveKind::kLink ? params.link_feed : params.feed;
 }
 
-void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-                               const FeedParams& params) {
+std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
+                                      const std::vector<LoadSample>& profile,
+                                      const FeedParams& params) {
   const auto is_cut = [&](const LoadSample& s) {
     return runs[s.run].moves[s.move].kind == MoveKind::kCut;
   };
+  std::vector<double> feeds(profile.size(), params.link_feed);
   std::vector<PlanarRun> result;
   for (const PlanarRun& run : runs) result.push_back({run.descent, {}});
   std::size_t i = 0;
@@ -88,6 +90,7 @@ void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<L
     std::size_t end = i;
     while (end < profile.size() && profile[end].run == run && is_cut(profile[end])) ++end;
     for (const Piece& piece : divide(profile, i, end, params)) {
+      std::fill_n(feeds.data() + piece.first, piece.last - piece.first, piece.feed);
       // The piece's samples, move by move.
       std::size_t a = piece.first;
       while (a < piece.last) {
@@ -106,6 +109,7 @@ void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<L
     i = end;
   }
   runs = std::move(result);
+  return feeds;
 }
 
 }  // namespace evenload

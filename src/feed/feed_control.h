@@ -1,5 +1,6 @@
-// Feeds along a path: constant, or so that the material removal rate stays at its nominal value
-// [Jacsó 2021, feed control].
+// Feeds along a path: constant, or so that a measure of the load stays at its nominal value: the
+// removal rate, as the source's feed control does, or the chip thickness or the force, which it
+// names as the next step [Jacsó 2021, feed control]. load_share.h has the measures.
 #pragma once
 
 #include <vector>
@@ -10,19 +11,23 @@
 namespace evenload {
 
 struct FeedParams {
-  double feed = 255;           // mm/min, at the nominal width
-  double nominal_width = 1.5;  // mm, r (1 - cos theta)
-  double maximum_feed = 510;   // mm/min
-  double link_feed = 1500;     // mm/min
+  double feed = 255;          // mm/min, nominal: under a load of share 1
+  double maximum_feed = 510;  // mm/min
+  double link_feed = 1500;    // mm/min
 };
 
 // Every cut at `feed`, every link at `link_feed`.
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);
 
-// Cuts at the feed that holds the removal rate, up to `maximum_feed`. Moves are split where the
-// feed changes, as few times as pays: the sum of the time and of a fixed price per added block is
-// the least possible (dynamic programming over the samples).
-void set_constant_removal_rate(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-                               const FeedParams& params);
+// mm/min: the feed over the sample's share, up to `maximum_feed`.
+double allowed_feed(const LoadSample& sample, const FeedParams& params);
+
+// Cuts at feeds that no sample's load forbids, links at `link_feed`. Moves are split where the feed
+// changes, as few times as pays: the sum of the time and of a fixed price per added block is the
+// least possible (dynamic programming over the samples), so that arcs stay whole where a change of
+// feed would save little. Returns the feed of every sample.
+std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
+                                      const std::vector<LoadSample>& profile,
+                                      const FeedParams& params);
 
 }  // namespace evenload

@@ -8,12 +8,15 @@ namespace {
 
 // mm: material thinner than this is not seen; above the noise of rounding.
 constexpr double kLoadTolerance = 1e-6;
-// Samples whose engagements, and whose widths as a share of the larger, differ less than this are
-// alike.
+// Samples whose engagements, and whose widths and shares in proportion to the larger, differ less
+// than this are alike.
 constexpr double kLikeEngagement = 2 * kPi / 180;
 constexpr double kLikeWidth = 0.03;
+constexpr double kLikeShare = 0.03;
 // Share of the tool's radius: widths below are too little to be told apart.
 constexpr double kThinWidth = 0.02;
+// Shares below allow ten times the nominal feed, more than any maximum feed in use.
+constexpr double kSmallShare = 0.1;
 // mm: between looks that differ more no two are further apart,
 constexpr double kCoarseLook = 0.25;
 // and none nearer, but on moves so short that a fifth of them is less.
@@ -32,37 +35,46 @@ void add_descent(const Descent& descent, ClearedGround& ground) {
 
 namespace {
 
-struct Load {
-  double engagement = 0, width = 0;
-};
-
 // mm
 double like_width(const Load& a, const Load& b, double radius) {
   return kLikeWidth * std::max({a.width, b.width, kThinWidth * radius});
 }
 
+double like_share(const Load& a, const Load& b) {
+  return kLikeShare * std::max({a.share, b.share, kSmallShare});
+}
+
 bool alike(const Load& a, const Load& b, double radius) {
   return std::abs(a.engagement - b.engagement) < kLikeEngagement &&
-         std::abs(a.width - b.width) < like_width(a, b, radius);
+         std::abs(a.width - b.width) < like_width(a, b, radius) &&
+         std::abs(a.share - b.share) < like_share(a, b);
 }
 
 Load mean(const Load& a, const Load& b) {
-  return {0.5 * (a.engagement + b.engagement), 0.5 * (a.width + b.width)};
+  return {0.5 * (a.engagement + b.engagement), 0.5 * (a.width + b.width), 0.5 * (a.chip + b.chip),
+          0.5 * (a.share + b.share)};
 }
 
 // The parabola through the loads at 0, 1/2 and 1, never below zero.
 Load between(const Load& at0, const Load& middle, const Load& at1, double t) {
   const double a = (1 - t) * (1 - 2 * t), b = 4 * t * (1 - t), c = t * (2 * t - 1);
-  return {std::max(0.0, a * at0.engagement + b * middle.engagement + c * at1.engagement),
-          std::max(0.0, a * at0.width + b * middle.width + c * at1.width)};
+  const auto along = [&](double Load::*what) {
+    return std::max(0.0, a * at0.*what + b * middle.*what + c * at1.*what);
+  };
+  return {along(&Load::engagement), along(&Load::width), along(&Load::chip), along(&Load::share)};
 }
 
 // Looks along one move, finer where the load bends.
 class MoveProfile {
  public:
   MoveProfile(const ClearedGround& ground, const Segment& segment, const LoadSample& where,
-              std::vector<LoadSample>& out)
-      : ground_(ground), segment_(segment), length_(segment.length()), where_(where), out_(out) {}
+              const LoadShare& share, std::vector<LoadSample>& out)
+      : ground_(ground),
+        segment_(segment),
+        length_(segment.length()),
+        where_(where),
+        share_(share),
+        out_(out) {}
 
   // `at_start`: the load there, where the move before has hidden it. Returns the load at the end.
   Load cover(double spacing, const Load* at_start) {
@@ -79,14 +91,19 @@ class MoveProfile {
 
  private:
   Load load_at(double t) {
-    const double right = angle_of(segment_.tangent(t)) - kPi / 2;
-    ground_.uncovered(segment_.point(t), right, right + kPi, engaged_, kLoadTolerance);
+    const double heading = angle_of(segment_.tangent(t));
+    ground_.uncovered(segment_.point(t), heading - kPi / 2, heading + kPi / 2, engaged_,
+                      kLoadTolerance);
     Load load;
-    for (const AngularInterval& arc : engaged_) {
+    for (AngularInterval& arc : engaged_) {
+      arc = {arc.low - heading, arc.high - heading};
       load.engagement += arc.width();
-      load.width +=
-          ground_.tool_radius() * (std::cos(arc.low - right) - std::cos(arc.high - right));
+      load.width += ground_.tool_radius() * (std::sin(arc.high) - std::sin(arc.low));
+      const bool holds_front = arc.low <= 0 && arc.high >= 0;
+      load.chip =
+          std::max(load.chip, holds_front ? 1.0 : std::max(std::cos(arc.low), std::cos(arc.high)));
     }
+    if (share_ && !engaged_.empty()) load.share = share_(load, engaged_);
     return load;
   }
 
@@ -101,8 +118,9 @@ class MoveProfile {
       cover(t, middle, t1, at1);
       return;
     }
-    const double steps = std::max(std::abs(at1.engagement - at0.engagement) / kLikeEngagement,
-                                  std::abs(at1.width - at0.width) / like_width(at0, at1, radius));
+    const double steps = std::max({std::abs(at1.engagement - at0.engagement) / kLikeEngagement,
+                                   std::abs(at1.width - at0.width) / like_width(at0, at1, radius),
+                                   std::abs(at1.share - at0.share) / like_share(at0, at1)});
     const int n = std::max(1, static_cast<int>(std::min(std::ceil(steps), piece / kFinestLook)));
     for (int k = 0; k < n; ++k) {
       const double s0 = static_cast<double>(k) / n, s1 = static_cast<double>(k + 1) / n;
@@ -113,7 +131,8 @@ class MoveProfile {
       sample.length = piece / n;
       sample.engagement = (a.engagement + 4 * b.engagement + c.engagement) / 6;
       sample.width = (a.width + 4 * b.width + c.width) / 6;
-      sample.peak_width = std::max({a.width, b.width, c.width});
+      sample.chip = std::max({a.chip, b.chip, c.chip});
+      sample.share = std::max({a.share, b.share, c.share});
       out_.push_back(sample);
     }
   }
@@ -122,6 +141,7 @@ class MoveProfile {
   const Segment& segment_;
   double length_;
   LoadSample where_;
+  const LoadShare& share_;
   std::vector<LoadSample>& out_;
   std::vector<AngularInterval> engaged_;
 };
@@ -135,16 +155,16 @@ bool runs_on(const PlanarMove& before, const PlanarMove& after) {
 }  // namespace
 
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
-                                     double spacing) {
+                                     double spacing, const LoadShare& share) {
   std::vector<LoadSample> profile;
   for (std::size_t i = 0; i < runs.size(); ++i) {
     add_descent(runs[i].descent, ground);
     Load load;
     for (std::size_t j = 0; j < runs[i].moves.size(); ++j) {
       const PlanarMove& move = runs[i].moves[j];
-      const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0};
+      const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0, 0};
       if (move.kind == MoveKind::kCut)
-        load = MoveProfile(ground, move.segment, where, profile)
+        load = MoveProfile(ground, move.segment, where, share, profile)
                    .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
       else
         profile.push_back(where);

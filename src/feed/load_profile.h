@@ -1,6 +1,7 @@
 // What the tool meets along a finished planar path, looked at anew from the moves alone.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -8,20 +9,33 @@
 
 namespace evenload {
 
+// What the tool meets at one place of a cut.
+struct Load {
+  double engagement = 0;  // rad in the leading half circle
+  double width = 0;       // mm: area removed per mm of path
+  double chip = 0;        // the largest chip thickness, as a share of the feed per tooth
+  double share = 0;       // what a LoadShare says
+};
+
+// What a feed control holds: the nominal feed over the feed that is allowed under a load. The
+// engaged arcs are angles from the feed, left positive, from -pi/2 to pi/2.
+using LoadShare = std::function<double(const Load&, const std::vector<AngularInterval>&)>;
+
 struct LoadSample {
   std::size_t run = 0, move = 0;  // where
   double t = 0;                   // parameter on the move, middle of the piece
   double length = 0;              // mm of path that it stands for
   double engagement = 0;          // rad in the leading half circle, mean over the piece
   double width = 0;               // mm: area removed per mm of path, mean over the piece
-  double peak_width = 0;          // mm: the largest on the piece
+  double chip = 0;                // as Load has it, the largest on the piece
+  double share = 0;               // likewise
 };
 
 // The load along every move of `runs`, in pieces of at most `spacing` mm, shorter where it changes.
 // The moves are added to `ground`, which holds what was cleared before; each run's descent is added
-// first.
+// first. Without a `share` the samples' shares are 0.
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
-                                     double spacing);
+                                     double spacing, const LoadShare& share = nullptr);
 
 // Adds the ground that a helix or ramp clears.
 void add_descent(const Descent& descent, ClearedGround& ground);

@@ -8,6 +8,7 @@
 #include <tuple>
 
 #include "cutting/cleared_ground.h"
+#include "cutting/force.h"
 #include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
 #include "geometry/region.h"
@@ -102,7 +103,8 @@ Toolpath clear_pocket_from_python(
     std::optional<std::tuple<double, double>> entry_point, double hole_diameter,
     double stock_to_leave, bool wall_pass, double tolerance, bool arcs, double link_lift,
     double top, std::vector<double> levels, double safe_height, double clearance_height,
-    std::function<bool(double)> progress) {
+    const ForceCoefficients& force_coefficients, int teeth, double tool_helix_angle,
+    double spindle_speed, std::function<bool(double)> progress) {
   ClearingParams params;
   params.tool_diameter = tool_diameter;
   params.engagement_angle = engagement_angle;
@@ -111,7 +113,9 @@ Toolpath clear_pocket_from_python(
   params.feed_control =
       choice<FeedControl>("feed_control", feed_control,
                           {{"constant feed", FeedControl::kConstantFeed},
-                           {"constant removal rate", FeedControl::kConstantRemovalRate}});
+                           {"constant removal rate", FeedControl::kConstantRemovalRate},
+                           {"constant chip thickness", FeedControl::kConstantChipThickness},
+                           {"constant force", FeedControl::kConstantForce}});
   params.feed = feed;
   params.plunge_feed = plunge_feed;
   params.link_feed = link_feed;
@@ -137,6 +141,10 @@ Toolpath clear_pocket_from_python(
   params.levels = std::move(levels);
   params.safe_height = safe_height;
   params.clearance_height = clearance_height;
+  params.force_coefficients = force_coefficients;
+  params.teeth = teeth;
+  params.tool_helix_angle = tool_helix_angle;
+  params.spindle_speed = spindle_speed;
   Progress watch = progress ? Progress([&progress](double share) {
     const py::gil_scoped_acquire lock;
     return progress(share);
@@ -228,6 +236,7 @@ PYBIND11_MODULE(_core, m) {
         "The regions grown (distance > 0) or shrunk by a distance in mm, arcs kept.");
   m.def("largest_tool", &largest_tool, py::arg("regions"),
         "Diameter in mm of the largest tool that fits.");
+  bind_force(m);
   const ClearingParams defaults;
   m.def("clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
         py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
@@ -240,12 +249,14 @@ PYBIND11_MODULE(_core, m) {
         py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
         py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
         py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"), py::arg("progress") = nullptr,
+        py::arg("safe_height"), py::arg("clearance_height"),
+        py::arg("force_coefficients") = defaults.force_coefficients, py::arg("teeth") = 1,
+        py::arg("tool_helix_angle") = defaults.tool_helix_angle, py::arg("spindle_speed") = 0.0,
+        py::arg("progress") = nullptr,
         "The toolpath that clears the regions level by level at constant engagement.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
-  bind_force(m);
   bind_simulate(m);
   bind_gcode(m);
 }

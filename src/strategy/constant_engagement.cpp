@@ -7,8 +7,9 @@
 #include <stdexcept>
 
 #include "cutting/engagement.h"
-#include "feed/feed_control.h"
+#include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
+#include "strategy/feeds.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
 #include "toolpath/assemble.h"
@@ -18,8 +19,11 @@ namespace {
 
 // mm: the tool stays this far from the wall, so that rounding to three decimals never takes it in.
 constexpr double kWallGap = 8e-4;
-// mm of path between two looks at the load where it does not change.
+// mm of path between two looks at the load where it does not change, from kEvenAngle on; below, in
+// proportion: where the front has a cusp, a degree more for a tenth of a millimetre is met, which
+// is a larger part of a smaller angle.
 constexpr double kLoadSpacing = 1.0;
+constexpr double kEvenAngle = kPi / 3;
 // mm of path over which the reported engagement is a mean.
 constexpr double kEngagementWindow = 0.1;
 // Outside open edges the tool may go this many of its diameters from the stock.
@@ -35,7 +39,7 @@ void check(const ClearingParams& p) {
        {p.tool_diameter, p.engagement_angle, p.feed, p.plunge_feed, p.link_feed, p.maximum_feed,
         p.rapid_feed, p.roll_radius, p.minimum_radius, p.helix_angle, p.helix_diameter,
         p.hole_diameter, p.stock_to_leave, p.tolerance, p.link_lift, p.top, p.safe_height,
-        p.clearance_height})
+        p.clearance_height, p.spindle_speed})
     require(std::isfinite(number), "Every parameter must be a finite number.");
   for (const double level : p.levels)
     require(std::isfinite(level), "Every level must be a finite number.");
@@ -227,6 +231,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
                       Progress& progress) {
   check(given);
   const bool mirror = given.cut_mode == CutMode::kConventional;
+  const LoadShare share_of_nominal = load_share(given, mirror);  // refuses before the work
   const std::vector<Region> regions = mirror ? mirrored(input) : input;
   ClearingParams params = given;
   if (mirror && params.entry_point) params.entry_point = mirrored(*params.entry_point);
@@ -295,17 +300,15 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;
-  if (!progress.cancelled()) profile = load_profile(runs, ground, kLoadSpacing);
+  if (!progress.cancelled())
+    profile = load_profile(runs, ground,
+                           kLoadSpacing * std::min(1.0, params.engagement_angle / kEvenAngle),
+                           share_of_nominal);
   path.report.max_engagement = worst_engagement(runs, profile, kEngagementWindow);
   double removed = 0;
   for (const LoadSample& sample : profile) removed += sample.width * sample.length;
 
-  const double width = side_step(params.engagement_angle, radius);
-  const FeedParams feed{params.feed, width, params.maximum_feed, params.link_feed};
-  if (params.feed_control == FeedControl::kConstantRemovalRate && !profile.empty())
-    set_constant_removal_rate(runs, profile, feed);
-  else
-    set_constant_feed(runs, feed);
+  set_feeds(runs, profile, params, mirror, path.report);
 
   const double depth = params.top - params.levels.back();
   const double levels = static_cast<double>(params.levels.size());
@@ -320,7 +323,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
           move.segment.length() * levels;
   }
   path.report.removed_volume = removed * depth;
-  path.report.ideal_time = levels * removed / (width * params.feed) * 60;
+  path.report.ideal_time =
+      levels * removed / (side_step(params.engagement_angle, radius) * params.feed) * 60;
 
   if (mirror) {
     for (PlanarRun& run : runs) {

@@ -4,6 +4,7 @@
 #include <optional>
 #include <vector>
 
+#include "cutting/force.h"
 #include "geometry/region.h"
 #include "support/progress.h"
 #include "toolpath/toolpath.h"
@@ -11,7 +12,12 @@
 namespace evenload {
 
 enum class CutMode { kClimb, kConventional };
-enum class FeedControl { kConstantFeed, kConstantRemovalRate };
+enum class FeedControl {
+  kConstantFeed,
+  kConstantRemovalRate,
+  kConstantChipThickness,
+  kConstantForce
+};
 enum class EntryKind { kAutomatic, kHelix, kRamp, kPredrilledHole };
 
 struct ClearingParams {
@@ -42,6 +48,11 @@ struct ClearingParams {
                                         // the last is the final depth
   double safe_height = 5;               // mm: rapids down to here are free
   double clearance_height = 10;         // mm: rapids from region to region
+  // For a constant force only:
+  ForceCoefficients force_coefficients;      // of the material, one at least > 0
+  int teeth = 1;                             // >= 1
+  double tool_helix_angle = 30 * kPi / 180;  // rad, 0 <= angle < pi/2: of the flutes
+  double spindle_speed = 0;                  // rev/min, > 0
 };
 
 // The toolpath that clears `regions` (pocket floors: vertices' `open` marks pieces without a wall)

@@ -46,7 +46,7 @@ std::vector<PlanarRun> random_runs(std::mt19937& random) {
 // Loads that wander, in pieces of about half a millimetre.
 std::vector<LoadSample> random_profile(std::mt19937& random, const std::vector<PlanarRun>& runs) {
   std::vector<LoadSample> profile;
-  double width = 1;
+  double share = 1;
   for (std::size_t r = 0; r < runs.size(); ++r)
     for (std::size_t m = 0; m < runs[r].moves.size(); ++m) {
       const double length = runs[r].moves[m].segment.length();
@@ -54,11 +54,10 @@ std::vector<LoadSample> random_profile(std::mt19937& random, const std::vector<P
                         ? std::max(1, static_cast<int>(length / uniform(random, 0.05, 0.6)))
                         : 1;
       for (int i = 0; i < n; ++i) {
-        width = std::clamp(width + uniform(random, -0.5, 0.5), 0.0, 3.0);
-        if (random() % 40 == 0) width = 0;
-        LoadSample sample{r, m, (i + 0.5) / n, length / n, 0, 0, 0};
-        sample.width = width;
-        sample.peak_width = width * uniform(random, 1, 1.2);
+        share = std::clamp(share + uniform(random, -0.4, 0.4), 0.0, 2.0);
+        if (random() % 40 == 0) share = 0;
+        LoadSample sample{r, m, (i + 0.5) / n, length / n, 0, 0, 0, 0};
+        sample.share = share;
         profile.push_back(sample);
       }
     }
@@ -74,14 +73,15 @@ TEST(FeedControl, GivesEveryCutTheFeedAndEveryLinkItsOwnWhenConstant) {
       EXPECT_EQ(move.feed, move.kind == MoveKind::kLink ? 1500 : 255);
 }
 
-TEST(FeedControl, NeverExceedsTheRateAndCoversEveryMoveExactly) {
+TEST(FeedControl, NeverExceedsTheLoadAndCoversEveryMoveExactly) {
   std::mt19937 random(2);
   for (int round = 0; round < 30; ++round) {
     const std::vector<PlanarRun> before = random_runs(random);
     const std::vector<LoadSample> profile = random_profile(random, before);
     std::vector<PlanarRun> after = before;
     const FeedParams params;
-    set_constant_removal_rate(after, profile, params);
+    const std::vector<double> feeds = set_constant_load(after, profile, params);
+    ASSERT_EQ(feeds.size(), profile.size());
     ASSERT_EQ(after.size(), before.size());
     std::size_t sample = 0;
     for (std::size_t r = 0; r < before.size(); ++r) {
@@ -110,8 +110,8 @@ TEST(FeedControl, NeverExceedsTheRateAndCoversEveryMoveExactly) {
                  profile[sample].t * whole.segment.length() < until;
                ++sample)
             if (whole.kind == MoveKind::kCut) {
-              EXPECT_LE(piece.feed * profile[sample].peak_width,
-                        1.05 * params.feed * params.nominal_width);
+              EXPECT_LE(piece.feed * profile[sample].share, params.feed * (1 + 1e-12));
+              EXPECT_EQ(piece.feed, feeds[sample]);
             }
           done = until;
           at = piece.segment.b;
@@ -126,29 +126,44 @@ TEST(FeedControl, NeverExceedsTheRateAndCoversEveryMoveExactly) {
 }
 
 TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
+  // A change of feed where a move ends has a price of half a millisecond.
+  constexpr double kPricePerMove = 0.0005;
   std::mt19937 random(3);
   for (int round = 0; round < 10; ++round) {
     std::vector<PlanarRun> runs = random_runs(random);
     const std::vector<LoadSample> profile = random_profile(random, runs);
     const FeedParams params;
-    double worst_width_time = 0;
+    double worst_share_time = 0;
     for (std::size_t r = 0; r < runs.size(); ++r)
       for (std::size_t m = 0; m < runs[r].moves.size(); ++m) {
         const PlanarMove& move = runs[r].moves[m];
-        double width = 1e-9;
+        double share = 1e-9;
         for (const LoadSample& sample : profile)
-          if (sample.run == r && sample.move == m) width = std::max(width, sample.peak_width);
-        const double feed =
-            move.kind == MoveKind::kLink
-                ? params.link_feed
-                : std::min(params.maximum_feed, params.feed * params.nominal_width / width);
-        worst_width_time += move.segment.length() / feed;
+          if (sample.run == r && sample.move == m) share = std::max(share, sample.share);
+        const double feed = move.kind == MoveKind::kLink
+                                ? params.link_feed
+                                : std::min(params.maximum_feed, params.feed / share);
+        worst_share_time += move.segment.length() / feed * 60 + kPricePerMove;
       }
-    set_constant_removal_rate(runs, profile, params);
+    set_constant_load(runs, profile, params);
     double time = 0;
     for (const PlanarRun& run : runs)
-      for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed;
-    EXPECT_LE(time, worst_width_time);
+      for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed * 60;
+    EXPECT_LE(time, worst_share_time);
+  }
+}
+
+TEST(FeedControl, LeavesAMoveWholeWhereSplittingItSavesLittle) {
+  // An arc of 10 mm; on its last twentieth the feed could be 1.1, 1.5 times as high.
+  for (const auto& [share, pieces] : {std::pair{1 / 1.1, 1}, std::pair{0.5, 2}}) {
+    PlanarRun run;
+    run.moves = {{MoveKind::kCut, Segment::arc({0, 0}, 5, 0, 2)}};
+    std::vector<PlanarRun> runs = {run};
+    std::vector<LoadSample> profile;
+    for (int i = 0; i < 20; ++i)
+      profile.push_back({0, 0, (i + 0.5) / 20, 0.5, 0, 0, 0, i < 19 ? 1.0 : share});
+    set_constant_load(runs, profile, {});
+    EXPECT_EQ(runs[0].moves.size(), pieces);
   }
 }
 
@@ -166,13 +181,36 @@ TEST(LoadProfile, SeesTheSideStepAlongAStraightWall) {
     EXPECT_LE(sample.length, 0.5 + 1e-9);
     EXPECT_NEAR(sample.engagement, kPi / 3, 0.01);
     EXPECT_NEAR(sample.width, 1.5, 0.01);
-    EXPECT_GE(sample.peak_width, sample.width - 1e-9);
+    EXPECT_NEAR(sample.chip, std::sin(kPi / 3), 0.005);
+    EXPECT_EQ(sample.share, 0);
     length += sample.length;
     area += sample.width * sample.length;
   }
   EXPECT_NEAR(length, 40, 1e-9);
   EXPECT_NEAR(area, 60, 0.2);
   EXPECT_NEAR(worst_engagement(runs, profile, 0.1), kPi / 3, 0.01);
+}
+
+TEST(LoadProfile, KeepsTheLargestShareOfEveryPiece) {
+  // Into the side of a cleared strip at a right angle: from nothing to the whole width.
+  ClearedGround ground({{-40, -40}, {40, 40}}, kRadius, nullptr);
+  ground.add(Segment::line({-30, 0}, {30, 0}));
+  PlanarRun run;
+  run.descent.over_cleared_ground = true;
+  run.moves = {{MoveKind::kCut, Segment::line({0, 0}, {0, 8})}};
+  const LoadShare width = [](const Load& load, const auto&) { return load.width; };
+  double area = 0;
+  for (const LoadSample& sample : load_profile({run}, ground, 1, width)) {
+    // The strip's edge at y = 3 cuts the circle in a chord, then in less than its diameter.
+    const auto width_at = [](double y) {
+      return y >= kRadius ? 2 * kRadius : 2 * std::sqrt(kRadius * kRadius - std::pow(3 - y, 2));
+    };
+    const double y = 8 * sample.t;
+    EXPECT_GE(sample.share, sample.width - 1e-9);
+    EXPECT_NEAR(sample.share, width_at(y + sample.length / 2), 0.03 * 2 * kRadius);
+    area += sample.width * sample.length;
+  }
+  EXPECT_NEAR(area, 6 * 8 - 9 * (2 - kPi / 2), 0.1);
 }
 
 TEST(LoadProfile, SeesAsMuchAreaAsWasRemoved) {

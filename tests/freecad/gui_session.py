@@ -153,6 +153,17 @@ def session():
     page.widgets["SideStep"].editingFinished.emit()
     result["angle_property"] = op.EngagementAngle.Value
     combo = page.widgets["FeedControl"]
+    result["feed_controls"] = [combo.itemText(i) for i in range(combo.count())]
+    material = page.widgets["Material"]
+    result["materials"] = [material.itemText(i) for i in range(material.count())]
+    result["material_enabled"] = []
+    for i in (1, 3):
+        combo.setCurrentIndex(i)
+        combo.activated.emit(i)
+        result["material_enabled"].append(material.isEnabled())
+    material.setCurrentIndex(2)
+    material.activated.emit(2)
+    result["material"] = op.Material
     combo.setCurrentIndex(1)
     combo.activated.emit(1)
     result["feed_control"] = op.FeedControl

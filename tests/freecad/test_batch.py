@@ -92,7 +92,8 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
         "FinalDepth": -3,
         "StepDown": 1.5,
         "EngagementAngle": 50,
-        "FeedControl": "Constant removal rate",
+        "FeedControl": "Constant force",
+        "Material": "Al6061-T6",
         "MaximumFeed": 600,
         "LinkFeed": "2 m/min",
         "Entry": "Predrilled hole",
@@ -111,6 +112,7 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
     try:
         op = next(o for o in doc.Objects if type(getattr(o, "Proxy", 0)).__name__ == "Adaptive")
         assert op.EngagementAngle.Value == pytest.approx(50)
+        assert op.FeedControl == "Constant force" and op.Material == "Al6061-T6"
         assert op.LinkFeed.Value == pytest.approx(2000 / 60)
         assert op.MaximumFeed.Value == pytest.approx(10)
         assert op.EntryPoint == Vector(15, 15, 0) and op.WallPass is False
@@ -240,6 +242,7 @@ def changed(job, path, value):
         ("operation/parameters/Angle", 60, ["unknown key 'Angle'", "EngagementAngle"]),
         ("operation/type", "spiral", ["no operation 'spiral'", "adaptive"]),
         ("operation/parameters/CutMode", "Up", ["CutMode cannot be 'Up'", "Climb, Conventional"]),
+        ("operation/parameters/Material", "Gold", ["Material cannot be 'Gold'", "Al6061-T6"]),
         ("operation/parameters/LinkFeed", "fast", ["LinkFeed cannot be 'fast'"]),
         ("operation/parameters/EntryPoint", ["a", 0], ["EntryPoint cannot be ['a', 0]"]),
         ("operation/parameters/EngagementAngle", 200, ["EngagementAngle is 200", "180"]),

@@ -6,6 +6,7 @@ import shutil
 
 import pytest
 from conftest import Bench, freecad
+from evenload import materials
 from models import SQUARE, block_with, face_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -61,6 +62,10 @@ def test_the_panel_sets_properties_and_computes(session):
     assert session["angle_property"] == pytest.approx(60)
     assert session["angle_after_apply"] == pytest.approx(60)
     assert session["feed_control"] == "Constant removal rate"
+    assert len(session["feed_controls"]) == 4 and "Constant force" in session["feed_controls"]
+    assert session["materials"] == materials.names()
+    assert session["material"] == materials.names()[2]
+    assert session["material_enabled"] == [False, True]
     assert session["entry_point"] == [12, 0, 0]
     assert session["arcs"] is False
     assert session["tolerance_text"] in ("0.0050 mm", "0,0050 mm")

@@ -559,13 +559,18 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
     assert source == setup.moves and options["lines"] == setup.lines
     assert stock.area == pytest.approx(STOCK_AREA) and (top, bottom, diameter) == (0, -BLOCK, 6)
     assert (options["resolution"], options["step"], options["teeth"]) == (0.1, 0.2, 1)
-    assert options["cutting"] == {"rapid_feed": 5000, "material": "steel"}
+    assert options["cutting"] == {"rapid_feed": 5000, "material": "steel", "helix_angle_deg": 30}
     assert options["infer_kinds"] is True  # they are 0 and 3 only
     assert options["machine"] == {"name": "m"} and options["progress"] == watched.append
     assert len(options["part"]) == 2 and options["earlier"] == []
     assert result.notes == [*setup.notes, "of the simulator"]
 
 
-def test_a_tool_knows_its_teeth(square):
-    square.controller.Tool = host.create_tool("endmill", {"Diameter": 6.0, "Flutes": 4})
-    assert tool.read(square.controller)[0].teeth == 4
+def test_a_tool_knows_its_teeth_and_what_it_does_not_know(square):
+    square.controller.Tool = bit = host.create_tool("endmill", {"Diameter": 6.0, "Flutes": 4})
+    found = tool.read(square.controller)[0]
+    assert (found.teeth, found.helix_angle, list(found.assumed)) == (4, 30, ["helix angle"])
+    bit.addProperty("App::PropertyAngle", "HelixAngle")
+    bit.HelixAngle, bit.Flutes = 45, 0
+    found = tool.read(square.controller)[0]
+    assert (found.teeth, found.helix_angle, list(found.assumed)) == (1, 45, ["number of teeth"])

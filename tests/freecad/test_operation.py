@@ -8,6 +8,7 @@ import FreeCAD
 import Part
 import pytest
 from conftest import check_path, moves_of, reopened
+from evenload import materials
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, sketch_of
 
@@ -183,7 +184,13 @@ def test_defaults_are_those_of_the_contract(square):
         "Ramp",
         "Predrilled hole",
     ]
-    assert op.getEnumerationsOfProperty("FeedControl") == ["Constant feed", "Constant removal rate"]
+    assert op.getEnumerationsOfProperty("FeedControl") == [
+        "Constant feed",
+        "Constant removal rate",
+        "Constant chip thickness",
+        "Constant force",
+    ]
+    assert op.getEnumerationsOfProperty("Material") == materials.names()
 
 
 def test_angle_and_side_step_follow_each_other(square):
@@ -252,6 +259,23 @@ def test_the_setup_sheet_gives_defaults(square):
     assert op.SideStep.Value == pytest.approx(3 * (1 - math.cos(math.pi / 4)))
     prototype = host.cam().setup_sheet._RegisteredOps[adaptive.NAME].prototype(adaptive.NAME)
     assert prototype.getProperty("CutMode").getEnumValues() == ["Climb", "Conventional"]
+
+
+def test_a_material_that_is_no_longer_there_is_kept_and_refused_where_it_counts(square, tmp_path):
+    op = square.operation(FeedControl="Constant force", Material="Al7075-T6")
+    square.done(op)
+    op.Material = [*materials.names(), "Unobtainium"]
+    op.Material = "Unobtainium"
+    with reopened(square.doc, tmp_path / "job.FCStd") as again:
+        op = again.getObject("Operation")
+        assert op.Material == "Unobtainium"
+        op.touch()
+        again.recompute()
+        assert not op.isValid()
+        assert "no material 'Unobtainium'" in op.Report and "'Al7075-T6'" in op.Report
+        op.FeedControl = "Constant chip thickness"
+        again.recompute()
+        assert op.isValid() and len(op.Path.Commands) > 10
 
 
 def test_an_inactive_operation_makes_no_path(square):

@@ -13,7 +13,7 @@ _translate = FreeCAD.Qt.translate
 
 GROUPS = (
     ("Cut", ("EngagementAngle", "SideStep", "CutMode", "StockToLeave", "WallPass")),
-    ("Feeds", ("FeedControl", "MaximumFeed", "LinkFeed", "LinkLift")),
+    ("Feeds", ("FeedControl", "MaximumFeed", "Material", "LinkFeed", "LinkLift")),
     (
         "Entry",
         ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
@@ -28,6 +28,7 @@ LABELS = {
     "WallPass": "Wall pass",
     "FeedControl": "Feed control",
     "MaximumFeed": "Maximum feed",
+    "Material": "Material",
     "LinkFeed": "Link feed",
     "LinkLift": "Link lift",
     "Entry": "Entry",
@@ -284,6 +285,7 @@ class OperationPage(_gui.op.TaskPanelPage):
             ("HelixAngle", descent),
             ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
             ("MaximumFeed", obj.FeedControl != "Constant feed"),
+            ("Material", obj.FeedControl == settings.CONSTANT_FORCE),
         ):
             self.widgets[name].setEnabled(enabled)
 

@@ -11,7 +11,7 @@ import Path
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
-from evenload.operations import checks
+from evenload.operations import checks, force
 from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
@@ -76,9 +76,10 @@ class Operation(host.operation_base()):
         if hasattr(obj, setting.name):
             if isinstance(setting.value, list) and setting.type == "App::PropertyEnumeration":
                 value = getattr(obj, setting.name)
-                setattr(obj, setting.name, setting.value)
-                if value in setting.value:
-                    setattr(obj, setting.name, value)
+                # A choice that is no longer there stays, to be refused.
+                known = value in setting.value
+                setattr(obj, setting.name, setting.value if known else [*setting.value, value])
+                setattr(obj, setting.name, value)
             return
         # Results are outputs: they change without making the document's other objects out of date.
         attribute = 0 if setting.group == GROUP else OUTPUT
@@ -256,7 +257,8 @@ class Operation(host.operation_base()):
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
         self.last = Computation(floors, regions, toolpath, tool, data, hole)
-        self._set_results(obj, toolpath.report, self._notes(floors, levels[-1]))
+        notes = self._notes(floors, levels[-1]) + force.notes(obj, tool)
+        self._set_results(obj, toolpath.report, notes)
 
     def generate(self, obj, core, regions, parameters):
         """The core's toolpath for the regions."""
@@ -327,6 +329,7 @@ class Operation(host.operation_base()):
             "levels": levels,
             "safe_height": obj.SafeHeight.Value,
             "clearance_height": obj.ClearanceHeight.Value,
+            **force.parameters(obj, tool, data),
         }
 
     def _check_entries(self, obj, tool, toolpath):

@@ -4,9 +4,12 @@ from dataclasses import dataclass
 
 import FreeCAD
 
+from evenload import materials
+
 FORMAT = 1  # of the properties in a document: to be raised when their meaning changes
 GROUP = "EvenLoad"
 RESULTS = "EvenLoad results"
+CONSTANT_FORCE = "Constant force"  # the one feed control that asks for more than feeds
 
 
 @dataclass(frozen=True)
@@ -56,7 +59,12 @@ SETTINGS = (
     Setting(
         "FeedControl",
         "App::PropertyEnumeration",
-        ["Constant feed", "Constant removal rate"],
+        [
+            "Constant feed",
+            "Constant removal rate",
+            "Constant chip thickness",
+            CONSTANT_FORCE,
+        ],
         "What stays the same where the engagement is below its target",
     ),
     Setting(
@@ -64,6 +72,12 @@ SETTINGS = (
         "App::PropertySpeed",
         None,
         "Cap of the feed control; at first twice the tool controller's horizontal feed",
+    ),
+    Setting(
+        "Material",
+        "App::PropertyEnumeration",
+        materials.names(),
+        "What is cut; only Constant force asks for it",
     ),
     Setting(
         "LinkFeed",

@@ -1,0 +1,103 @@
+#include "strategy/feeds.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <string>
+
+#include "cutting/engagement.h"
+#include "feed/feed_control.h"
+#include "feed/load_share.h"
+
+namespace evenload {
+namespace {
+
+// Chips thicker than nominal by less are not worth a note: the engagement angle itself is kept no
+// better.
+constexpr double kThickChip = 1.02;
+
+// mm: the depths of cut, every size once.
+std::vector<double> depths_of(const ClearingParams& params) {
+  constexpr double kSameDepth = 1e-6;  // mm: rounding of the levels
+  std::vector<double> depths;
+  double above = params.top;
+  for (const double level : params.levels) {
+    const double depth = above - level;
+    above = level;
+    if (std::none_of(depths.begin(), depths.end(),
+                     [&](double known) { return std::abs(known - depth) < kSameDepth; }))
+      depths.push_back(depth);
+  }
+  return depths;
+}
+
+// The sample with the largest `value` of its index, of cuts.
+template <typename Value>
+std::size_t worst_of(const std::vector<LoadSample>& profile, Value value) {
+  std::size_t worst = 0;
+  for (std::size_t i = 1; i < profile.size(); ++i)
+    if (value(i) > value(worst)) worst = i;
+  return worst;
+}
+
+std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample, bool mirrored) {
+  const Vec2 p = runs[sample.run].moves[sample.move].segment.point(sample.t);
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << "near (" << (mirrored ? -p.x : p.x) << ", " << p.y
+       << ")";
+  return text.str();
+}
+
+}  // namespace
+
+LoadShare load_share(const ClearingParams& params, bool mirrored) {
+  const double angle = params.engagement_angle, radius = 0.5 * params.tool_diameter;
+  switch (params.feed_control) {
+    case FeedControl::kConstantFeed:
+      return nullptr;
+    case FeedControl::kConstantRemovalRate:
+      return removal_rate_share(angle, radius);
+    case FeedControl::kConstantChipThickness:
+      return chip_thickness_share(angle);
+    case FeedControl::kConstantForce:
+      return force_share(
+          angle, radius,
+          {params.force_coefficients, params.teeth, params.tool_helix_angle, params.spindle_speed,
+           params.feed, params.maximum_feed, depths_of(params), mirrored});
+  }
+  return nullptr;
+}
+
+void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
+               const ClearingParams& params, bool mirrored, Report& report) {
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed};
+  if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
+    set_constant_feed(runs, feeds);
+    return;
+  }
+  const std::vector<PlanarRun> whole = runs;
+  const std::vector<double> feed = set_constant_load(runs, profile, feeds);
+  std::ostringstream note;
+  if (params.feed_control == FeedControl::kConstantRemovalRate) {
+    const double nominal = params.feed * largest_chip_thickness(params.engagement_angle, 1);
+    const auto chip = [&](std::size_t i) { return feed[i] * profile[i].chip / nominal; };
+    const std::size_t worst = worst_of(profile, chip);
+    if (chip(worst) > kThickChip)
+      note << "Chips get up to " << std::fixed << std::setprecision(2) << chip(worst)
+           << " times as thick as in a straight cut at the engagement angle, "
+           << place_of(whole, profile[worst], mirrored)
+           << ": lower MaximumFeed, or choose another FeedControl, where that is too much.";
+  } else if (params.feed_control == FeedControl::kConstantForce) {
+    const auto share = [&](std::size_t i) { return profile[i].share; };
+    const std::size_t worst = worst_of(profile, share);
+    if (share(worst) >= 1 / kLeastForceFeed)
+      note << "No feed down to a tenth of the nominal keeps the force at that of a straight cut at "
+              "the engagement angle "
+           << place_of(whole, profile[worst], mirrored)
+           << ": raise EngagementAngle or HorizFeed, or choose another FeedControl.";
+  }
+  if (note.tellp() > 0) report.notes.push_back(note.str());
+}
+
+}  // namespace evenload
