@@ -21,7 +21,6 @@ from evenload.planar import CUT, ENTRY, RAPID
 
 SAFE, CLEARANCE = 3.0, 5.0  # mm above the top: of retracts, of ways from region to region
 WINDOW = 0.1  # mm of path, as in src/simulate/load_record.h
-PLANNED_LEVELS = 3  # from this level on, each takes as long as the one above but for the rapid down
 KIND, X, Y, Z, SWEEP, CX, CY, FEED = range(8)  # columns of moves
 
 
@@ -131,14 +130,12 @@ class ScaledPath:
 
     def times(self, height, levels, feed, profile=None):
         """(s at the programmed feeds, s within a machine's limits; None without its profile)."""
-        programmed, machine = [], []
-        for n in range(1, min(levels, PLANNED_LEVELS) + 1):
-            moves = self.moves(height, n, feed)
-            programmed.append(_duration(moves, self.settings.rapid_feed))
-            if profile is not None:
-                start, duration, *_ = self.core.machine_time(_listed(moves), profile)[-1]
-                machine.append(start + duration)
-        return _continued(programmed, levels), _continued(machine, levels) if machine else None
+        moves = self.moves(height, levels, feed)
+        programmed = _duration(moves, self.settings.rapid_feed)
+        if profile is None:
+            return programmed, None
+        start, duration, *_ = self.core.machine_time(_listed(moves), profile)[-1]
+        return programmed, start + duration
 
 
 def _end_of_entry(run):
@@ -175,14 +172,6 @@ def _duration(moves, rapid_feed):
 
 def _listed(moves):
     return [(int(move[0]), *move[1:]) for move in moves.tolist()]
-
-
-def _continued(times, count):
-    """times[count - 1], the differences of whose differences are the same from here on."""
-    times = list(times)
-    while len(times) < count:
-        times.append(3 * times[-1] - 3 * times[-2] + times[-3])
-    return times[count - 1]
 
 
 class Samples:

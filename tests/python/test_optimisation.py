@@ -19,7 +19,14 @@ SIX = {
     "max_chip_thickness": 0.04,
     "surface_speed": (100, 150),
 }
-TEN = {**SIX, "diameter": 10, "teeth": 3, "cutting_length": 20, "max_chip_thickness": 0.06}
+TEN = {
+    **SIX,
+    "diameter": 10,
+    "teeth": 3,
+    "cutting_length": 20,
+    "max_chip_thickness": 0.06,
+    "surface_speed": (100, 200),
+}
 BOX = (0, 0, 32, 24)
 ROUND = [(-15, 0, 1.0), (15, 0, 1.0)]
 METAL = "Al7075-T6"
@@ -168,7 +175,7 @@ def test_two_rooms_are_cleared_one_after_the_other_at_all_levels():
     assert both.time_s == pytest.approx(2 * one.time_s, rel=0.01)
 
 
-def test_many_levels_take_as_long_as_their_moves_say():
+def test_the_times_are_those_of_the_moves():
     task = task_of()
     path = scaled_path.ScaledPath(
         core, task.regions, task.tools[0], 60, {0.5}, task, lambda share: True
@@ -177,8 +184,7 @@ def test_many_levels_take_as_long_as_their_moves_say():
     programmed, machine = path.times(0.5, 12, 800.0, profile)
     moves = scaled_path._listed(path.moves(0.5, 12, 800.0))
     assert programmed == pytest.approx(core.programmed_time(moves, task.rapid_feed), rel=1e-9)
-    start, duration, *_ = core.machine_time(moves, profile)[-1]
-    assert machine == pytest.approx(start + duration, rel=1e-3)
+    assert programmed < machine == pytest.approx(sum(core.machine_time(moves, profile)[-1][:2]))
 
 
 # ---- the best, and the order ----
@@ -220,7 +226,7 @@ def test_candidates_come_in_the_order_of_tools_angles_levels_and_speeds():
 
 
 @pytest.mark.parametrize(
-    "limit, share", [("max_force", 0.5), ("max_torque", 0.6), ("max_power", 0.7)]
+    "limit, share", [("max_force", 0.9), ("max_torque", 0.85), ("max_power", 0.8)]
 )
 def test_a_limit_lowers_the_feed_to_just_within_it(limit, share):
     figure = {"max_force": "force_peak_n", "max_torque": "torque_peak_nm", "max_power": "power_w"}
@@ -234,7 +240,7 @@ def test_a_limit_lowers_the_feed_to_just_within_it(limit, share):
 
 
 def test_a_material_of_each_tool_s_own_changes_its_force_alone():
-    hard = {"ktc": 3000, "krc": 1200}
+    hard = {"ktc": 3000, "krc": 1200, "kte": 20, "kre": 20}
     found = optimised(tools=[SIX, SIX], material=[METAL, hard])
     soft, firm = found.candidates[:4], found.candidates[4:]
     assert all(b.force_peak_n > 2 * a.force_peak_n for a, b in zip(soft, firm))
@@ -250,7 +256,7 @@ def test_the_machine_s_feed_spindle_speed_and_power_are_limits():
     assert fast and all(c.refused_by == "spindle speed" for c in fast)
     machine.update(max_feed_mm_min=9000, spindle_power_w=40)
     found = optimised(machine=machine)
-    assert {c.bound_by for c in found.candidates} == {"power"}
+    assert {c.bound_by for c in found.candidates} == {"power", "chip thickness"}
     assert all(c.refused or c.power_w <= 40 * (1 + 1e-9) for c in found.candidates)
 
 
@@ -284,7 +290,7 @@ def test_a_depth_beyond_the_cutting_length_is_refused():
 def test_what_a_tool_leaves_can_be_limited():
     found = optimised(tools=[SIX, TEN], axial_depths=6, engagement_deg=60)
     small, large = found.candidates
-    corners = (4 - math.pi) * numpy.array([3.0, 5.0]) ** 2
+    corners = [(4 - math.pi) * radius**2 for radius in (3.0, 5.0)]
     assert [small.left_area_mm2, large.left_area_mm2] == pytest.approx(corners, abs=0.35)
     limited = optimised(tools=[SIX, TEN], axial_depths=6, engagement_deg=60, max_left_area=12)
     assert [c.refused_by for c in limited.candidates] == ["", "left area"]
