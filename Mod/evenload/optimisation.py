@@ -301,9 +301,12 @@ class _LevelOf:
             "power": "%g W" % self.task.max_power,
             "machine feed": "%g mm/min" % self.task.max_feed,
         }
-        return "At the least chip of %g mm %s of %s mm at %g°, %.3g mm deep, is above %s." % (
-            *(self.tool.min_chip_thickness, LIMITS[row.bound_by], "%g" % row.diameter),
-            *(row.engagement_deg, row.axial_depth, over[row.bound_by]),
+        return (
+            "At the least chip of %g mm %s of the tool of %g mm at %g°, %.3g mm deep, is above %s."
+            % (
+                *(self.tool.min_chip_thickness, LIMITS[row.bound_by], row.diameter),
+                *(row.engagement_deg, row.axial_depth, over[row.bound_by]),
+            )
         )
 
     def _set_figures(self, row):

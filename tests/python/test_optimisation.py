@@ -272,7 +272,7 @@ def test_where_no_candidate_is_allowed_the_answer_says_which_limit_refuses_most(
     assert found.best is None and not found.ranked()
     assert found.why.startswith(
         "No candidate is within the limits: the force refuses most, 4 of 4, as in: At the least "
-        "chip of 0.008 mm the force of 6 mm at 50°, 6 mm deep, is above 5 N."
+        "chip of 0.008 mm the force of the tool of 6 mm at 50°, 6 mm deep, is above 5 N."
     )
     assert found.why in found.table()
     assert all(c.force_peak_n > 5 and c.feed_per_tooth for c in found.candidates)
