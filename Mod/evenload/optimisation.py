@@ -172,6 +172,9 @@ def optimise(
 
         try:
             return _candidates(task, tool, angle, watch)
+        except BaseException:  # which the others need not wait for
+            stop.set()
+            raise
         finally:
             events.put((number, 1.0))
 
@@ -260,6 +263,11 @@ class _LevelOf:
         self.task, self.tool, self.path = task, tool, path
         self.loads, self.height = loads, height
         chip = loads.chip(height)
+        if not chip:
+            raise ValueError(
+                "The path of the tool of %g mm touches no material: check the region and the hole."
+                % tool.diameter
+            )
         self.chip = chip
         self.least = tool.min_chip_thickness / chip
         self.most = tool.max_chip_thickness / chip

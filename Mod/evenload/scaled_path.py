@@ -248,9 +248,10 @@ class Loads:
         return [(samples, deeper) for samples, deeper in kinds if samples and len(samples.share)]
 
     def chip(self, height):
-        """Largest chip thickness per feed per tooth."""
+        """Largest chip thickness per feed per tooth; 0 where nothing is cut."""
         return max(
-            samples.mean(samples.widest * samples.share).max() for samples, _ in self.at(height)
+            (samples.mean(samples.widest * samples.share).max() for samples, _ in self.at(height)),
+            default=0.0,
         )
 
     def mean_torque(self, height):

@@ -312,6 +312,16 @@ def test_a_hole_saves_the_helix():
     assert drilled.time_s < bare.time_s - 5
 
 
+def test_where_nothing_is_left_to_cut_an_error_says_so():
+    with pytest.raises(ValueError, match="6 mm touches no material: check the region and the"):
+        optimised([(-5, 0, 1.0), (5, 0, 1.0)], hole=(0, 0, 12))
+
+
+def test_a_pocket_that_the_helix_clears_alone_has_loads_of_the_helix():
+    found = optimised([(-3.6, 0, 1.0), (3.6, 0, 1.0)], engagement_deg=60)
+    assert all(c.force_peak_n > 0 and c.h_max_mm > 0 and c.time_s > 0 for c in found.candidates)
+
+
 # ---- progress ----
 
 
