@@ -1,12 +1,15 @@
 # The adaptive operation on the corpus: how long it computes, beside FreeCAD's own Adaptive on the
-# same models in the same process, and what its reports say. Sums are over PUBLIC.
+# same models in the same process; what its reports say, and what the simulator says of both paths.
+# Sums and medians are over PUBLIC, medians of FreeCAD's over the cases for which it finds a path.
 import math
+import statistics
 import sys
 import time
 from pathlib import Path
 
 import FreeCAD
-from evenload import host
+import judged_path
+from evenload import commands, host
 from evenload.operations import adaptive
 from FreeCAD import Vector
 
@@ -74,22 +77,86 @@ def computed(create, case):
     return op, time.perf_counter() - start
 
 
+def path_of(op, case):
+    """The operation's moves, with its ways across the floor at the links' feed."""
+    moves, _ = commands.to_moves(op.Path.Commands, z=10.0, feed=case["feed"])
+    return judged_path.links_at_depth(moves, case["link_feed"])
+
+
+def reported(op):
+    """{figure: (value, unit)} of our own report."""
+    if not op.isValid():
+        raise RuntimeError("%s: %s" % (op.Document.Name, op.Report))
+    return {
+        "max_engagement": (op.MaxEngagement.Value, "deg"),
+        "reported_time_ratio": (op.CuttingTime / op.IdealTime, ""),
+        "uncut_area": (op.UncutArea.Value, "mm2"),
+    }
+
+
 def figures():
     host.cam()  # FreeCAD's modules are loaded once, for neither
-    total = {"compute": 0.0, "freecad_compute": 0.0}
+    compute, found = {"": 0.0, "freecad_": 0.0}, {}
     for name in PUBLIC:
-        case, prefix = corpus_case(name), "adaptive.%s." % name
-        for key, create in (("compute", ours), ("freecad_compute", freecads)):
+        case, ideal_time = corpus_case(name), None
+        for which, create in (("", ours), ("freecad_", freecads)):
             op, seconds = computed(create, case)
-            total[key] += seconds
-            yield prefix + key, seconds, "s"
-            if create is ours and name not in TOO_SMALL:
-                if not op.isValid():
-                    raise RuntimeError("%s: %s" % (name, op.Report))
-                yield prefix + "max_engagement", op.MaxEngagement.Value, "deg"
-                yield prefix + "time_ratio", op.CuttingTime / op.IdealTime, ""
-                yield prefix + "uncut_area", op.UncutArea.Value, "mm2"
+            compute[which] += seconds
+            yield "adaptive.%s.%scompute" % (name, which), seconds, "s"
+            if name not in TOO_SMALL and len(op.Path.Commands) > 2:
+                rows = {}
+                if create is ours:
+                    rows, ideal_time = reported(op), op.IdealTime
+                rows.update(judged_path.judged(case, path_of(op, case), ideal_time))
+                for figure, (value, unit) in rows.items():
+                    yield "adaptive.%s.%s%s" % (name, which, figure), value, unit
+                    found.setdefault(which + figure, []).append(value)
             FreeCAD.closeDocument(op.Document.Name)
-    for key, seconds in total.items():
-        yield "adaptive.sum." + key, seconds, "s"
-    yield "adaptive.sum.compute_ratio", total["compute"] / total["freecad_compute"], ""
+    yield from totals(compute, found)
+
+
+def totals(compute, found):
+    for which, seconds in compute.items():
+        yield "adaptive.sum.%scompute" % which, seconds, "s"
+    yield "adaptive.sum.compute_ratio", compute[""] / compute["freecad_"], ""
+    for which in compute:
+        yield "adaptive.sum.%spaths" % which, len(found[which + "time_ratio"]), ""
+        for figure in ("time_ratio", "band3", "rate_held", "blocks_per_metre"):
+            median = statistics.median(found[which + figure])
+            yield "adaptive.median.%s%s" % (which, figure), median, ""
+        for figure in ("time_ratio", "over", "link_engagement", "rate_worst", "gouge"):
+            yield "adaptive.worst.%s%s" % (which, figure), max(found[which + figure]), ""
+        yield "adaptive.least.%srate_least" % which, min(found[which + "rate_least"]), ""
+
+
+# ---- the table ----
+
+COLUMNS = (
+    ("time_ratio", "time", "%7.3f"),
+    ("over", "over", "%7.2f"),
+    ("link_engagement", "linkE", "%7.2f"),
+    ("band3", "band3", "%7.2f"),
+    ("rate_worst", "rate+", "%7.3f"),
+    ("rate_least", "rate-", "%7.3f"),
+    ("rate_held", "held", "%7.2f"),
+    ("gouge", "gouge", "%7.3f"),
+    ("blocks_per_metre", "blk/m", "%7.0f"),
+    ("compute", "comp s", "%7.3f"),
+)
+
+
+def table(values):
+    """The figures side by side, a line for each case and operation; values: {name: value}.
+
+    time: over the ideal; linkE: engagement of links in degrees; rate+, rate-: the largest removal
+    rate and, where F < MaximumFeed, the least, over the nominal; held: the share of the length with
+    such a feed on which it is 0.85 or more.
+    """
+    yield "%-17s %-8s" % ("case", "path") + "".join("%8s" % title for _, title, _ in COLUMNS)
+    for name in PUBLIC:
+        for which, maker in (("", "EvenLoad"), ("freecad_", "FreeCAD")):
+            line = "%-17s %-8s" % (name, maker)
+            for figure, _, form in COLUMNS:
+                value = values.get("adaptive.%s.%s%s" % (name, which, figure))
+                line += " " + ("%7s" % "-" if value is None else form % value)
+            yield line

@@ -2,7 +2,8 @@
 #
 # A benchmark is a module with `figures()`, which yields (name, value, unit). Names are words joined
 # by dots, from the broad to the narrow ("core.star.compute"), and stay the same over time, so that
-# files of different days compare.
+# files of different days compare. It may have a `table(values)`, which yields lines from {name:
+# value}; they are printed at the end.
 # EVENLOAD_BENCH_JSON names a file that gets {name: {"value": ..., "unit": ...}}.
 import importlib
 import json
@@ -15,13 +16,15 @@ from pathlib import Path
 def collect(folder, output):
     """Returns the figures of all benchmarks in `folder` by name, and those that failed.
 
-    output: an open file that gets every figure as soon as it is there.
+    output: an open file that gets every figure as soon as it is there, and the tables in the end.
     """
     sys.path.insert(0, str(folder))
-    figures, failed = {}, []
+    figures, failed, tables = {}, [], []
     for path in sorted(folder.glob("bench_*.py")):
         try:
-            for name, value, unit in importlib.import_module(path.stem).figures():
+            module = importlib.import_module(path.stem)
+            tables += [module.table] if hasattr(module, "table") else []
+            for name, value, unit in module.figures():
                 if name in figures:
                     raise ValueError("two figures are named %s" % name)
                 figures[name] = {"value": value, "unit": unit}
@@ -29,6 +32,9 @@ def collect(folder, output):
         except Exception:
             traceback.print_exc()
             failed.append(path.stem)
+    for table in tables:
+        for line in table({name: figure["value"] for name, figure in figures.items()}):
+            print(line, file=output, flush=True)
     return figures, failed
 
 

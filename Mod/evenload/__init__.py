@@ -1,8 +1,8 @@
 """EvenLoad: milling operations for FreeCAD that keep the tool's load even.
 
 Importing this package imports neither the compiled modules nor the Path / CAM workbench, so that it
-costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenload.simulate` and
-`evenload.simulation` load them when they are asked for.
+costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenload.simulate`,
+`evenload.simulation` and `evenload.optimise` load them when they are asked for.
 """
 
 
@@ -11,6 +11,10 @@ def __getattr__(name):
         from evenload.simulation import simulate
 
         return simulate
+    if name == "optimise":
+        from evenload.optimisation import optimise
+
+        return optimise
     if name == "simulation":
         from importlib import import_module
 

@@ -4,6 +4,7 @@ Ours lie in Resources/machines/; docs/force_and_time.md says what the keys mean.
 FreeCAD nor the core.
 """
 
+import math
 import os
 
 from evenload import materials
@@ -19,7 +20,15 @@ SINGLE = (
     ("look_ahead_blocks", "look_ahead", 0),
 )
 RAPID = "rapid_feed_mm_min"
-KEYS = tuple(k for k, _ in AXES) + tuple(k for k, _, _ in SINGLE) + (RAPID, "name", "note")
+# (key of the file, what `spindle` calls it)
+SPINDLE = (("spindle_power_w", "power"), ("spindle_torque_nm", "torque"))
+SPEEDS = "spindle_speed_rev_min"
+KEYS = (
+    tuple(k for k, _ in AXES)
+    + tuple(k for k, _, _ in SINGLE)
+    + tuple(k for k, _ in SPINDLE)
+    + (RAPID, SPEEDS, "name", "note")
+)
 
 
 def names():
@@ -34,8 +43,50 @@ def load(machine):
     machine: one of names(), the path of a JSON file, or a dictionary with the keys of such a file.
     Raises ValueError with a sentence for what cannot be used.
     """
+    return _checked(*_profile(machine))
+
+
+def spindle(machine):
+    """{"speeds": (least, largest) in rev/min, "power": W, "torque": N m} of a machine's spindle;
+    what its profile does not tell is without limit.
+
+    machine: as for `load`. Raises ValueError with a sentence for what cannot be used.
+    """
+    profile, name = _profile(machine)
+    _checked(profile, name)
+    result = {"speeds": (0.0, math.inf)}
+    for key, word in SPINDLE:
+        value = profile.get(key, math.inf)
+        if key in profile and not (materials.number(value) and value > 0):
+            raise ValueError(
+                "%s of the machine '%s' must be a number above 0, not %r." % (key, name, value)
+            )
+        result[word] = float(value)
+    if SPEEDS in profile:
+        result["speeds"] = _speeds(profile[SPEEDS], name)
+    return result
+
+
+def _speeds(value, name):
+    values = [0.0, value] if materials.number(value) else value
+    if (
+        not isinstance(values, (list, tuple))
+        or len(values) != 2
+        or not all(materials.number(v) for v in values)
+        or not 0 <= values[0] <= values[1]
+        or not values[1] > 0
+    ):
+        raise ValueError(
+            "%s of the machine '%s' must be the largest, or the least and the largest, not %r."
+            % (SPEEDS, name, value)
+        )
+    return float(values[0]), float(values[1])
+
+
+def _profile(machine):
+    """(dictionary as in a file, name) of what `load` takes."""
     if isinstance(machine, dict):
-        return _checked(machine, str(machine.get("name") or "the user's machine"))
+        return machine, str(machine.get("name") or "the user's machine")
     if not isinstance(machine, (str, os.PathLike)):
         raise ValueError(
             "A machine is a name, a JSON file or a dictionary of limits, not %r." % (machine,)
@@ -49,9 +100,7 @@ def load(machine):
             " limits." % (path, ", ".join("'%s'" % name for name in names()))
         )
     profile = materials.read_object(path, "machine")
-    return _checked(
-        profile, str(profile.get("name") or os.path.splitext(os.path.basename(path))[0])
-    )
+    return profile, str(profile.get("name") or os.path.splitext(os.path.basename(path))[0])
 
 
 def _checked(profile, name):

@@ -207,10 +207,10 @@ def simulate(
     if isinstance(stock, Simulation):
         dexels = stock.stock.copy()
         top, bottom = dexels.top, dexels.bottom
-        prisms = _prisms(core, part, top, "The part", may_be_none=True)
+        prisms = prisms_of(core, part, top, "The part", may_be_none=True)
     else:
-        prisms = _prisms(core, part, top, "The part", may_be_none=True)
-        blocks = _prisms(core, stock, top, "The stock")
+        prisms = prisms_of(core, part, top, "The part", may_be_none=True)
+        blocks = prisms_of(core, stock, top, "The stock")
         stock_regions = [region for region, _ in blocks]
         dexels = core.DexelStock(blocks, bottom, resolution)
         _check_within(dexels, prisms)
@@ -227,7 +227,7 @@ def simulate(
         step=step,
         infer_kinds=path.is_gcode if infer_kinds is None else infer_kinds,
         part=prisms,
-        fixtures=_prisms(core, fixtures, top, "The fixture", may_be_none=True),
+        fixtures=prisms_of(core, fixtures, top, "The fixture", may_be_none=True),
         machine=profile,
         progress=progress,
         **data,
@@ -377,7 +377,7 @@ def _listed(values):
     return list(values)
 
 
-def _prisms(core, shapes, top, what, may_be_none=False):
+def prisms_of(core, shapes, top, what, may_be_none=False):
     """[(Region, top), ...] from what `simulate` takes as stock, part or fixtures."""
     if may_be_none and (shapes is None or (isinstance(shapes, (list, tuple)) and not shapes)):
         return []

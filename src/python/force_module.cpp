@@ -1,8 +1,10 @@
 #include "python/force_module.h"
 
+#include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
 #include <array>
+#include <cstdint>
 #include <stdexcept>
 #include <string>
 #include <tuple>
@@ -37,6 +39,42 @@ MachineProfile profile_from(const std::string& name, const Axes& max_feed, const
   profile.look_ahead = look_ahead;
   profile.rapid_feed = rapid_feed;
   return profile;
+}
+
+using Doubles = py::array_t<double, py::array::c_style | py::array::forcecast>;
+using Indices = py::array_t<std::int64_t, py::array::c_style | py::array::forcecast>;
+
+// Peaks of the force and of the torque at every sample of a simulation's record.
+std::tuple<Doubles, Doubles> peaks(const ForceModel& model, const Doubles& arcs,
+                                   const Indices& first_arc, const Doubles& feed_per_tooth) {
+  if (arcs.ndim() != 2 || arcs.shape(1) != 3 || first_arc.ndim() != 1 ||
+      feed_per_tooth.ndim() != 1 || first_arc.size() != feed_per_tooth.size() + 1)
+    throw std::invalid_argument(
+        "arcs must be rows of (low, high, depth), with one feed_per_tooth for each sample and one "
+        "more first_arc.");
+  const py::ssize_t size = feed_per_tooth.size();
+  const auto row = arcs.unchecked<2>();
+  const auto first = first_arc.unchecked<1>();
+  const auto feed = feed_per_tooth.unchecked<1>();
+  for (py::ssize_t i = 0; i < size; ++i)
+    if (first(i) < 0 || first(i + 1) < first(i) || first(i + 1) > arcs.shape(0))
+      throw std::invalid_argument("first_arc must rise from 0 to the number of arcs.");
+  Doubles force(size), torque(size);
+  auto force_at = force.mutable_unchecked<1>();
+  auto torque_at = torque.mutable_unchecked<1>();
+  {
+    const py::gil_scoped_release unlocked;
+    std::vector<EngagedArc> engaged;
+    for (py::ssize_t i = 0; i < size; ++i) {
+      engaged.clear();
+      for (auto k = static_cast<py::ssize_t>(first(i)); k < first(i + 1); ++k)
+        engaged.push_back({row(k, 0), row(k, 1), row(k, 2)});
+      const CuttingForce found = model.force(engaged.data(), engaged.size(), feed(i), 0.0);
+      force_at(i) = found.peak_xy;
+      torque_at(i) = found.peak_torque;
+    }
+  }
+  return {force, torque};
 }
 
 }  // namespace
@@ -78,7 +116,9 @@ void bind_force(py::module_& m) {
           },
           py::arg("arcs"), py::arg("feed_per_tooth"), py::arg("spindle_speed"),
           py::arg("feed_angle") = 0.0,
-          "The force while the tool touches arcs of (low, high, depth), rad and mm.");
+          "The force while the tool touches arcs of (low, high, depth), rad and mm.")
+      .def("peaks", &peaks, py::arg("arcs"), py::arg("first_arc"), py::arg("feed_per_tooth"),
+           "(N, N m) at each sample, which touches arcs[first_arc[i]:first_arc[i + 1]].");
 
   py::class_<MachineProfile>(m, "MachineProfile", "What limits a machine's speed.")
       .def(py::init(&profile_from), py::kw_only(), py::arg("name") = "", py::arg("max_feed"),

@@ -119,3 +119,41 @@ def test_a_move_without_a_feed_is_named_by_its_index():
     profile = machines.load(GOOD)
     with pytest.raises(ValueError, match="Move 1 has no feed above 0 mm/min"):
         total([start(0, 0), cut(1, 0, 0)], profile)
+
+
+# ---- spindles ----
+
+
+def test_our_machines_have_spindles():
+    for name in machines.names():
+        spindle = machines.spindle(name)
+        assert 0 < spindle["speeds"][0] < spindle["speeds"][1] < math.inf
+        assert 0 < spindle["power"] < math.inf
+
+
+def test_what_a_profile_does_not_tell_of_its_spindle_is_without_limit():
+    bare = {"max_feed_mm_min": 1000, "acceleration_mm_s2": 100}
+    assert machines.spindle(bare) == {
+        "speeds": (0.0, math.inf),
+        "power": math.inf,
+        "torque": math.inf,
+    }
+    told = {**bare, "spindle_speed_rev_min": 9000, "spindle_power_w": 800, "spindle_torque_nm": 2}
+    assert machines.spindle(told) == {"speeds": (0.0, 9000.0), "power": 800.0, "torque": 2.0}
+    assert machines.load(told) == machines.load(bare)
+
+
+@pytest.mark.parametrize(
+    "given, sentence",
+    [
+        ({"spindle_power_w": 0}, "spindle_power_w of the machine 'a' must be a number above 0, "),
+        ({"spindle_torque_nm": math.nan}, "spindle_torque_nm of the machine 'a' must be a number"),
+        ({"spindle_speed_rev_min": [9, 1]}, "must be the largest, or the least and the largest"),
+        ({"spindle_speed_rev_min": 0}, "must be the largest, or the least and the largest, not 0."),
+        ({"max_feed_mm_min": 0}, "max_feed_mm_min of the machine 'a' must be one number above 0"),
+    ],
+)
+def test_what_is_no_spindle_is_refused_with_a_sentence(given, sentence):
+    with pytest.raises(ValueError) as caught:
+        machines.spindle({"max_feed_mm_min": 9, "acceleration_mm_s2": 9, "name": "a", **given})
+    assert sentence in str(caught.value)

@@ -1,0 +1,221 @@
+"""Clears random pockets and judges every path by the simulator.
+
+    PYTHONPATH=MOD python3 tests/fuzz/fuzz_adaptive.py --minutes N --seed S [--failures FOLDER]
+
+MOD is the addon's Mod folder, with the built core; `./run fuzz` makes one. Works for N minutes. A
+case that breaks one of LIMITS, raises, crashes or takes too long is written to FOLDER as a case of
+tests/corpus, with what was wrong in its note, and gets a line on the screen. Ends with a summary,
+and with code 1 where anything was found. The same seed gives the same cases.
+"""
+
+import argparse
+import json
+import math
+import multiprocessing
+import queue
+import random
+import statistics
+import sys
+import time
+from pathlib import Path
+
+import numpy
+import shapes
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
+sys.dont_write_bytecode = True
+
+# Figure -> the most that is allowed.
+LIMITS = {
+    "over": 2.0,  # degrees of engagement above the angle, mean over 0.1 mm
+    "link": 1.0,  # degrees of engagement of links
+    "gouge": 0.005,  # mm
+    "rest": 5e-4,  # of the area within reach
+    "rate": 1.05,  # removal rate over the nominal
+    "rapid": 0.0,  # mm of rapids in material
+    "plunge": 0.0,  # mm of plunges in material
+    "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region
+}
+SECONDS = 60  # for one path
+AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
+OUTLIERS = 0.02  # mm of path: rapids and plunges shorter than this touch by rounding
+
+
+def figures_of(case, path):
+    """{figure: value}; those of LIMITS, and the time over the ideal as "ratio"."""
+    import evenload
+    import pocket_case
+
+    run = evenload.simulate(path, **pocket_case.scene(case))
+    width = 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
+    nominal = width * case["axial_depth"] * case["feed"]
+    entry = run.kind == 2
+    entered = float(numpy.diff(run.removed_volume, prepend=0.0)[entry].sum()) / case["axial_depth"]
+    regions = 1 + sum(1 for move in path.moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
+    return {
+        "over": run.max_engagement_deg - case["engagement_deg"],
+        "link": run.link_engagement_deg,
+        "gouge": run.gouge_mm,
+        "rest": run.rest_area / max(run.removed_area + run.rest_area, 1e-9),
+        "rate": run.removal_rate_peak / nominal,
+        "rapid": _beyond(run.rapid_in_material_mm),
+        "plunge": _beyond(run.plunge_in_material_mm),
+        "entry": entered / (math.pi * case["tool"] ** 2) / regions,
+        "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
+    }
+
+
+def _beyond(length):
+    return length if length > OUTLIERS else 0.0
+
+
+def judge(case, twice):
+    """{"figures" or "wrong": ..., "compute": seconds of the processor}."""
+    import pocket_case
+    from evenload import _core
+
+    start = time.process_time()
+    try:
+        path = pocket_case.path_of(case)
+    except _core.GeometryError as error:
+        return {"refused": str(error)} if error.code == "tool too large" else _wrong(error)
+    except (RuntimeError, ValueError) as error:
+        return _wrong(error)
+    compute = time.process_time() - start
+    if twice and pocket_case.path_of(case).moves != path.moves:
+        return {"wrong": "cleared twice, the moves differ"}
+    return {"figures": figures_of(case, path), "compute": compute}
+
+
+def _wrong(error):
+    return {"wrong": "%s: %s" % (type(error).__name__, error)}
+
+
+def work(tasks, answers):
+    for case, twice in iter(tasks.get, None):
+        answers.put(judge(case, twice))
+
+
+class Judge:
+    """A process that judges one case after the other, and is replaced when it crashes or hangs."""
+
+    def __init__(self):
+        self._process = None
+
+    def judged(self, case, twice):
+        if self._process is None:
+            self._start()
+        self._tasks.put((case, twice))
+        deadline = time.monotonic() + 3 * SECONDS  # of the clock: judging takes its time, too
+        while True:
+            try:
+                return self._answers.get(timeout=1)
+            except queue.Empty:
+                if not self._process.is_alive():
+                    code = self._process.exitcode
+                    self._process = None
+                    return {"wrong": "crashed with code %s" % code}
+                if time.monotonic() > deadline:
+                    self._process.kill()
+                    self._process.join()
+                    self._process = None
+                    return {"wrong": "took more than %d s" % (3 * SECONDS)}
+
+    def _start(self):
+        self._tasks, self._answers = multiprocessing.Queue(), multiprocessing.Queue()
+        self._process = multiprocessing.Process(
+            target=work, args=(self._tasks, self._answers), daemon=True
+        )
+        self._process.start()
+
+    def stop(self):
+        if self._process is not None:
+            self._tasks.put(None)
+            self._process.join()
+
+
+def faults(answer):
+    """What is wrong with a judged case, a phrase each."""
+    if "wrong" in answer:
+        return [answer["wrong"]]
+    if "refused" in answer:
+        return []
+    found = [
+        "%s %.4g above %g" % (name, answer["figures"][name], limit)
+        for name, limit in LIMITS.items()
+        if not answer["figures"][name] <= limit
+    ]
+    if answer["compute"] > SECONDS:
+        found.append("took %.0f s" % answer["compute"])
+    return found
+
+
+class Summary:
+    def __init__(self):
+        self.cases = self.failed = self.refused = 0
+        self.values = {}
+
+    def add(self, case, answer, found):
+        self.cases += 1
+        self.failed += bool(found)
+        self.refused += "refused" in answer
+        for name, value in answer.get("figures", {}).items():
+            self.values.setdefault(name, []).append((value, case["name"]))
+
+    def lines(self):
+        yield "%d cases, %d failed, %d too narrow" % (self.cases, self.failed, self.refused)
+        for name, values in self.values.items():
+            worst = max(values)
+            median = statistics.median(value for value, _ in values)
+            yield "%-7s median %8.4f, worst %8.4f in %s" % (name, median, *worst)
+
+
+def cases(seed, first):
+    """(number, case) without end; a case depends on the seed and its number alone."""
+    number = first
+    while True:
+        case = shapes.case(random.Random("%d/%d" % (seed, number)), number)
+        if case is not None:
+            case["name"] += "_s%d" % seed
+            yield number, case
+        number += 1
+
+
+def fuzz(minutes, seed, first, most, folder):
+    summary, judge_process = Summary(), Judge()
+    end = time.monotonic() + 60 * minutes
+    for number, case in cases(seed, first):
+        if time.monotonic() > end or (most and summary.cases >= most):
+            break
+        answer = judge_process.judged(case, number % AGAIN == 0)
+        found = faults(answer)
+        summary.add(case, answer, found)
+        if found:
+            case["note"] = "Found by fuzzing: %s." % "; ".join(found)
+            folder.mkdir(parents=True, exist_ok=True)
+            target = folder / (case["name"] + ".json")
+            target.write_text(json.dumps(case, indent=1) + "\n")
+            angle = case["engagement_deg"]
+            print("%s at %g deg: %s" % (case["name"], angle, "; ".join(found)), flush=True)
+    judge_process.stop()
+    return summary
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--minutes", type=float, default=1.0)
+    parser.add_argument("--seed", type=int, default=1)
+    parser.add_argument("--first", type=int, default=0, help="number of the first case")
+    parser.add_argument(
+        "--cases", type=int, default=0, help="at the most; 0: as many as there is time for"
+    )
+    parser.add_argument("--failures", type=Path, default=Path("fuzz_failures"))
+    given = parser.parse_args()
+    summary = fuzz(given.minutes, given.seed, given.first, given.cases, given.failures)
+    for line in summary.lines():
+        print(line)
+    return 1 if summary.failed else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
