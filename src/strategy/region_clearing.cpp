@@ -7,7 +7,9 @@
 #include <sstream>
 #include <utility>
 
+#include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
+#include "strategy/entry.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
 #include "strategy/steering.h"
@@ -23,8 +25,6 @@ constexpr double kTightestTurn = 0.001;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
 constexpr double kShortCorner = 0.05;
-// A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
-constexpr double kNarrowestHelix = 0.02;
 // mm: of the place of an entry.
 constexpr double kEntryTolerance = 1e-3;
 // mm: a place of one stage's wall this near to another's is the same place.
@@ -32,12 +32,8 @@ constexpr double kSamePlace = 1e-4;
 // There is a stage that turns as tightly as this share of the entry's radius: a first pass that
 // turns less tightly than the entry's circle would run into more material than the limit allows.
 constexpr double kFirstTurn = 0.5;
-// A helix stays this share of its room away from the walls.
-constexpr double kHelixRoom = 0.98;
-// Directions in which room for a ramp is looked for.
-constexpr int kRampDirections = 180;
-// A ramp is no longer than this many tool diameters.
-constexpr double kLongestRamp = 1.5;
+// Rooms less wide than this share of the tool's radius get no entry of their own.
+constexpr double kNarrowestRoom = 0.02;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
@@ -102,12 +98,7 @@ class RegionClearing {
 
   // mm: of the circle that the tool's centre runs on before the first pass.
   double entry_radius() const {
-    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(widest_);
-  }
-
-  // Wider than the tool's radius a helix would leave a post in its middle.
-  double helix_radius(const Circle& room) const {
-    return std::min({0.5 * params_.helix_diameter, kHelixRoom * room.radius, 0.98 * radius_});
+    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(params_, widest_);
   }
 
   std::vector<Stage> stages() const {
@@ -186,7 +177,7 @@ class RegionClearing {
       here_ = starts.front().pose;
       return true;
     }
-    const std::optional<Pose> start = outside_start();
+    const std::optional<Pose> start = start_outside(exact_, task_.material, ground_);
     if (!start) return false;
     begin_run({DescentKind::kPlunge, start->p, {}, 0, {}, false});
     here_ = *start;
@@ -215,68 +206,17 @@ class RegionClearing {
   }
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  Pose choose_entry(const Circle& circle, Descent& descent) {
-    const bool ramp_wanted = params_.entry == EntryKind::kRamp;
-    if (kHelixRoom * circle.radius >= kNarrowestHelix * radius_ && !ramp_wanted) {
-      descent.kind = DescentKind::kHelix;
-      descent.centre = circle.centre;
-      descent.radius = helix_radius(circle);
-      descent.at = circle.centre + Vec2{descent.radius, 0};
-      ground_.add_disc(circle.centre, descent.radius + radius_);
-      return Pose{descent.at, kPi / 2};
-    }
-    // The ramp begins and ends where there is most room, so that the tool can turn there.
-    if (params_.entry == EntryKind::kHelix)
-      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
-    descent.kind = DescentKind::kRamp;
-    descent.at = circle.centre;
-    double longest = -1;
-    for (int i = 0; i < kRampDirections; ++i) {
-      const Vec2 direction = unit(2 * kPi * i / kRampDirections);
-      const double length =
-          free_length(circle.centre, direction, kLongestRamp * params_.tool_diameter);
-      if (length > longest + 1e-9) {
-        longest = length;
-        descent.ramp_end = circle.centre + length * direction;
-      }
-    }
-    if (longest < 1e-3)
-      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(circle.centre),
+  Pose choose_entry(const Circle& room, Descent& descent) {
+    const std::optional<Entry> entry = descend_within(exact_, room, params_);
+    if (!entry)
+      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(room.centre),
                           "The tool has no room to descend in this pocket: drill a hole first and "
                           "choose the entry 'Predrilled hole', or take a smaller tool.");
-    ground_.add(Segment::line(descent.at, descent.ramp_end));
-    const Vec2 along = normalized(descent.ramp_end - descent.at);
-    return Pose{descent.at, angle_of(along)};
-  }
-
-  double free_length(Vec2 from, Vec2 direction, double limit) const {
-    double length = 0;
-    while (length < limit) {
-      const double inside = exact_.signed_distance(from + length * direction);
-      if (inside < 1e-5) break;
-      length += inside;
-    }
-    return std::min(length, limit);
-  }
-
-  // From outside the stock, over an open edge, straight towards the material until the tool touches
-  // it.
-  std::optional<Pose> outside_start() const {
-    const Segment* best = nullptr;
-    std::vector<Segment> edges;
-    for (const Region& region : task_.material)
-      for (const Curve& curve : region.curves())
-        for (const Segment& segment : curve.segments())
-          if (segment.open) edges.push_back(segment);
-    for (const Segment& edge : edges) {
-      const Vec2 outwards = -left_normal(edge.tangent(0.5));
-      const Vec2 p = edge.point(0.5) + 1.02 * radius_ * outwards;
-      if (exact_.signed_distance(p) < 0 || !ground_.is_clear(p)) continue;
-      if (!best || edge.length() > best->length() + 1e-9) best = &edge;
-    }
-    if (!best) return std::nullopt;
-    const Vec2 outwards = -left_normal(best->tangent(0.5));
-    return Pose{best->point(0.5) + 1.02 * radius_ * outwards, angle_of(-outwards) + kPi / 2};
+    if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
+      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
+    descent = entry->descent;
+    add_descent(descent, ground_);
+    return entry->start;
   }
 
   // A pass from a free pose with the widest turn that can be made from there.
@@ -393,7 +333,7 @@ class RegionClearing {
     for (const Stage& stage : stages_) {
       for (const Region& room : stage.rooms) {
         const Circle circle = largest_circle(room, kEntryTolerance);
-        if (circle.radius < kNarrowestHelix * radius_ || !is_untouched(room, circle.centre))
+        if (circle.radius < kNarrowestRoom * radius_ || !is_untouched(room, circle.centre))
           continue;
         Descent descent;
         const Pose start = choose_entry(circle, descent);
