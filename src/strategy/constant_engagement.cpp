@@ -11,7 +11,6 @@
 #include "geometry/medial_axis.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
-#include "toolpath/assemble.h"
 
 namespace evenload {
 namespace {
@@ -348,6 +347,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   assembly.tolerance = params.tolerance;
   assembly.arcs = params.arcs;
   assembly.wall_on_left = mirror;
+  assembly.order_by = params.order_by;
   path.moves = assemble(runs, assembly);
   path.report.cutting_time = duration(path.moves, params.rapid_feed);
   path.report.retracts = std::max(0, static_cast<int>(runs.size() * params.levels.size()) - 1);

@@ -6,6 +6,7 @@
 
 #include "geometry/region.h"
 #include "support/progress.h"
+#include "toolpath/assemble.h"
 #include "toolpath/toolpath.h"
 
 namespace evenload {
@@ -36,6 +37,7 @@ struct ClearingParams {
   bool wall_pass = true;
   double tolerance = 0.005;             // mm, > 0
   bool arcs = true;                     // false: lines only
+  OrderBy order_by = OrderBy::kRegion;
   double link_lift = 0;                 // mm, >= 0, stays below the level's top
   double top = 0;                       // mm: z of the stock's top
   std::vector<double> levels = {-3.0};  // mm: z of each level, strictly descending, all below top;
