@@ -102,6 +102,7 @@ Toolpath clear_pocket_from_python(
     std::optional<std::tuple<double, double>> entry_point, double hole_diameter,
     double stock_to_leave, bool wall_pass, double tolerance, bool arcs, double link_lift,
     double top, std::vector<double> levels, double safe_height, double clearance_height,
+    const std::string& order_by, const std::string& narrow_passages,
     std::function<bool(double)> progress) {
   ClearingParams params;
   params.tool_diameter = tool_diameter;
@@ -137,6 +138,13 @@ Toolpath clear_pocket_from_python(
   params.levels = std::move(levels);
   params.safe_height = safe_height;
   params.clearance_height = clearance_height;
+  params.order_by = choice<OrderBy>("order_by", order_by,
+                                    {{"region", OrderBy::kRegion}, {"depth", OrderBy::kDepth}});
+  params.narrow_passages =
+      choice<NarrowPassages>("narrow_passages", narrow_passages,
+                             {{"trochoid with smaller radius", NarrowPassages::kTrochoid},
+                              {"cut at reduced feed", NarrowPassages::kReducedFeed},
+                              {"skip and report", NarrowPassages::kSkip}});
   Progress watch = progress ? Progress([&progress](double share) {
     const py::gil_scoped_acquire lock;
     return progress(share);
@@ -240,7 +248,8 @@ PYBIND11_MODULE(_core, m) {
         py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
         py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
         py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"), py::arg("progress") = nullptr,
+        py::arg("safe_height"), py::arg("clearance_height"), py::arg("order_by") = "region",
+        py::arg("narrow_passages") = "trochoid with smaller radius", py::arg("progress") = nullptr,
         "The toolpath that clears the regions level by level at constant engagement.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),

@@ -14,6 +14,11 @@ namespace evenload {
 enum class CutMode { kClimb, kConventional };
 enum class FeedControl { kConstantFeed, kConstantRemovalRate };
 enum class EntryKind { kAutomatic, kHelix, kRamp, kPredrilledHole };
+// Where the free width is under twice the minimum radius.
+enum class NarrowPassages { kTrochoid, kReducedFeed, kSkip };
+
+// mm: the tool stays this far from the wall, so that rounding to three decimals never takes it in.
+inline constexpr double kWallGap = 8e-4;
 
 struct ClearingParams {
   double tool_diameter = 6;           // mm, > 0
@@ -35,9 +40,10 @@ struct ClearingParams {
   double hole_diameter = 0;         // mm
   double stock_to_leave = 0;        // mm, >= 0, radially
   bool wall_pass = true;
-  double tolerance = 0.005;             // mm, > 0
-  bool arcs = true;                     // false: lines only
+  double tolerance = 0.005;  // mm, > 0
+  bool arcs = true;          // false: lines only
   OrderBy order_by = OrderBy::kRegion;
+  NarrowPassages narrow_passages = NarrowPassages::kTrochoid;
   double link_lift = 0;                 // mm, >= 0, stays below the level's top
   double top = 0;                       // mm: z of the stock's top
   std::vector<double> levels = {-3.0};  // mm: z of each level, strictly descending, all below top;

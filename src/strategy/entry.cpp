@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 namespace evenload {
 namespace {
@@ -59,6 +60,20 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
 
 double widest_helix(const ClearingParams& params) {
   return kWidestHelix * 0.5 * params.tool_diameter;
+}
+
+std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
+                                      const ClearingParams& params) {
+  const double widest = 2 * widest_helix(params);
+  const auto is_widest = [&](const PlanarRun& run) {
+    return run.descent.kind == DescentKind::kHelix && 2 * run.descent.radius > widest - 1e-9;
+  };
+  if (params.helix_diameter <= widest || std::none_of(runs.begin(), runs.end(), is_widest))
+    return std::nullopt;
+  std::ostringstream note;
+  note << "HelixDiameter " << params.helix_diameter << " mm was taken as " << widest
+       << " mm: a wider helix would leave a post in its middle.";
+  return note.str();
 }
 
 double helix_radius(const ClearingParams& params, const Circle& room) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -23,6 +24,9 @@ struct Entry {
 double helix_radius(const ClearingParams& params, const Circle& room);
 // mm: the largest radius of a helix that leaves no post in its middle.
 double widest_helix(const ClearingParams& params);
+// What to tell the user where a helix of `runs` had to be narrower than wished for that reason.
+std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
+                                      const ClearingParams& params);
 
 // A helix in `room`, or where none fits or a ramp is asked for, a ramp from the room's centre along
 // the longest free line within `centres`. Empty when there is not even room for a ramp: the tool

@@ -52,15 +52,21 @@ class RegionClearing {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         exact_({task.centres}),
+        around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr),
         stages_(stages()),
-        samples_(stages_, ground_) {}
+        samples_(stages_, ground_) {
+    for (const PlanarRun& run : task.before) {
+      add_descent(run.descent, ground_);
+      for (const PlanarMove& move : run.moves) ground_.add(move.segment);
+    }
+  }
 
   RegionResult run() {
     enter();
-    clear_all();
+    if (!result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) report();
     return std::move(result_);
   }
@@ -69,6 +75,7 @@ class RegionClearing {
   Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
 
   void report() {
+    if (!leftover_.prepared()) prepare_leftover();
     result_.uncut_area = leftover_.area(ground_);
     if (result_.uncut_area > 0) {
       const Vec2 at = shown(*leftover_.place());
@@ -161,11 +168,24 @@ class RegionClearing {
                             "choose the entry 'Automatic' or 'Helix'.");
       return;
     }
+    if (params_.entry == EntryKind::kPredrilledHole) {
+      samples_.update(everywhere.low, everywhere.high);
+      enter_from_before();
+      return;
+    }
     Descent descent;
     const Pose start = choose_entry(widest_, descent);
     samples_.update(everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
+  }
+
+  // Where a wall leads from ground that was cut before into the material.
+  void enter_from_before() {
+    const std::vector<PassStart> starts = samples_.starts();
+    if (starts.empty()) return;
+    begin_run({DescentKind::kPlunge, starts.front().pose.p, {}, 0, {}, true});
+    here_ = starts.front().pose;
   }
 
   // Over an open edge: where a wall leads into the material, or straight at it. False when the tool
@@ -250,7 +270,7 @@ class RegionClearing {
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
     const std::vector<Segment> link =
-        shortest_link(ground_, exact_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
+        shortest_link(ground_, around_, here_, to, turn_radius > 0 ? turn_radius : link_turn(),
                       retract_minutes * params_.link_feed);
     if (!link.empty()) {
       add_moves(MoveKind::kLink, link);
@@ -371,10 +391,13 @@ class RegionClearing {
     return *best;
   }
 
+  void prepare_leftover() {
+    leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+  }
+
   // Material that no wall leads to: approached from the nearest place where the tool has been.
   bool cut_leftover() {
-    if (!leftover_.prepared())
-      leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+    if (!leftover_.prepared()) prepare_leftover();
     while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
       const std::size_t k = widest_stage_at(*start);
       if (k == stages_.size()) continue;
@@ -390,7 +413,7 @@ class RegionClearing {
   const ClearingParams& params_;
   Progress& progress_;
   double radius_;
-  Area exact_;
+  Area exact_, around_;
   Circle widest_;  // among the places of the tool's centre
   ClearedGround ground_;
   std::vector<Stage> stages_;
