@@ -46,8 +46,7 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
   for (int i = 0; i < kRampDirections; ++i) look(2 * kPi * i / kRampDirections);
   const BoundaryIndex::Hit hit = centres.nearest(from);
   const double along = angle_of(centres.segment_at(hit).tangent(hit.t));
-  look(along);
-  look(along + kPi);
+  for (int quarter = 0; quarter < 4; ++quarter) look(along + quarter * kPi / 2);  // or an end wall
   for (double step = kPi / kRampDirections; step > kRampAngle; step /= 2) {
     const double middle = best;
     look(middle - step);
