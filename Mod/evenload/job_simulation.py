@@ -275,7 +275,7 @@ def _outside_floors(job, op, tool, stock, top):
         grown = compiled.core().offset(walls, op.StockToLeave.Value)
         walls = _level_regions(whole.common([_face(r.outer, r.islands) for r in grown]))
     part = [(wall, top) for wall in walls]
-    final = op.FinalDepth.Value
+    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
     for floor, ground in zip(floors, grounds):
         height = max(floor.z, final) if floor.is_face else final
         part += [(region, height) for region in _level_regions(ground.common(whole))]

@@ -256,7 +256,7 @@ class Operation(host.operation_base()):
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
         self.last = Computation(floors, regions, toolpath, tool, data, hole)
-        self._set_results(obj, toolpath.report, self._notes(floors, levels[-1]))
+        self._set_results(obj, toolpath.report, self._notes(floors, obj.FinalDepth.Value))
 
     def generate(self, obj, core, regions, parameters):
         """The core's toolpath for the regions."""
@@ -325,6 +325,8 @@ class Operation(host.operation_base()):
             "link_lift": obj.LinkLift.Value,
             "top": obj.StartDepth.Value,
             "levels": levels,
+            "order_by": obj.OrderBy.lower(),
+            "narrow_passages": obj.NarrowPassages.lower(),
             "safe_height": obj.SafeHeight.Value,
             "clearance_height": obj.ClearanceHeight.Value,
         }
