@@ -317,8 +317,8 @@ def test_stock_to_leave_must_stay_along_the_walls(square):
 def test_axial_stock_to_leave_must_stay_on_the_floor(square):
     found = job_simulation.read(square.done(square.operation(StockToLeaveAxial=0.5)))
     assert min(top for _, top in found.part) == pytest.approx(-2.5)
-    left = found.simulate(resolution=0.2).rest
-    assert not [place for place in left if place.depth > 0.01]
+    simulation = found.simulate(resolution=0.2)
+    assert simulation.gouge_mm < 0.01 and simulation.rest_area < 0.5
 
 
 def _area(chain):
