@@ -48,6 +48,7 @@ struct Loop {
 
 Curve curve_of(const std::vector<PassageBorder>& pieces) {
   std::vector<Vertex> vertices;
+  vertices.reserve(pieces.size());
   for (const PassageBorder& piece : pieces)
     vertices.push_back({piece.segment.a, piece.segment.bulge(), piece.segment.open});
   return Curve(std::move(vertices), true);

@@ -271,6 +271,7 @@ class PassageClearing {
         return move.part(static_cast<double>(from) / n, static_cast<double>(to) / n);
       };
       std::vector<char> free;
+      free.reserve(static_cast<std::size_t>(n));
       for (int i = 0; i < n; ++i)
         free.push_back(is_free(ground_, centres_, {part(i, i + 1)}) ? 1 : 0);
       for (int first = 0, last = 0; first < n; first = last) {
@@ -370,6 +371,7 @@ class PassageClearing {
 
   static std::vector<Segment> straight_over_mouths(const std::vector<PassageBorder>& loop) {
     std::vector<Segment> moves;
+    moves.reserve(loop.size());
     for (const PassageBorder& piece : loop)
       moves.push_back(piece.is_mouth ? Segment::line(piece.segment.a, piece.segment.b)
                                      : piece.segment);

@@ -21,6 +21,7 @@ Bounds grown(Bounds bounds, double d) {
 
 Curve without_cusps(const std::vector<PassageBorder>& loop) {
   std::vector<Vertex> vertices;
+  vertices.reserve(loop.size());
   for (const PassageBorder& piece : loop)
     vertices.push_back({piece.segment.a, piece.is_mouth ? 0 : piece.segment.bulge()});
   return Curve(std::move(vertices), true);
