@@ -250,7 +250,8 @@ def _simulate(op, wishes, folder, progress):
             options[key] = os.path.join(folder, name)
     setup = job_simulation.read(op)
     simulation = setup.simulate(progress=progress, **options)
-    depth = min(op.StepDown.Value, op.StartDepth.Value - op.FinalDepth.Value)
+    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
+    depth = min(op.StepDown.Value, op.StartDepth.Value - final)
     last = op.Proxy.last
 
     def draw(path):

@@ -6,7 +6,8 @@ What must stay, the part, is taken from here:
 - EvenLoad's operations say themselves what they clear: the stock outside of their floors must stay,
   and StockToLeave along its walls. Open sides of a floor have nothing beyond them. Below, a floor
   that is a face of the model must stay, and below outlines, and faces deeper than FinalDepth, what
-  lies under FinalDepth. The model does not matter: it may be a block without the pocket in it.
+  lies under FinalDepth with StockToLeaveAxial on it. The model does not matter: it may be a block
+  without the pocket in it.
 - For any other operation it is the Job's model, as a stack of prisms: its sections half-way between
   the heights of its vertices. What remains between them and the stock counts as rest, also where
   another operation is meant to take it.
@@ -276,7 +277,7 @@ def _outside_floors(job, op, tool, stock, top):
         grown = compiled.core().offset(walls, op.StockToLeave.Value)
         walls = _level_regions(whole.common([_face(r.outer, r.islands) for r in grown]))
     part = [(wall, top) for wall in walls]
-    final = op.FinalDepth.Value
+    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
     for floor, ground in zip(floors, grounds):
         height = max(floor.z, final) if floor.is_face else final
         part += [(region, height) for region in _level_regions(ground.common(whole))]

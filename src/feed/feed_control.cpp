@@ -75,7 +75,7 @@ std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
   };
   std::vector<double> feeds(profile.size(), params.link_feed);
   std::vector<PlanarRun> result;
-  for (const PlanarRun& run : runs) result.push_back({run.descent, {}});
+  for (const PlanarRun& run : runs) result.push_back({run.descent, {}, run.new_region});
   std::size_t i = 0;
   while (i < profile.size()) {
     const std::size_t run = profile[i].run;
@@ -96,13 +96,14 @@ std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
       while (a < piece.last) {
         std::size_t b = a;
         while (b < piece.last && profile[b].move == profile[a].move) ++b;
-        const Segment& segment = runs[run].moves[profile[a].move].segment;
-        const double length = segment.length();
+        PlanarMove part = runs[run].moves[profile[a].move];
+        const double length = part.segment.length();
         const double t0 = std::max(0.0, profile[a].t - 0.5 * profile[a].length / length);
         const double t1 = std::min(1.0, profile[b - 1].t + 0.5 * profile[b - 1].length / length);
         const bool whole = t0 < 1e-9 && t1 > 1 - 1e-9;
-        result[run].moves.push_back(
-            {MoveKind::kCut, whole ? segment : segment.part(t0, t1), piece.feed});
+        if (!whole) part.segment = part.segment.part(t0, t1);
+        part.feed = piece.feed;
+        result[run].moves.push_back(part);
         a = b;
       }
     }

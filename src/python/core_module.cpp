@@ -103,6 +103,7 @@ Toolpath clear_pocket_from_python(
     std::optional<std::tuple<double, double>> entry_point, double hole_diameter,
     double stock_to_leave, bool wall_pass, double tolerance, bool arcs, double link_lift,
     double top, std::vector<double> levels, double safe_height, double clearance_height,
+    const std::string& order_by, const std::string& narrow_passages,
     const ForceCoefficients& force_coefficients, int teeth, double tool_helix_angle,
     double spindle_speed, std::function<bool(double)> progress) {
   ClearingParams params;
@@ -145,6 +146,13 @@ Toolpath clear_pocket_from_python(
   params.teeth = teeth;
   params.tool_helix_angle = tool_helix_angle;
   params.spindle_speed = spindle_speed;
+  params.order_by = choice<OrderBy>("order_by", order_by,
+                                    {{"region", OrderBy::kRegion}, {"depth", OrderBy::kDepth}});
+  params.narrow_passages =
+      choice<NarrowPassages>("narrow_passages", narrow_passages,
+                             {{"trochoid with smaller radius", NarrowPassages::kTrochoid},
+                              {"cut at reduced feed", NarrowPassages::kReducedFeed},
+                              {"skip and report", NarrowPassages::kSkip}});
   Progress watch = progress ? Progress([&progress](double share) {
     const py::gil_scoped_acquire lock;
     return progress(share);
@@ -249,7 +257,8 @@ PYBIND11_MODULE(_core, m) {
         py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
         py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
         py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"),
+        py::arg("safe_height"), py::arg("clearance_height"), py::arg("order_by") = "region",
+        py::arg("narrow_passages") = "trochoid with smaller radius",
         py::arg("force_coefficients") = defaults.force_coefficients, py::arg("teeth") = 1,
         py::arg("tool_helix_angle") = defaults.tool_helix_angle, py::arg("spindle_speed") = 0.0,
         py::arg("progress") = nullptr,

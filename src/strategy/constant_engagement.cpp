@@ -7,18 +7,19 @@
 #include <stdexcept>
 
 #include "cutting/engagement.h"
+#include "feed/feed_limit.h"
 #include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
+#include "strategy/entry.h"
 #include "strategy/feeds.h"
+#include "strategy/passage_clearing.h"
+#include "strategy/passage_report.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
-#include "toolpath/assemble.h"
 
 namespace evenload {
 namespace {
 
-// mm: the tool stays this far from the wall, so that rounding to three decimals never takes it in.
-constexpr double kWallGap = 8e-4;
 // mm of path between two looks at the load where it does not change, from kEvenAngle on; below, in
 // proportion: where the front has a cusp, a degree more for a tenth of a millimetre is met, which
 // is a larger part of a smaller angle.
@@ -214,11 +215,42 @@ std::string too_large(const std::vector<Region>& regions, const ClearingParams& 
   return sentence.str();
 }
 
-// The place in the regions of tool centres from which a pre-drilled hole is entered: its centre, or
-// the nearest to it.
-std::optional<Vec2> hole_place(const std::vector<Region>& centres, Vec2 hole, std::size_t* which) {
-  for (std::size_t i = 0; i < centres.size(); ++i)
-    if (centres[i].contains(hole)) {
+// Connected places of the tool's centre that are cleared from one entry.
+struct Part {
+  Region centres;
+  DividedRegion narrow;  // without passages unless they are to be cut at a reduced feed
+  int first_passage = 0;
+};
+
+// What is to be cleared of the regions of tool centres; their narrow passages are added to
+// `passages`.
+std::vector<Part> parts_of(const std::vector<Region>& centres, const ClearingParams& params,
+                           std::vector<PassageReport>& passages) {
+  std::vector<Part> parts;
+  for (const Region& region : centres) {
+    const int first = static_cast<int>(passages.size());
+    DividedRegion narrow;
+    if (params.narrow_passages != NarrowPassages::kTrochoid) narrow = divide(region, params);
+    for (PassageReport& report : reports_of(narrow, params)) passages.push_back(std::move(report));
+    if (params.narrow_passages == NarrowPassages::kSkip)
+      for (const Region& room : narrow.places.rooms) parts.push_back({room, {}, first});
+    else
+      parts.push_back({region, std::move(narrow), first});
+  }
+  return parts;
+}
+
+RegionResult clear(const Part& part, const RegionTask& task, const ClearingParams& params,
+                   Progress& progress) {
+  if (part.narrow.places.passages.empty()) return clear_region(task, params, progress);
+  return clear_with_passages(task, part.narrow.places, part.narrow.axes, part.first_passage, params,
+                             progress);
+}
+
+// The part from which a pre-drilled hole is entered.
+std::optional<Vec2> hole_place(const std::vector<Part>& parts, Vec2 hole, std::size_t* which) {
+  for (std::size_t i = 0; i < parts.size(); ++i)
+    if (parts[i].centres.contains(hole)) {
       *which = i;
       return hole;
     }
@@ -253,12 +285,14 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
         path.report.termination = Termination::kIncomplete;
       }
 
-  std::size_t hole_region = centres.size();
+  std::vector<PassageReport> passages;
+  const std::vector<Part> parts = parts_of(centres, params, passages);
+  std::size_t hole_region = parts.size();
   std::optional<Vec2> hole;
   if (params.entry == EntryKind::kPredrilledHole ||
       (params.entry == EntryKind::kAutomatic && params.entry_point &&
        params.hole_diameter >= params.tool_diameter)) {
-    hole = hole_place(centres, *params.entry_point, &hole_region);
+    hole = hole_place(parts, *params.entry_point, &hole_region);
     if (!hole && params.entry == EntryKind::kAutomatic)
       path.report.notes.push_back("The pre-drilled hole " + near(*params.entry_point, mirror) +
                                   " is too near to a wall to come down in: it was not used.");
@@ -271,22 +305,27 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
 
   const bool open = has_open_edges(regions);
   std::vector<PlanarRun> runs;
-  for (std::size_t i = 0; i < centres.size() && !progress.cancelled(); ++i) {
+  for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
+    const Region& region = parts[i].centres;
     if (params.entry == EntryKind::kPredrilledHole && i != hole_region) {
       path.report.notes.push_back(
-          "The region " + near(centres[i].outer.vertices().front().p, mirror) +
+          "The region " + near(region.outer.vertices().front().p, mirror) +
           ", which does not hold the pre-drilled hole, was left uncut: choose the entry "
           "'Automatic', or drill it and use an operation of its own.");
       path.report.termination = Termination::kIncomplete;
-      for (const Region& reached : offset({centres[i]}, radius))
+      for (const Region& reached : offset({region}, radius))
         path.report.uncut_area += reached.area();
       continue;
     }
-    RegionTask task{centres[i], regions, open, i == hole_region ? hole : std::nullopt, mirror};
+    if (hole && i != hole_region)
+      path.report.notes.push_back(
+          "The region " + near(region.outer.vertices().front().p, mirror) +
+          " does not hold the pre-drilled hole: it has an entry of its own.");
+    RegionTask task{region, regions, open, i == hole_region ? hole : std::nullopt, mirror, {}, {}};
     Progress share([&](double done) {
-      return progress.report((static_cast<double>(i) + done) / static_cast<double>(centres.size()));
+      return progress.report((static_cast<double>(i) + done) / static_cast<double>(parts.size()));
     });
-    RegionResult result = clear_region(task, params, share);
+    RegionResult result = clear(parts[i], task, params, share);
     path.report.uncut_area += result.uncut_area;
     path.report.passes += result.passes;
     path.report.links += result.links;
@@ -308,7 +347,17 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   double removed = 0;
   for (const LoadSample& sample : profile) removed += sample.width * sample.length;
 
+  const double width = side_step(params.engagement_angle, radius);
+  // Constant removal rate keeps the limits of passages by itself, and more finely.
+  if (params.feed_control != FeedControl::kConstantRemovalRate)
+    find_feed_limits(runs, profile, params.feed, width);
+  note_engagement(runs, profile, passages);
   set_feeds(runs, profile, params, mirror, path.report);
+  apply_feed_limits(runs);
+  note_feeds(runs, passages);
+  if (!progress.cancelled()) tell(passages, ground, mirror, path.report);
+  if (const std::optional<std::string> note = helix_note(runs, params))
+    path.report.notes.push_back(*note);
 
   const double depth = params.top - params.levels.back();
   const double levels = static_cast<double>(params.levels.size());
@@ -352,6 +401,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   assembly.tolerance = params.tolerance;
   assembly.arcs = params.arcs;
   assembly.wall_on_left = mirror;
+  assembly.order_by = params.order_by;
   path.moves = assemble(runs, assembly);
   path.report.cutting_time = duration(path.moves, params.rapid_feed);
   path.report.retracts = std::max(0, static_cast<int>(runs.size() * params.levels.size()) - 1);

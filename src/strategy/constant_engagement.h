@@ -7,6 +7,7 @@
 #include "cutting/force.h"
 #include "geometry/region.h"
 #include "support/progress.h"
+#include "toolpath/assemble.h"
 #include "toolpath/toolpath.h"
 
 namespace evenload {
@@ -19,6 +20,11 @@ enum class FeedControl {
   kConstantForce
 };
 enum class EntryKind { kAutomatic, kHelix, kRamp, kPredrilledHole };
+// Where the free width is under twice the minimum radius.
+enum class NarrowPassages { kTrochoid, kReducedFeed, kSkip };
+
+// mm: the tool stays this far from the wall, so that rounding to three decimals never takes it in.
+inline constexpr double kWallGap = 8e-4;
 
 struct ClearingParams {
   double tool_diameter = 6;           // mm, > 0
@@ -40,8 +46,10 @@ struct ClearingParams {
   double hole_diameter = 0;         // mm
   double stock_to_leave = 0;        // mm, >= 0, radially
   bool wall_pass = true;
-  double tolerance = 0.005;             // mm, > 0
-  bool arcs = true;                     // false: lines only
+  double tolerance = 0.005;  // mm, > 0
+  bool arcs = true;          // false: lines only
+  OrderBy order_by = OrderBy::kRegion;
+  NarrowPassages narrow_passages = NarrowPassages::kTrochoid;
   double link_lift = 0;                 // mm, >= 0, stays below the level's top
   double top = 0;                       // mm: z of the stock's top
   std::vector<double> levels = {-3.0};  // mm: z of each level, strictly descending, all below top;

@@ -8,7 +8,9 @@
 #include <utility>
 
 #include "cutting/engagement.h"
+#include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
+#include "strategy/entry.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
 #include "strategy/steering.h"
@@ -24,8 +26,6 @@ constexpr double kTightestTurn = 0.001;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
 constexpr double kShortCorner = 0.05;
-// A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
-constexpr double kNarrowestHelix = 0.02;
 // mm: of the place of an entry.
 constexpr double kEntryTolerance = 1e-3;
 // mm: a place of one stage's wall this near to another's is the same place.
@@ -33,12 +33,8 @@ constexpr double kSamePlace = 1e-4;
 // There is a stage that turns as tightly as this share of the entry's radius: a first pass that
 // turns less tightly than the entry's circle would run into more material than the limit allows.
 constexpr double kFirstTurn = 0.5;
-// A helix stays this share of its room away from the walls.
-constexpr double kHelixRoom = 0.98;
-// Directions in which room for a ramp is looked for.
-constexpr int kRampDirections = 180;
-// A ramp is no longer than this many tool diameters.
-constexpr double kLongestRamp = 1.5;
+// Rooms less wide than this share of the tool's radius get no entry of their own.
+constexpr double kNarrowestRoom = 0.02;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
@@ -63,15 +59,21 @@ class RegionClearing {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         exact_({task.centres}),
+        around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr),
         stages_(stages()),
-        samples_(stages_, ground_) {}
+        samples_(stages_, ground_) {
+    for (const PlanarRun& run : task.before) {
+      add_descent(run.descent, ground_);
+      for (const PlanarMove& move : run.moves) ground_.add(move.segment);
+    }
+  }
 
   RegionResult run() {
     enter();
-    clear_all();
+    if (!result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) report();
     return std::move(result_);
   }
@@ -80,6 +82,7 @@ class RegionClearing {
   Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
 
   void report() {
+    if (!leftover_.prepared()) prepare_leftover();
     result_.uncut_area = leftover_.area(ground_);
     if (result_.uncut_area > 0) {
       const Vec2 at = shown(*leftover_.place());
@@ -109,12 +112,7 @@ class RegionClearing {
 
   // mm: of the circle that the tool's centre runs on before the first pass.
   double entry_radius() const {
-    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(widest_);
-  }
-
-  // Wider than the tool's radius a helix would leave a post in its middle.
-  double helix_radius(const Circle& room) const {
-    return std::min({0.5 * params_.helix_diameter, kHelixRoom * room.radius, 0.98 * radius_});
+    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(params_, widest_);
   }
 
   std::vector<Stage> stages() const {
@@ -177,11 +175,24 @@ class RegionClearing {
                             "choose the entry 'Automatic' or 'Helix'.");
       return;
     }
+    if (params_.entry == EntryKind::kPredrilledHole) {
+      samples_.update(everywhere.low, everywhere.high);
+      enter_from_before();
+      return;
+    }
     Descent descent;
     const Pose start = choose_entry(widest_, descent);
     samples_.update(everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
+  }
+
+  // Where a wall leads from ground that was cut before into the material.
+  void enter_from_before() {
+    const std::vector<PassStart> starts = samples_.starts();
+    if (starts.empty()) return;
+    begin_run({DescentKind::kPlunge, starts.front().pose.p, {}, 0, {}, true});
+    here_ = starts.front().pose;
   }
 
   // Over an open edge: where a wall leads into the material, or straight at it. False when the tool
@@ -193,7 +204,7 @@ class RegionClearing {
       here_ = starts.front().pose;
       return true;
     }
-    const std::optional<Pose> start = outside_start();
+    const std::optional<Pose> start = start_outside(exact_, task_.material, ground_);
     if (!start) return false;
     begin_run({DescentKind::kPlunge, start->p, {}, 0, {}, false});
     here_ = *start;
@@ -222,68 +233,17 @@ class RegionClearing {
   }
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  Pose choose_entry(const Circle& circle, Descent& descent) {
-    const bool ramp_wanted = params_.entry == EntryKind::kRamp;
-    if (kHelixRoom * circle.radius >= kNarrowestHelix * radius_ && !ramp_wanted) {
-      descent.kind = DescentKind::kHelix;
-      descent.centre = circle.centre;
-      descent.radius = helix_radius(circle);
-      descent.at = circle.centre + Vec2{descent.radius, 0};
-      ground_.add_disc(circle.centre, descent.radius + radius_);
-      return Pose{descent.at, kPi / 2};
-    }
-    // The ramp begins and ends where there is most room, so that the tool can turn there.
-    if (params_.entry == EntryKind::kHelix)
-      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
-    descent.kind = DescentKind::kRamp;
-    descent.at = circle.centre;
-    double longest = -1;
-    for (int i = 0; i < kRampDirections; ++i) {
-      const Vec2 direction = unit(2 * kPi * i / kRampDirections);
-      const double length =
-          free_length(circle.centre, direction, kLongestRamp * params_.tool_diameter);
-      if (length > longest + 1e-9) {
-        longest = length;
-        descent.ramp_end = circle.centre + length * direction;
-      }
-    }
-    if (longest < 1e-3)
-      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(circle.centre),
+  Pose choose_entry(const Circle& room, Descent& descent) {
+    const std::optional<Entry> entry = descend_within(exact_, room, params_);
+    if (!entry)
+      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(room.centre),
                           "The tool has no room to descend in this pocket: drill a hole first and "
                           "choose the entry 'Predrilled hole', or take a smaller tool.");
-    ground_.add(Segment::line(descent.at, descent.ramp_end));
-    const Vec2 along = normalized(descent.ramp_end - descent.at);
-    return Pose{descent.at, angle_of(along)};
-  }
-
-  double free_length(Vec2 from, Vec2 direction, double limit) const {
-    double length = 0;
-    while (length < limit) {
-      const double inside = exact_.signed_distance(from + length * direction);
-      if (inside < 1e-5) break;
-      length += inside;
-    }
-    return std::min(length, limit);
-  }
-
-  // From outside the stock, over an open edge, straight towards the material until the tool touches
-  // it.
-  std::optional<Pose> outside_start() const {
-    const Segment* best = nullptr;
-    std::vector<Segment> edges;
-    for (const Region& region : task_.material)
-      for (const Curve& curve : region.curves())
-        for (const Segment& segment : curve.segments())
-          if (segment.open) edges.push_back(segment);
-    for (const Segment& edge : edges) {
-      const Vec2 outwards = -left_normal(edge.tangent(0.5));
-      const Vec2 p = edge.point(0.5) + 1.02 * radius_ * outwards;
-      if (exact_.signed_distance(p) < 0 || !ground_.is_clear(p)) continue;
-      if (!best || edge.length() > best->length() + 1e-9) best = &edge;
-    }
-    if (!best) return std::nullopt;
-    const Vec2 outwards = -left_normal(best->tangent(0.5));
-    return Pose{best->point(0.5) + 1.02 * radius_ * outwards, angle_of(-outwards) + kPi / 2};
+    if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
+      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
+    descent = entry->descent;
+    add_descent(descent, ground_);
+    return entry->start;
   }
 
   // A pass from the free pose where the tool stands, with the widest turn that can be made there.
@@ -356,7 +316,7 @@ class RegionClearing {
     const double rise =
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
-    std::vector<Segment> link = shortest_link({ground_, before}, exact_, here_, to, link_turn(),
+    std::vector<Segment> link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
                                               retract_minutes * params_.link_feed);
     if (!link.empty()) {
       add_moves(MoveKind::kLink, link);
@@ -366,7 +326,7 @@ class RegionClearing {
     // What grazes is no link, but a cut of next to nothing.
     const double feed =
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
-    link = shortest_link({ground_, before}, exact_, here_, to, link_turn(), retract_minutes * feed,
+    link = shortest_link({ground_, before}, around_, here_, to, link_turn(), retract_minutes * feed,
                          LinkSpace::kGrazing);
     if (link.empty()) return false;
     add_moves(MoveKind::kCut, link);
@@ -517,7 +477,7 @@ class RegionClearing {
       for (const Region& room : stage.rooms) {
         if (has_cleared_wall(room)) continue;
         const Circle circle = largest_circle(room, kEntryTolerance);
-        if (circle.radius < kNarrowestHelix * radius_ || ground_.is_cleared_point(circle.centre))
+        if (circle.radius < kNarrowestRoom * radius_ || ground_.is_cleared_point(circle.centre))
           continue;
         Descent descent;
         const Pose start = choose_entry(circle, descent);
@@ -554,10 +514,13 @@ class RegionClearing {
     return *best;
   }
 
+  void prepare_leftover() {
+    leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+  }
+
   // Material that no wall leads to: approached from the nearest place where the tool has been.
   bool cut_leftover() {
-    if (!leftover_.prepared())
-      leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+    if (!leftover_.prepared()) prepare_leftover();
     while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
@@ -571,7 +534,7 @@ class RegionClearing {
   const ClearingParams& params_;
   Progress& progress_;
   double radius_;
-  Area exact_;
+  Area exact_, around_;
   Circle widest_;  // among the places of the tool's centre
   ClearedGround ground_;
   std::vector<Stage> stages_;

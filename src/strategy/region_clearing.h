@@ -17,8 +17,11 @@ struct RegionTask {
   Region centres;                // where the tool's centre may be, climb milling to the right
   std::vector<Region> material;  // the pocket's floor; used where pieces of its border are open
   bool has_open_edges = false;
-  std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region
-  bool mirrored = false;     // places named in notes and errors are to be mirrored back
+  std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region
+  bool mirrored = false;       // places named in notes and errors are to be mirrored back
+  std::vector<Region> around;  // where links may go; empty: within `centres`
+  std::vector<PlanarRun>
+      before;  // made already; with a pre-drilled hole elsewhere they are the way in
 };
 
 struct RegionResult {

@@ -1,7 +1,8 @@
 // Errors of the core.
 //
-// A bad argument throws std::invalid_argument at the public function that takes it. Geometry that cannot be worked on
-// throws GeometryError, which says what is wrong and where. Incomplete but usable work is no error: it stands in Report.
+// A bad argument throws std::invalid_argument at the public function that takes it. Geometry that
+// cannot be worked on throws GeometryError, which says what is wrong and where. Incomplete but
+// usable work is no error: it stands in Report.
 #pragma once
 
 #include <stdexcept>

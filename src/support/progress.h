@@ -1,4 +1,5 @@
-// Progress and cancelling: long functions call `progress.report(share)` often and stop soon after it answers false.
+// Progress and cancelling: long functions call `progress.report(share)` often and stop soon after
+// it answers false.
 #pragma once
 
 #include <functional>

@@ -25,16 +25,20 @@ class Assembler {
   explicit Assembler(const AssemblyParams& params) : params_(params) {}
 
   std::vector<Move> build(const std::vector<PlanarRun>& runs) {
-    for (std::size_t first = 0; first < runs.size();) {
-      std::size_t last = first + 1;
-      while (last < runs.size() && !runs[last].new_region) ++last;
-      if (!moves_.empty()) rapid_z(params_.clearance_height);
-      double top = params_.top;
-      for (const double level : params_.levels) {
-        for (std::size_t i = first; i < last; ++i) add_run(runs[i], top, level);
-        top = level;
-      }
-      first = last;
+    std::vector<std::size_t> firsts;  // the first run of each region
+    for (std::size_t i = 0; i < runs.size(); ++i)
+      if (i == 0 || runs[i].new_region) firsts.push_back(i);
+    firsts.push_back(runs.size());
+    const std::size_t regions = firsts.size() - 1, levels = params_.levels.size();
+    for (std::size_t k = 0; k < regions * levels; ++k) {
+      const bool by_depth = params_.order_by == OrderBy::kDepth;
+      const std::size_t region = by_depth ? k % regions : k / levels;
+      const std::size_t level = by_depth ? k / regions : k % levels;
+      const bool comes_from_another = by_depth ? regions > 1 : level == 0;
+      if (!moves_.empty() && comes_from_another) rapid_z(params_.clearance_height);
+      const double top = level == 0 ? params_.top : params_.levels[level - 1];
+      for (std::size_t i = firsts[region]; i < firsts[region + 1]; ++i)
+        add_run(runs[i], top, params_.levels[level]);
     }
     if (!moves_.empty()) rapid_z(params_.clearance_height);
     return std::move(moves_);

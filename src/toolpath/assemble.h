@@ -8,6 +8,11 @@
 
 namespace evenload {
 
+enum class OrderBy {
+  kRegion,  // every region down to its last level before the next
+  kDepth,   // every region at one level before the next level
+};
+
 struct AssemblyParams {
   double top = 0;                // mm
   std::vector<double> levels;    // mm, descending
@@ -21,11 +26,13 @@ struct AssemblyParams {
   double tolerance = 0.005;      // mm, of lines in place of arcs
   bool arcs = true;
   bool wall_on_left = false;  // conventional milling
+  OrderBy order_by = OrderBy::kRegion;
 };
 
-// The moves of `runs` at every level, region by region in the order given, each level after the one
-// above it. Arcs turn by at most half a circle. Without arcs the lines stay on the side of each arc
-// that the tool may touch.
+// The moves of `runs` at every level, regions in the order given, each level of a region after the
+// one above it and by its own descent. Between regions the tool rises to the clearance height. Arcs
+// turn by at most half a circle. Without arcs the lines stay on the side of each arc that the tool
+// may touch.
 std::vector<Move> assemble(const std::vector<PlanarRun>& runs, const AssemblyParams& params);
 
 // s, of all moves; rapids at `rapid_feed` mm/min.

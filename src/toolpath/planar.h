@@ -11,7 +11,9 @@ namespace evenload {
 struct PlanarMove {
   MoveKind kind = MoveKind::kCut;  // kLink or kCut
   Segment segment;
-  double feed = 0;  // mm/min, set by feed control
+  double feed = 0;        // mm/min, set by feed control
+  int passage = -1;       // number of the narrow passage that a cut is made in
+  double feed_limit = 0;  // mm/min, what feed control sets is lowered to; 0: none
 };
 
 enum class DescentKind {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "toolpath/assemble.h"
 
@@ -72,6 +73,81 @@ TEST(Assemble, ReachesEveryLevelExactlyAndTheLastLast) {
       above = move.z;
     }
     EXPECT_EQ(levels, params.levels);
+  }
+}
+
+// Three regions, the second with a retract of its own.
+std::vector<PlanarRun> three_regions() {
+  std::vector<PlanarRun> runs{helix_run(), ramp_run(), plunge_run(true), plunge_run(false)};
+  runs[0].new_region = runs[1].new_region = runs[3].new_region = true;
+  for (PlanarMove& move : runs[3].moves) {
+    move.segment.a.x += 40;
+    move.segment.b.x += 40;
+  }
+  runs[3].descent.at.x += 40;
+  return runs;
+}
+
+// (region, level) of every cut, without repetitions in a row.
+std::vector<std::pair<int, double>> order_of(const std::vector<Move>& moves) {
+  std::vector<std::pair<int, double>> order;
+  for (const Move& move : moves) {
+    if (move.kind != MoveKind::kCut) continue;
+    const int region = move.x > 30 ? 2 : move.x == 0 || move.x == 4 ? 1 : 0;
+    if (order.empty() || order.back() != std::pair(region, move.z))
+      order.emplace_back(region, move.z);
+  }
+  return order;
+}
+
+TEST(Assemble, CutsEveryRegionToItsEndBeforeTheNextByRegion) {
+  AssemblyParams params = two_levels();
+  const double a = params.levels[0], b = params.levels[1];
+  const std::vector<std::pair<int, double>> by_region{{0, a}, {0, b}, {1, a},
+                                                      {1, b}, {2, a}, {2, b}};
+  EXPECT_EQ(order_of(assemble(three_regions(), params)), by_region);
+}
+
+TEST(Assemble, CutsAllRegionsAtOneLevelBeforeTheNextByDepth) {
+  AssemblyParams params = two_levels();
+  params.order_by = OrderBy::kDepth;
+  const double a = params.levels[0], b = params.levels[1];
+  const std::vector<std::pair<int, double>> by_depth{{0, a}, {1, a}, {2, a},
+                                                     {0, b}, {1, b}, {2, b}};
+  EXPECT_EQ(order_of(assemble(three_regions(), params)), by_depth);
+}
+
+TEST(Assemble, DescendsAnewIntoEveryRegionAtEveryLevelAndTravelsHighBetweenThem) {
+  for (const OrderBy order : {OrderBy::kRegion, OrderBy::kDepth}) {
+    AssemblyParams params = two_levels();
+    params.order_by = order;
+    const std::vector<Move> moves = assemble(three_regions(), params);
+    int descents = 0;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      const Move &from = moves[i - 1], &to = moves[i];
+      descents += to.kind == MoveKind::kEntry && from.kind != MoveKind::kEntry;
+      if (to.kind != MoveKind::kRapid || (from.x == to.x && from.y == to.y)) continue;
+      EXPECT_GE(std::min(from.z, to.z), params.safe_height);
+      if (std::abs(from.x - to.x) > 20) {
+        EXPECT_GE(std::min(from.z, to.z), params.clearance_height);
+      }
+    }
+    EXPECT_EQ(descents, 6);
+  }
+}
+
+// One region has no others to go to between its levels.
+TEST(Assemble, IsTheSameByRegionAndByDepthForOneRegion) {
+  for (const std::vector<PlanarRun>& runs : jobs()) {
+    AssemblyParams params = two_levels();
+    const std::vector<Move> by_region = assemble(runs, params);
+    params.order_by = OrderBy::kDepth;
+    const std::vector<Move> by_depth = assemble(runs, params);
+    ASSERT_EQ(by_region.size(), by_depth.size());
+    for (std::size_t i = 0; i < by_region.size(); ++i) {
+      EXPECT_EQ(by_region[i].x, by_depth[i].x);
+      EXPECT_EQ(by_region[i].z, by_depth[i].z);
+    }
   }
 }
 

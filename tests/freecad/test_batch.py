@@ -99,6 +99,9 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
         "Entry": "Predrilled hole",
         "EntryPoint": [15, 15, 0],
         "HoleDiameter": 9,
+        "OrderBy": "Depth",
+        "NarrowPassages": "Skip and report",
+        "StockToLeaveAxial": 0.1,
         "WallPass": False,
     }
     job = a_job(folder, operation={"type": "adaptive", "parameters": parameters})
@@ -116,6 +119,8 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
         assert op.LinkFeed.Value == pytest.approx(2000 / 60)
         assert op.MaximumFeed.Value == pytest.approx(10)
         assert op.EntryPoint == Vector(15, 15, 0) and op.WallPass is False
+        assert op.OrderBy == "Depth" and op.NarrowPassages == "Skip and report"
+        assert op.StockToLeaveAxial.Value == pytest.approx(0.1)
         assert op.ToolController.VertFeed.Value == pytest.approx(100 / 60)
         assert op.ToolController.HorizRapid.Value == pytest.approx(8000 / 60)
         assert op.ToolController.Tool.CuttingEdgeHeight.Value == pytest.approx(12)

@@ -59,6 +59,7 @@ def change(bench, op, **properties):
             {"HoleDiameter": 8, "EntryPoint": Vector(-5, 15, 0)},
             ["EntryPoint (-5, 15)", "lies outside Face", "move it inside"],
         ),
+        ({"StockToLeaveAxial": 3}, ["StockToLeaveAxial (3 mm)", "lower it"]),
         (
             {"Entry": "Predrilled hole", "HoleDiameter": 8, "EntryPoint": Vector(40, 15, 0)},
             ["EntryPoint (40, 15)", "lies outside Face", "move it inside"],

@@ -314,6 +314,13 @@ def test_stock_to_leave_must_stay_along_the_walls(square):
     assert abs(_area(wall.outer)) == pytest.approx(stock.area)  # and not more than there is
 
 
+def test_axial_stock_to_leave_must_stay_on_the_floor(square):
+    found = job_simulation.read(square.done(square.operation(StockToLeaveAxial=0.5)))
+    assert min(top for _, top in found.part) == pytest.approx(-2.5)
+    simulation = found.simulate(resolution=0.2)
+    assert simulation.gouge_mm < 0.01 and simulation.rest_area < 0.5
+
+
 def _area(chain):
     pairs = zip(chain, [*chain[1:], chain[0]])
     return sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs) / 2

@@ -110,6 +110,19 @@ def test_a_deep_final_depth_is_met_exactly_though_the_step_does_not_divide_it(be
     assert {-2.5, -5.0, -7.3} <= seen and min(seen) == -7.3
 
 
+@pytest.mark.parametrize(
+    "step, levels",
+    [(3.0, [-2.8]), (1.4, [-1.4, -2.8]), (1.0, [-1, -2, -2.8]), (0.9, [-0.9, -1.8, -2.7, -2.8])],
+)
+def test_the_axial_stock_to_leave_stays_above_the_final_depth(square, step, levels):
+    op = square.done(square.operation(StepDown=step, StockToLeaveAxial=0.2))
+    cuts = {round(start[2], 6) for name, start, end, *_ in moves_of(op) if end[2] == start[2] < 0}
+    assert sorted(cuts, reverse=True) == levels
+    assert min(end[2] for _, _, end, *_ in moves_of(op)) == pytest.approx(-2.8)
+    assert op.RemovedVolume.Value == pytest.approx(900 * 2.8, rel=0.02)
+    assert "FinalDepth" not in op.Report  # it is the floor's, as it should be
+
+
 def test_depths_that_miss_the_floor_are_reported(square):
     op = square.done(square.operation())
     assert "FinalDepth" not in op.Report
@@ -172,6 +185,7 @@ def test_defaults_are_those_of_the_contract(square):
         "RollRadius": 0.9,
         "MinimumRadius": 0.9,
         "StockToLeave": 0,
+        "StockToLeaveAxial": 0,
         "Tolerance": 0.005,
     }
     for name, value in expected.items():
@@ -191,6 +205,12 @@ def test_defaults_are_those_of_the_contract(square):
         "Constant force",
     ]
     assert op.getEnumerationsOfProperty("Material") == materials.names()
+    assert op.getEnumerationsOfProperty("OrderBy") == ["Region", "Depth"]
+    assert op.getEnumerationsOfProperty("NarrowPassages") == [
+        "Trochoid with smaller radius",
+        "Cut at reduced feed",
+        "Skip and report",
+    ]
 
 
 def test_angle_and_side_step_follow_each_other(square):

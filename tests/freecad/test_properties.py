@@ -281,6 +281,110 @@ def test_the_automatic_entry_takes_an_open_side_then_a_hole_then_a_helix_then_a_
     assert {m[0] for m in ramp} == {"G1"} and all(m[1][:2] != m[2][:2] for m in ramp)
 
 
+def test_a_hole_in_one_pocket_leaves_the_others_their_own_entry(pocket):
+    b = pocket(face_of(SQUARE), face_of(rectangle(40, 0, 70, 30)))
+    op = cleared(b, HoleDiameter=8, EntryPoint=Vector(15, 15, 0))
+    down = first_descent(op)
+    assert {m[0] for m in down if m[2][0] < 35} == {"G1"}
+    assert {m[0] for m in down if m[2][0] > 35} == {"G3"}
+    assert "does not hold the pre-drilled hole" in op.Report
+
+
+def test_a_helix_wider_than_the_tool_is_narrowed_and_reported(pocket):
+    op = cleared(pocket(face_of(SQUARE)), HelixDiameter=8)
+    assert "HelixDiameter 8 mm was taken as 5.88 mm" in op.Report
+    assert max(2 * radius_of(m) for m in arcs(of_feed(op, PLUNGE))) < 5.9
+
+
+# ---- order ----
+
+
+@pytest.mark.parametrize("control", ["Constant feed", "Constant removal rate"])
+@pytest.mark.parametrize(
+    "order, places",
+    [
+        ("Region", [(0, -1.5), (0, -3), (1, -1.5), (1, -3)]),
+        ("Depth", [(0, -1.5), (1, -1.5), (0, -3), (1, -3)]),
+    ],
+)
+def test_several_pockets_are_cut_one_by_one_or_level_by_level(pocket, control, order, places):
+    floors = [face_of(SQUARE), face_of(rectangle(40, 0, 70, 30))]
+    op = cleared(pocket(*floors), OrderBy=order, StepDown=1.5, FeedControl=control)
+    check_path(op, [floor.translated(Vector(0, 0, -DEPTH)) for floor in floors])
+    seen = []
+    for name, start, end, _, feed in moves_of(op):
+        if name == "G0":
+            if None not in start and (start[0] < 35) != (end[0] < 35):
+                assert min(start[2], end[2]) >= op.ClearanceHeight.Value
+        elif feed not in (LINK, PLUNGE) and end[2] == start[2]:
+            place = (int(end[0] > 35), end[2])
+            if place not in seen[-1:]:
+                seen.append(place)
+    assert seen == places
+    # Every region has its own descent at every level.
+    assert (
+        len(
+            {(m[2][0] > 35, m[2][2]) for m in first_descent(op)}
+            & set((x, z) for x in (False, True) for z in (-1.5, -3))
+        )
+        == 4
+    )
+
+
+# ---- narrow passages ----
+
+# Two rooms of 20 mm, joined by a neck of 6.3 mm.
+ROOMS = face_of(
+    [
+        (x, y, 0)
+        for x, y in (
+            *((0, 0), (20, 0), (20, 7), (32, 7), (32, 0), (52, 0)),
+            *((52, 20), (32, 20), (32, 13.3), (20, 13.3), (20, 20), (0, 20)),
+        )
+    ]
+)
+
+
+def test_narrow_passages_are_cut_by_trochoids_unless_told_otherwise(pocket):
+    op = cleared(pocket(ROOMS))
+    assert op.NarrowPassages == "Trochoid with smaller radius"
+    assert op.MaxEngagement.Value < 62 and "passage" not in op.Report
+    check_path(op, [ROOMS.translated(Vector(0, 0, -DEPTH))])
+
+
+@pytest.mark.parametrize("control", ["Constant feed", "Constant removal rate"])
+def test_narrow_passages_can_be_cut_at_a_reduced_feed(pocket, control):
+    op = cleared(pocket(ROOMS), NarrowPassages="Cut at reduced feed", FeedControl=control)
+    check_path(op, [ROOMS.translated(Vector(0, 0, -DEPTH))])
+    assert "Cut at reduced feed: the passage near" in op.Report and op.UncutArea.Value == 0
+    assert op.MaxEngagement.Value == pytest.approx(180, abs=1)
+    slow = [m for m in moves_of(op) if m[0] != "G0" and m[4] < 0.3 * CUT]
+    assert slow and min(m[4] for m in slow) == pytest.approx(CUT / 4, rel=0.03)
+    for _, start, end, *_ in slow:
+        assert 17 < start[0] < 35 and 17 < end[0] < 35
+    assert sum(map(length_of, slow)) > 10
+
+
+def test_narrow_passages_can_be_skipped_and_are_reported(pocket):
+    op = cleared(pocket(ROOMS), NarrowPassages="Skip and report")
+    assert "Skipped: the passage near (26" in op.Report and "6.30 mm wide" in op.Report
+    assert 0.5 * 12 * 6.3 < op.UncutArea.Value < 12 * 6.3
+    assert op.MaxEngagement.Value < 62
+    assert not [p for p in points_of(op) if 21 < p[0] < 31 and p[2] < 0]
+    entered = {m[2][0] > 26 for m in first_descent(op)}
+    assert entered == {False, True}
+
+
+def test_a_slot_hardly_wider_than_the_tool_is_cut_at_a_reduced_feed_at_once(pocket):
+    slot = face_of(rectangle(0, 0, 40, 6.02))
+    op = cleared(pocket(slot), NarrowPassages="Cut at reduced feed")
+    check_path(op, [slot.translated(Vector(0, 0, -DEPTH))])
+    assert op.UncutArea.Value == 0 and len(op.Path.Commands) < 100
+    ramp = first_descent(op)
+    assert {m[0] for m in ramp} == {"G1"}
+    assert max(length_of(m) for m in ramp) > 8.9  # along the slot
+
+
 # ---- output ----
 
 

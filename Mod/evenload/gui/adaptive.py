@@ -12,20 +12,33 @@ _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
 GROUPS = (
-    ("Cut", ("EngagementAngle", "SideStep", "CutMode", "StockToLeave", "WallPass")),
+    (
+        "Cut",
+        (
+            "EngagementAngle",
+            "SideStep",
+            "CutMode",
+            "StockToLeave",
+            "StockToLeaveAxial",
+            "WallPass",
+            "OrderBy",
+        ),
+    ),
     ("Feeds", ("FeedControl", "MaximumFeed", "Material", "LinkFeed", "LinkLift")),
     (
         "Entry",
         ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
     ),
-    ("Path", ("RollRadius", "MinimumRadius", "Tolerance", "Arcs")),
+    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs")),
 )
 LABELS = {
     "EngagementAngle": "Engagement angle",
     "SideStep": "Side step",
     "CutMode": "Cut mode",
     "StockToLeave": "Stock to leave",
+    "StockToLeaveAxial": "Stock at the floor",
     "WallPass": "Wall pass",
+    "OrderBy": "Order by",
     "FeedControl": "Feed control",
     "MaximumFeed": "Maximum feed",
     "Material": "Material",
@@ -38,6 +51,7 @@ LABELS = {
     "HoleDiameter": "Hole diameter",
     "RollRadius": "Roll radius",
     "MinimumRadius": "Minimum radius",
+    "NarrowPassages": "Narrow passages",
     "Tolerance": "Tolerance",
     "Arcs": "Arcs (G2, G3)",
 }

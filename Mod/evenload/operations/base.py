@@ -257,7 +257,7 @@ class Operation(host.operation_base()):
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
         self.last = Computation(floors, regions, toolpath, tool, data, hole)
-        notes = self._notes(floors, levels[-1]) + force.notes(obj, tool)
+        notes = self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
 
     def generate(self, obj, core, regions, parameters):
@@ -327,6 +327,8 @@ class Operation(host.operation_base()):
             "link_lift": obj.LinkLift.Value,
             "top": obj.StartDepth.Value,
             "levels": levels,
+            "order_by": obj.OrderBy.lower(),
+            "narrow_passages": obj.NarrowPassages.lower(),
             "safe_height": obj.SafeHeight.Value,
             "clearance_height": obj.ClearanceHeight.Value,
             **force.parameters(obj, tool, data),

@@ -19,7 +19,7 @@ def settings(obj, tool, data):
     for name in POSITIVE:
         if not getattr(obj, name).Value > 0:
             raise ValueError("%s is %s: it must be positive." % (name, _text(obj, name)))
-    for name in ("LinkLift", "HoleDiameter", "StockToLeave"):
+    for name in ("LinkLift", "HoleDiameter", "StockToLeave", "StockToLeaveAxial"):
         if getattr(obj, name).Value < 0:
             raise ValueError("%s is %s: it must not be negative." % (name, _text(obj, name)))
     if not 0 < obj.HelixAngle.Value < 90:
@@ -36,18 +36,24 @@ def settings(obj, tool, data):
 
 def _levels(obj, tool):
     start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
+    last = final + obj.StockToLeaveAxial.Value
     if not start > final:
         raise ValueError(
             "StartDepth (%g mm) does not lie above FinalDepth (%g mm): raise StartDepth or "
             "lower FinalDepth." % (start, final)
         )
+    if not start > last:
+        raise ValueError(
+            "StockToLeaveAxial (%g mm) leaves nothing to cut between StartDepth (%g mm) and "
+            "FinalDepth (%g mm): lower it." % (last - final, start, final)
+        )
     if not step > 0:
         raise ValueError("StepDown is %g mm: it must be positive." % step)
-    if tool.cutting_length and start - final > tool.cutting_length + 1e-6:
+    if tool.cutting_length and start - last > tool.cutting_length + 1e-6:
         raise ValueError(
             "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
             "take a longer tool or raise FinalDepth."
-            % (start - final, tool.cutting_length, tool.name)
+            % (start - last, tool.cutting_length, tool.name)
         )
     if obj.SafeHeight.Value < start:
         raise ValueError(
@@ -59,7 +65,7 @@ def _levels(obj, tool):
             "ClearanceHeight (%g mm) lies below SafeHeight (%g mm): raise it."
             % (obj.ClearanceHeight.Value, obj.SafeHeight.Value)
         )
-    return host.cutting_levels(start, step, final)
+    return host.cutting_levels(start, step, last)
 
 
 def hole(obj, tool, floors):

@@ -131,7 +131,14 @@ SETTINGS = (
         None,
         "Wished smallest radius of the path; at first 0.15 of the tool's diameter",
     ),
+    Setting(
+        "NarrowPassages",
+        "App::PropertyEnumeration",
+        ["Trochoid with smaller radius", "Cut at reduced feed", "Skip and report"],
+        "What is done where the width left for the tool's centre is under twice MinimumRadius",
+    ),
     Setting("StockToLeave", "App::PropertyLength", 0.0, "What stays at the walls"),
+    Setting("StockToLeaveAxial", "App::PropertyLength", 0.0, "What stays above FinalDepth"),
     Setting(
         "WallPass", "App::PropertyBool", True, "A last pass along the walls takes what is left"
     ),
@@ -142,6 +149,12 @@ SETTINGS = (
         "Largest distance of the output from the exact path; never into a wall",
     ),
     Setting("Arcs", "App::PropertyBool", True, "Arcs in the output (G2, G3); without, lines only"),
+    Setting(
+        "OrderBy",
+        "App::PropertyEnumeration",
+        ["Region", "Depth"],
+        "Of several regions: each down to its last level, or all level by level",
+    ),
 )
 
 RESULT_SETTINGS = (

@@ -1,0 +1,44 @@
+// How the tool comes down to a level in one region: from outside, by a helix, or by a ramp.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "geometry/medial_axis.h"
+#include "strategy/area.h"
+#include "strategy/constant_engagement.h"
+#include "strategy/steering.h"
+#include "toolpath/planar.h"
+
+namespace evenload {
+
+struct Entry {
+  Descent descent;
+  Pose start;  // from which the first pass begins
+};
+
+// mm: of the tool centre's helix within `room`, a circle of places of the centre: the wished one,
+// or what fits. Law: at most widest_helix().
+double helix_radius(const ClearingParams& params, const Circle& room);
+// mm: the largest radius of a helix that leaves no post in its middle.
+double widest_helix(const ClearingParams& params);
+// What to tell the user where a helix of `runs` had to be narrower than wished for that reason.
+std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
+                                      const ClearingParams& params);
+
+// A helix in `room`, or where none fits or a ramp is asked for, a ramp from the room's centre along
+// the longest free line within `centres`. Empty when there is not even room for a ramp: the tool
+// never plunges. Laws: the descent stays inside `centres`; a ramp is no longer than kLongestRamp
+// tool diameters.
+std::optional<Entry> descend_within(const Area& centres, const Circle& room,
+                                    const ClearingParams& params);
+inline constexpr double kLongestRamp = 1.5;
+
+// A place outside the stock, beside the longest open edge of `material` from which the tool can go
+// straight in; the heading is along the edge. Empty when there is none.
+std::optional<Pose> start_outside(const Area& centres, const std::vector<Region>& material,
+                                  const ClearedGround& ground);
+
+}  // namespace evenload

@@ -1,0 +1,107 @@
+#include "strategy/passage_report.h"
+
+#include <algorithm>
+#include <iomanip>
+#include <sstream>
+
+#include "strategy/area.h"
+#include "strategy/leftover.h"
+
+namespace evenload {
+namespace {
+
+// mm: a passage whose free width is twice the minimum radius to within this is not narrow.
+constexpr double kJustWide = 0.002;
+// Of the widest free width: between points of a passage's middle.
+constexpr double kAxisSpacing = 0.125;
+
+Bounds grown(Bounds bounds, double d) {
+  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
+}
+
+Curve without_cusps(const std::vector<PassageBorder>& loop) {
+  std::vector<Vertex> vertices;
+  vertices.reserve(loop.size());
+  for (const PassageBorder& piece : loop)
+    vertices.push_back({piece.segment.a, piece.is_mouth ? 0 : piece.segment.bulge()});
+  return Curve(std::move(vertices), true);
+}
+
+// mm^2 within the tool's reach from the passage that still hold material.
+double left_in(const PassageReport& passage, const ClearedGround& ground) {
+  Leftover leftover;
+  leftover.prepare(Area({passage.centres}),
+                   grown(bounds_of({passage.centres}), ground.tool_radius()), ground);
+  return leftover.area(ground);
+}
+
+}  // namespace
+
+DividedRegion divide(const Region& centres, const ClearingParams& params) {
+  double radius = params.minimum_radius - 0.5 * kJustWide;
+  if (params.narrow_passages == NarrowPassages::kReducedFeed)
+    radius = std::min(radius, kWidestPassage * 0.5 * params.tool_diameter);
+  if (radius <= 0) return {{{centres}, {}}, {}};
+  DividedRegion region{find_narrow_places(centres, radius), {}};
+  region.axes = passage_axes(centres, region.places, 2 * radius * kAxisSpacing);
+  return region;
+}
+
+std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params) {
+  std::vector<PassageReport> reports;
+  for (std::size_t k = 0; k < region.places.passages.size(); ++k) {
+    const PassageAxis& axis = region.axes[k];
+    PassageReport report;
+    for (const std::vector<PassageBorder>& loop : region.places.passages[k].loops)
+      if (report.centres.outer.empty())
+        report.centres.outer = without_cusps(loop);
+      else
+        report.centres.islands.push_back(without_cusps(loop));
+    report.at = axis.points.empty() ? report.centres.outer.vertices().front().p
+                                    : axis.points[axis.points.size() / 2].p;
+    report.width = params.tool_diameter + 2 * (params.stock_to_leave + kWallGap) + axis.narrowest();
+    reports.push_back(std::move(report));
+  }
+  return reports;
+}
+
+void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
+                     std::vector<PassageReport>& passages) {
+  for (const LoadSample& sample : profile) {
+    const int passage = runs[sample.run].moves[sample.move].passage;
+    if (passage < 0) continue;
+    double& most = passages[static_cast<std::size_t>(passage)].engagement;
+    most = std::max(most, sample.engagement);
+  }
+}
+
+void note_feeds(const std::vector<PlanarRun>& runs, std::vector<PassageReport>& passages) {
+  for (const PlanarRun& run : runs)
+    for (const PlanarMove& move : run.moves) {
+      if (move.passage < 0) continue;
+      double& lowest = passages[static_cast<std::size_t>(move.passage)].feed;
+      lowest = lowest > 0 ? std::min(lowest, move.feed) : move.feed;
+    }
+}
+
+void tell(const std::vector<PassageReport>& passages, const ClearedGround& ground, bool mirror,
+          Report& report) {
+  for (const PassageReport& passage : passages) {
+    const double left = left_in(passage, ground);
+    if (left == 0 && passage.feed == 0) continue;  // the tool has reached it from a room
+    std::ostringstream note;
+    note << std::fixed << std::setprecision(2);
+    note << (passage.feed > 0 ? "Cut at reduced feed: " : "Skipped: ") << "the passage near ("
+         << (mirror ? -passage.at.x : passage.at.x) << ", " << passage.at.y << "), "
+         << passage.width << " mm wide at its narrowest";
+    if (passage.feed > 0)
+      note << ", with up to " << std::setprecision(0) << passage.engagement * 180 / kPi
+           << "° engaged, down to " << std::setprecision(1) << passage.feed << " mm/min";
+    if (left > 0) note << "; " << std::setprecision(2) << left << " mm² stay uncut there";
+    note << ".";
+    report.notes.push_back(note.str());
+    report.uncut_area += left;
+  }
+}
+
+}  // namespace evenload

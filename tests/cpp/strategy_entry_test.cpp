@@ -1,0 +1,125 @@
+// How the tool comes down, region by region.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "corpus.h"
+#include "strategy/constant_engagement.h"
+#include "strategy/entry.h"
+
+namespace evenload {
+namespace {
+
+Region rectangle(double x0, double y0, double x1, double y1) {
+  return make_region(Curve({{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}}, true));
+}
+
+Circle widest(const Region& region) { return largest_circle(region, 1e-6); }
+
+TEST(Entry, IsTheWishedHelixWhereThereIsRoomAndShrinksElsewhere) {
+  ClearingParams params;
+  const Region wide = rectangle(0, 0, 20, 20), tight = rectangle(0, 0, 20, 2);
+  const auto helix = [&](const Region& region) {
+    const std::optional<Entry> entry = descend_within(Area({region}), widest(region), params);
+    EXPECT_EQ(entry->descent.kind, DescentKind::kHelix);
+    EXPECT_NEAR(distance(entry->start.p, entry->descent.centre), entry->descent.radius, 1e-9);
+    return entry->descent.radius;
+  };
+  EXPECT_NEAR(helix(wide), 0.5 * params.helix_diameter, 1e-9);
+  EXPECT_GT(helix(tight), 0.9);
+  EXPECT_LT(helix(tight), 1.0);
+  params.helix_diameter = 20;
+  EXPECT_LT(helix(wide), 0.5 * params.tool_diameter);
+}
+
+TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
+  ClearingParams params;
+  for (const double width : {1e-4, 1e-3, 0.05})
+    for (double angle = 0; angle < kPi; angle += 0.137) {
+      SCOPED_TRACE(angle);
+      const auto at = [&](double x, double y) { return rotated(Vec2{x, y}, angle); };
+      const Region slot =
+          make_region(Curve({{at(0, 0)}, {at(30, 0)}, {at(30, width)}, {at(0, width)}}, true));
+      const Area centres({slot});
+      const std::optional<Entry> entry = descend_within(centres, widest(slot), params);
+      ASSERT_TRUE(entry);
+      EXPECT_EQ(entry->descent.kind, DescentKind::kRamp);
+      const Vec2 from = entry->descent.at, to = entry->descent.ramp_end;
+      EXPECT_GT(distance(from, to), 0.99 * kLongestRamp * params.tool_diameter);
+      for (const double t : {0.0, 0.3, 0.7, 1.0})
+        EXPECT_GT(centres.signed_distance(from + t * (to - from)), -1e-9);
+    }
+}
+
+TEST(Entry, IsNeverAPlunge) {
+  const Region dot = rectangle(0, 0, 4e-4, 4e-4);
+  EXPECT_FALSE(descend_within(Area({dot}), widest(dot), {}));
+}
+
+struct TwoPockets {
+  std::vector<Region> regions{rectangle(0, 0, 20, 20), rectangle(30, 0, 60, 30)};
+  ClearingParams params;
+  TwoPockets() {
+    params.levels = {-1, -2};
+    params.entry_point = Vec2{10, 10};
+    params.hole_diameter = 8;
+  }
+  Toolpath clear() const {
+    Progress progress;
+    return clear_pocket(regions, params, progress);
+  }
+};
+
+bool says(const Toolpath& path, const std::string& words) {
+  return std::any_of(
+      path.report.notes.begin(), path.report.notes.end(),
+      [&](const std::string& note) { return note.find(words) != std::string::npos; });
+}
+
+TEST(Entry, OfOneRegionByItsHoleLeavesTheOtherItsHelixAndSaysSo) {
+  const Toolpath path = TwoPockets().clear();
+  EXPECT_EQ(path.report.termination, Termination::kComplete);
+  bool helix = false;
+  for (const Move& move : path.moves) {
+    if (move.kind != MoveKind::kEntry) continue;
+    if (move.x < 25) {
+      EXPECT_EQ(move.sweep, 0) << "straight into the hole";
+      EXPECT_EQ(move.x, 10);
+    } else {
+      helix |= move.sweep != 0;
+    }
+  }
+  EXPECT_TRUE(helix);
+  EXPECT_TRUE(says(path, "does not hold the pre-drilled hole: it has an entry of its own."));
+}
+
+TEST(Entry, TellsThatAHelixWiderThanTheToolWasNarrowed) {
+  TwoPockets pockets;
+  for (const double wish : {5.4, 5.88, 6.0, 12.0}) {
+    pockets.params.helix_diameter = wish;
+    EXPECT_EQ(says(pockets.clear(), "HelixDiameter"), wish > 5.88) << wish;
+  }
+}
+
+// Feed control must not forget where a region begins.
+TEST(Order, IsKeptByEveryFeedControl) {
+  for (const FeedControl control : {FeedControl::kConstantFeed, FeedControl::kConstantRemovalRate})
+    for (const OrderBy order : {OrderBy::kRegion, OrderBy::kDepth}) {
+      TwoPockets pockets;
+      pockets.params.feed_control = control;
+      pockets.params.order_by = order;
+      std::vector<int> places;  // 2 x region + level
+      for (const Move& move : pockets.clear().moves) {
+        if (move.kind != MoveKind::kCut) continue;
+        const int place = (move.x < 25 ? 0 : 2) + (move.z < -1.5 ? 1 : 0);
+        if (places.empty() || places.back() != place) places.push_back(place);
+      }
+      EXPECT_EQ(places, order == OrderBy::kRegion ? (std::vector<int>{0, 1, 2, 3})
+                                                  : (std::vector<int>{0, 2, 1, 3}));
+    }
+}
+
+}  // namespace
+}  // namespace evenload
