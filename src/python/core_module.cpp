@@ -16,6 +16,7 @@
 #include "python/gcode_module.h"
 #include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/rest_levels.h"
 #include "support/errors.h"
 
 namespace py = pybind11;
@@ -102,6 +103,7 @@ Toolpath clear_pocket_from_python(
     std::optional<std::tuple<double, double>> entry_point, double hole_diameter,
     double stock_to_leave, bool wall_pass, double tolerance, bool arcs, double link_lift,
     double top, std::vector<double> levels, double safe_height, double clearance_height,
+    const std::optional<std::vector<std::vector<Region>>>& stock,
     std::function<bool(double)> progress) {
   ClearingParams params;
   params.tool_diameter = tool_diameter;
@@ -143,7 +145,7 @@ Toolpath clear_pocket_from_python(
   })
                             : Progress();
   const py::gil_scoped_release unlocked;
-  return clear_pocket(regions, params, watch);
+  return stock ? clear_rest(regions, *stock, params, watch) : clear_pocket(regions, params, watch);
 }
 
 std::vector<std::tuple<double, double, double, int>> profile_for_python(
@@ -240,8 +242,12 @@ PYBIND11_MODULE(_core, m) {
         py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
         py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
         py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"), py::arg("progress") = nullptr,
-        "The toolpath that clears the regions level by level at constant engagement.");
+        py::arg("safe_height"), py::arg("clearance_height"), py::arg("stock") = py::none(),
+        py::arg("progress") = nullptr,
+        "The toolpath that clears the regions level by level at constant engagement. stock: for each "
+        "level, or once for all, the Regions in which material stands; None: all over.");
+  m.def("reachable_ground", &reachable_ground, py::arg("regions"), py::arg("tool_diameter"),
+        py::arg("stock_to_leave") = 0.0, "The Regions that the tool's disc can reach.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");

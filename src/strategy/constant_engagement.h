@@ -42,6 +42,9 @@ struct ClearingParams {
                                         // the last is the final depth
   double safe_height = 5;               // mm: rapids down to here are free
   double clearance_height = 10;         // mm: rapids from region to region
+  // Where material stands at the levels; unset: all over the regions. Where none stands the ground
+  // counts as cleared down to the last level, holes drilled before among it.
+  std::optional<std::vector<Region>> stock;
 };
 
 // The toolpath that clears `regions` (pocket floors: vertices' `open` marks pieces without a wall)
@@ -50,5 +53,9 @@ struct ClearingParams {
 // entries that cannot be used.
 Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
                       Progress& progress);
+
+// What the tool's disc can reach of the regions: where stock matters to clear_pocket.
+std::vector<Region> reachable_ground(const std::vector<Region>& regions, double tool_diameter,
+                                     double stock_to_leave);
 
 }  // namespace evenload

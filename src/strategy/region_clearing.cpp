@@ -7,7 +7,9 @@
 #include <sstream>
 #include <utility>
 
+#include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
+#include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
 #include "strategy/steering.h"
@@ -44,10 +46,6 @@ constexpr double kRetractPrice = 0.3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
-Bounds grown(Bounds bounds, double d) {
-  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
-}
-
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -58,7 +56,7 @@ class RegionClearing {
         exact_({task.centres}),
         widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr),
+                task.has_open_edges || task.rest ? &task.material : nullptr),
         stages_(stages()),
         samples_(stages_, ground_) {}
 
@@ -156,6 +154,11 @@ class RegionClearing {
   // Comes down, and cuts the first pass, a spiral, as far as it goes.
   void enter() {
     const Bounds everywhere = bounds_of({task_.centres});
+    if (task_.rest) {  // every pass comes down over cleared ground by itself
+      samples_.update(everywhere.low, everywhere.high);
+      here_ = {widest_.centre, 0};
+      return;
+    }
     const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
     const bool outside = task_.has_open_edges && params_.entry == EntryKind::kAutomatic;
     if (outside && !hole_first) {
@@ -302,10 +305,12 @@ class RegionClearing {
     return pass.cut_area > kLeastCut * radius_ * radius_;
   }
 
-  // Goes to `to` over cleared ground, or up and down where that is quicker or the only way.
-  void go_to(const Pose& to, double turn_radius) {
+  // Goes to `to` over cleared ground, or up and down where that is quicker or the only way. False
+  // when the tool cannot come down there.
+  bool go_to(const Pose& to, double turn_radius) {
+    if (result_.runs.empty()) return come_down_beside(to);
     const double gap = distance(here_.p, to.p);
-    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return;
+    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
     const double rise =
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
     const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
@@ -315,10 +320,23 @@ class RegionClearing {
     if (!link.empty()) {
       add_moves(MoveKind::kLink, link);
       ++result_.links;
-      return;
+      return true;
     }
+    if (task_.rest) return come_down_beside(to);
     begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
     here_ = to;
+    return true;
+  }
+
+  // Between what earlier cuts left.
+  bool come_down_beside(const Pose& to) {
+    const std::optional<Segment> way =
+        way_from_beside(ground_, task_.material, exact_, to, link_turn());
+    if (!way && !is_free_disc(ground_, task_.material, to.p)) return false;
+    begin_run({DescentKind::kPlunge, way ? way->a : to.p, {}, 0, {}, true});
+    if (way) add_moves(MoveKind::kLink, {*way});
+    here_ = to;
+    return true;
   }
 
   double link_turn() const { return stages_.size() > 1 ? stages_.front().turn_radius : radius_; }
@@ -330,15 +348,15 @@ class RegionClearing {
     while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
       if (starts.empty()) {
-        if (!enter_untouched() && !cut_leftover()) return;
+        if (!cut_off_walls()) return;
         continue;
       }
       const PassStart start = choose(starts, last_start);
       const Mark before = mark();
-      go_to(start.pose, stages_[start.stage].turn_radius);
+      const bool there = go_to(start.pose, stages_[start.stage].turn_radius);
       const std::size_t first = ground_.size();
       double turn_radius = 0;
-      Pass pass = pass_from(start, &turn_radius);
+      Pass pass = there ? pass_from(start, &turn_radius) : Pass();
       if (!take(std::move(pass), turn_radius)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         if (ground_.size() == first) back_to(before);  // no pass: the way to it is not needed
@@ -376,14 +394,26 @@ class RegionClearing {
     int links, passes;
   };
   Mark mark() const {
-    return {here_, result_.runs.size(), result_.runs.back().moves.size(), result_.links,
-            result_.passes};
+    const std::size_t moves = result_.runs.empty() ? 0 : result_.runs.back().moves.size();
+    return {here_, result_.runs.size(), moves, result_.links, result_.passes};
   }
   void back_to(const Mark& mark) {
     result_.runs.resize(mark.runs);
-    result_.runs.back().moves.resize(mark.moves);
+    if (!result_.runs.empty()) result_.runs.back().moves.resize(mark.moves);
     result_.links = mark.links;
     here_ = mark.here;
+  }
+
+  // Where no wall leads into the material. The first entry beside what earlier cuts left comes
+  // before one into it.
+  bool cut_off_walls() {
+    const bool beside = task_.rest && result_.runs.empty() &&
+                        has_free_place(ground_, task_.material, task_.centres);
+    if (!beside) return enter_untouched() || cut_leftover();
+    if (cut_leftover()) return true;
+    if (!enter_untouched()) return false;
+    leftover_ = Leftover();
+    return true;
   }
 
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
@@ -439,7 +469,7 @@ class RegionClearing {
       const std::size_t k = widest_stage_at(*start);
       if (k == stages_.size()) continue;
       const Mark before = mark();
-      go_to(*start, stages_[k].turn_radius);
+      if (!go_to(*start, stages_[k].turn_radius)) continue;
       if (cut_from(*start)) return true;
       if (result_.passes == before.passes) back_to(before);
     }
