@@ -29,6 +29,9 @@ SAME_LEVEL = 1e-3  # mm: vertices nearer in height bound no slab of their own
 # mm: how far beyond a floor's open sides nothing must stay. More than shape.BESIDE, from where on
 # shape.py has seen that there is nothing, and than the tolerance of curves.
 BEYOND = 0.1
+# Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
+# exact at any.
+COARSE = 0.25
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -133,6 +136,20 @@ def read(operation, after_earlier=True):
     part = _part(job, operation, tool, stock, top, bottom, notes)
     found = operation.Label, moves, lines, stock, top, bottom, tool, cutting, part, earlier, notes
     return Setup(*found)
+
+
+def stock_before(operation, resolution):
+    """(DexelStock, notes): what the job's earlier active operations leave for an operation.
+
+    Raises ValueError with a sentence.
+    """
+    core, job, notes = compiled.core(), host.parent_job(operation), []
+    regions, top, bottom = _stock(job.Stock, notes)
+    stock = core.DexelStock([(region, top) for region in regions], bottom, resolution)
+    earlier = _earlier(job, operation, top, notes) + _hole(host.operation_under(operation), top)
+    for moves, diameter in earlier:
+        core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
+    return stock, notes
 
 
 # ---- path ----

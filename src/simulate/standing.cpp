@@ -34,6 +34,7 @@ Curve fitted(std::vector<Vec2> points) {
   points.push_back(points.front());
   std::vector<Vertex> vertices = fit_arcs(points, kOutlineTolerance).vertices();
   vertices.pop_back();
+  for (Vertex& v : vertices) v.open = true;
   return Curve(std::move(vertices), true);
 }
 

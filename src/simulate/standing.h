@@ -16,7 +16,7 @@ inline constexpr double kOutlineTolerance = 2e-4;
 // kRestTolerance is left out: walls and floors are cut with tolerances, and an earlier operation's
 // would be cut again otherwise. Laws: borders lie within kOutlineTolerance of those of the dexels
 // but for corners, which are cut off within a cell, and convex ones rounded to half of
-// kRestTolerance; make_region accepts what comes back; nothing for no reach.
+// kRestTolerance; make_region accepts what comes back, and every piece is marked open.
 std::vector<Region> standing_regions(const DexelStock& stock, double z,
                                      const std::vector<Region>& reach);
 

@@ -12,7 +12,10 @@ _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
 GROUPS = (
-    ("Cut", ("EngagementAngle", "SideStep", "CutMode", "StockToLeave", "WallPass")),
+    (
+        "Cut",
+        ("EngagementAngle", "SideStep", "CutMode", "StockToLeave", "WallPass", "UseRestMachining"),
+    ),
     ("Feeds", ("FeedControl", "MaximumFeed", "LinkFeed", "LinkLift")),
     (
         "Entry",
@@ -26,6 +29,7 @@ LABELS = {
     "CutMode": "Cut mode",
     "StockToLeave": "Stock to leave",
     "WallPass": "Wall pass",
+    "UseRestMachining": "Rest machining",
     "FeedControl": "Feed control",
     "MaximumFeed": "Maximum feed",
     "LinkFeed": "Link feed",
