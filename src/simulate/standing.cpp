@@ -13,8 +13,8 @@ namespace {
 // mm: so far the thin ends of what is thick enough are kept. They run out along walls that a larger
 // tool was tangent to, and a link there would cut them unawares.
 constexpr double kTip = 1;
-// mm: what is thinner than this is no tip, but twice the tolerance of fitted borders and the
-// rounding of G-code.
+// mm: what is thinner than this within the reach is no tip, but the tolerance of two fitted borders
+// and the rounding of G-code.
 constexpr double kThinnestTip = 1e-3;
 
 // The points' polygon as lines and arcs, which begin at its sharpest corner.
@@ -81,8 +81,9 @@ std::vector<Region> standing_regions(const DexelStock& stock, double z,
   const std::vector<Region> thick =
       opened(regions_above(stock, z + kRestTolerance, {reach}), kRestTolerance);
   if (thick.empty()) return {};
-  return opened(regions_above(stock, z + kRestTolerance, {reach, offset(thick, kTip)}),
-                kThinnestTip);
+  const std::vector<Region> near = offset(thick, kTip), wider = offset(reach, kBeyondReach);
+  return opened(regions_above(stock, z + kRestTolerance, {wider, near}),
+                kBeyondReach + kThinnestTip);
 }
 
 }  // namespace evenload

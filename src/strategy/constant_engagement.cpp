@@ -291,6 +291,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
           "move EntryPoint into the pocket, at least a tool's radius from its walls.");
   }
 
+  if (rest && params.stock->empty()) return path;
+
   const bool open = has_open_edges(regions);
   if (rest) params.stock = bared(mirror ? mirrored(*params.stock) : *params.stock);
   const std::vector<Region>& material = rest ? *params.stock : regions;

@@ -60,18 +60,16 @@ Toolpath clear_rest(const std::vector<Region>& regions,
   for (std::size_t first = 0; first < levels.size() && !progress.cancelled();) {
     std::size_t last = first + 1;
     while (last < levels.size() && same(stock_at(first), stock_at(last))) ++last;
-    if (!stock_at(first).empty()) {
-      ClearingParams part = params;
-      part.top = first == 0 ? params.top : levels[first - 1];
-      part.levels.assign(levels.begin() + static_cast<std::ptrdiff_t>(first),
-                         levels.begin() + static_cast<std::ptrdiff_t>(last));
-      part.stock = stock_at(first);
-      Progress share([&](double done) {
-        const double from = static_cast<double>(first), to = static_cast<double>(last);
-        return progress.report((from + done * (to - from)) / all);
-      });
-      add(path, clear_pocket(regions, part, share));
-    }
+    ClearingParams part = params;
+    part.top = first == 0 ? params.top : levels[first - 1];
+    part.levels.assign(levels.begin() + static_cast<std::ptrdiff_t>(first),
+                       levels.begin() + static_cast<std::ptrdiff_t>(last));
+    part.stock = stock_at(first);
+    Progress share([&](double done) {
+      const double from = static_cast<double>(first), to = static_cast<double>(last);
+      return progress.report((from + done * (to - from)) / all);
+    });
+    add(path, clear_pocket(regions, part, share));
     first = last;
   }
   if (path.moves.empty() && path.report.termination == Termination::kComplete &&
