@@ -34,8 +34,9 @@ struct AngularInterval {
 class ClearedGround {
  public:
   // `bounds`: where the tool's centre may be. `tool_radius` mm.
-  // `material`: where there is stock at all; nullptr: everywhere that the tool can touch. The pieces
-  // of its border that are marked open are edges of the stock; the tool cannot pass the others.
+  // `material`: where there is stock at all; nullptr: everywhere that the tool can touch. The
+  // pieces of its border that are marked open are edges of the stock; the tool cannot pass the
+  // others.
   ClearedGround(const Bounds& bounds, double tool_radius, const std::vector<Region>* material);
 
   double tool_radius() const { return tool_radius_; }

@@ -231,21 +231,21 @@ PYBIND11_MODULE(_core, m) {
   m.def("largest_tool", &largest_tool, py::arg("regions"),
         "Diameter in mm of the largest tool that fits.");
   const ClearingParams defaults;
-  m.def("clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
-        py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
-        py::arg("feed_control") = "constant feed", py::arg("feed"), py::arg("plunge_feed"),
-        py::arg("link_feed"), py::arg("maximum_feed"), py::arg("rapid_feed") = defaults.rapid_feed,
-        py::arg("roll_radius") = defaults.roll_radius,
-        py::arg("minimum_radius") = defaults.minimum_radius, py::arg("entry") = "automatic",
-        py::arg("helix_angle") = defaults.helix_angle,
-        py::arg("helix_diameter") = defaults.helix_diameter, py::arg("entry_point") = py::none(),
-        py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
-        py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
-        py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"), py::arg("stock") = py::none(),
-        py::arg("progress") = nullptr,
-        "The toolpath that clears the regions level by level at constant engagement. stock: for each "
-        "level, or once for all, the Regions in which material stands; None: all over.");
+  m.def(
+      "clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
+      py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
+      py::arg("feed_control") = "constant feed", py::arg("feed"), py::arg("plunge_feed"),
+      py::arg("link_feed"), py::arg("maximum_feed"), py::arg("rapid_feed") = defaults.rapid_feed,
+      py::arg("roll_radius") = defaults.roll_radius,
+      py::arg("minimum_radius") = defaults.minimum_radius, py::arg("entry") = "automatic",
+      py::arg("helix_angle") = defaults.helix_angle,
+      py::arg("helix_diameter") = defaults.helix_diameter, py::arg("entry_point") = py::none(),
+      py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0, py::arg("wall_pass") = true,
+      py::arg("tolerance") = defaults.tolerance, py::arg("arcs") = true, py::arg("link_lift") = 0.0,
+      py::arg("top") = 0.0, py::arg("levels"), py::arg("safe_height"), py::arg("clearance_height"),
+      py::arg("stock") = py::none(), py::arg("progress") = nullptr,
+      "The toolpath that clears the regions level by level at constant engagement. stock: for each "
+      "level, or once for all, the Regions in which material stands; None: all over.");
   m.def("reachable_ground", &reachable_ground, py::arg("regions"), py::arg("tool_diameter"),
         py::arg("stock_to_leave") = 0.0, "The Regions that the tool's disc can reach.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),

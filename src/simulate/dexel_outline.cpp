@@ -86,7 +86,8 @@ class Tracer {
     }
     inside_.resize(static_cast<std::size_t>(rows_) * columns_);
     for (int j = 0; j < rows_; ++j)
-      add_row(j, intervals_in(stock.row(j), z, [j](const DexelStock& mask) { return mask.row(j); }));
+      add_row(j,
+              intervals_in(stock.row(j), z, [j](const DexelStock& mask) { return mask.row(j); }));
     for (int i = 0; i < columns_; ++i)
       add_column(
           i, intervals_in(stock.column(i), z, [i](const DexelStock& m) { return m.column(i); }));
@@ -153,7 +154,8 @@ class Tracer {
       return j >= 0 && j < rows_ && inside_[static_cast<std::size_t>(j) * columns_ + i];
     };
     for (Crossing& c : found) {
-      const int node = static_cast<int>(std::lround((c.at - stock_.row_y(0)) / stock_.resolution()));
+      const int node =
+          static_cast<int>(std::lround((c.at - stock_.row_y(0)) / stock_.resolution()));
       if (std::abs(c.at - stock_.row_y(node)) < kAtNode)
         c.edge = std::clamp(by_row(node) == c.enters ? node - 1 : node, -1, rows_ - 1);
     }

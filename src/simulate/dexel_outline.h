@@ -3,11 +3,11 @@
 // Rows and columns meet the border in exact points. Neighbouring rows and columns bound a cell, and
 // the points on its four sides are joined in pairs: so that no two joints cross, that as few as can
 // be turn back to the side they come from, which keeps slivers whole and slits open, and that all
-// together are as short as they can be. Laws: every
-// vertex lies where a dexel begins or ends; the material lies to the left of travel; polygons do not
-// cross; with points in one pair per cell a border is met within second order of the resolution.
-// Corners are cut off within a cell. What lies between the dexels is not seen. Our own; the joints
-// are those of marching squares but for their choice.
+// together are as short as they can be. Laws: every vertex lies where a dexel begins or ends; the
+// material lies to the left of travel; polygons do not cross; where a cell has one pair of points
+// the border is met within second order of the resolution. Corners are cut off within a cell, and
+// slivers and slits narrower than it may break where they run from node to node. What lies between
+// the dexels is not seen. Our own; the joints are those of marching squares but for their choice.
 #pragma once
 
 #include <vector>

@@ -14,7 +14,7 @@
 namespace evenload {
 
 struct RegionTask {
-  Region centres;                // where the tool's centre may be, climb milling to the right
+  Region centres;  // where the tool's centre may be, climb milling to the right
   // The pocket's floor, used where pieces of its border are open; for rest machining the stock.
   std::vector<Region> material;
   bool has_open_edges = false;

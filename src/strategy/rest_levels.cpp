@@ -9,10 +9,9 @@ namespace evenload {
 namespace {
 
 bool same(const Curve& a, const Curve& b) {
-  return std::equal(a.vertices().begin(), a.vertices().end(), b.vertices().begin(),
-                    b.vertices().end(), [](const Vertex& v, const Vertex& w) {
-                      return v.p == w.p && v.bulge == w.bulge;
-                    });
+  return std::equal(
+      a.vertices().begin(), a.vertices().end(), b.vertices().begin(), b.vertices().end(),
+      [](const Vertex& v, const Vertex& w) { return v.p == w.p && v.bulge == w.bulge; });
 }
 
 bool same(const std::vector<Region>& a, const std::vector<Region>& b) {
