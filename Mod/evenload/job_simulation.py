@@ -146,7 +146,8 @@ def stock_before(operation, resolution):
     core, job, notes = compiled.core(), host.parent_job(operation), []
     regions, top, bottom = _stock(job.Stock, notes)
     stock = core.DexelStock([(region, top) for region in regions], bottom, resolution)
-    earlier = _earlier(job, operation, top, notes) + _hole(host.operation_under(operation), top)
+    earlier = _earlier(job, operation, top, notes, rounded=True)
+    earlier += _hole(host.operation_under(operation), top)
     for moves, diameter in earlier:
         core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
     return stock, notes
@@ -169,8 +170,12 @@ def _moves(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
-def _earlier(job, operation, top, notes):
-    """[(moves, tool diameter), ...] of the active operations before one, and of their holes."""
+def _earlier(job, operation, top, notes, rounded=False):
+    """[(moves, tool diameter), ...] of the active operations before one, and of their holes.
+
+    rounded: a bull-nosed tool cuts nothing outside of its flat up to the height of its corner, so
+    that no more is taken for cleared than is.
+    """
     result = []
     inner = host.operation_under(operation)
     for other in host.operations(job):
@@ -190,7 +195,13 @@ def _earlier(job, operation, top, notes):
             continue
         moves, _ = _moves(other)
         result += _hole(host.operation_under(other), top)
-        if len(moves) > 1:
+        if len(moves) < 2:
+            continue
+        corner = tools.corner_radius(controller) if rounded else 0.0
+        if corner > 0:
+            result.append(([(*m[:3], m[3] + corner, *m[4:]) for m in moves], diameter))
+            diameter -= 2 * corner
+        if diameter > 0:
             result.append((moves, diameter))
     return result
 

@@ -183,6 +183,18 @@ def test_what_freecads_own_operation_left_is_cleared(room):
     assert left * 0.9 < found.removed_volume_total < 4 * left
 
 
+def test_what_a_bull_nosed_tool_left_at_the_walls_feet_is_cleared(room):
+    corner = 2.0
+    room.controller.Tool = host.create_tool("bullnose", {"Diameter": 12.0})
+    bit = room.controller.Tool
+    setattr(bit, "CornerRadius" if hasattr(bit, "CornerRadius") else "FlatRadius", corner)
+    room.done(room.operation())
+    op = room.done(after(room, 6.0))
+    # A band along the walls, as wide as the corner, less where that reaches round corners.
+    assert op.RemovedVolume.Value == pytest.approx(4 * 56 * corner * DEPTH, rel=0.15)
+    assert op.UncutArea.Value == 0
+
+
 def test_an_inactive_earlier_operation_cuts_nothing(room):
     first = room.operation()
     first.Active = False
