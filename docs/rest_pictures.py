@@ -1,4 +1,4 @@
-"""Makes the picture of docs/rest_machining.md; called as make_pictures.py is, and with its parts."""
+"""Makes the picture of docs/rest_machining.md; called as make_pictures.py is, with its parts."""
 
 import math
 
