@@ -1,5 +1,6 @@
 #include "strategy/free_place.h"
 
+#include <algorithm>
 #include <cmath>
 
 #include "strategy/links.h"

@@ -110,7 +110,7 @@ def test_without_earlier_operations_all_is_left(room):
 
 @pytest.mark.parametrize("mode", ["Climb", "Conventional"])
 def test_between_a_boss_and_a_wall_it_clears_what_was_too_narrow(bench, mode):
-    islands = [rectangle(24, 20, 34, 40), circle(46, 11, 4)]
+    islands = [rectangle(24, 20, 34, 40), circle(46, 10, 4)]
     b = bench(block_with(face_of(rectangle(0, 0, 60, 60), islands)), tool=16.0)
     b.done(b.operation())
     op = b.done(after(b, 6.0, CutMode=mode))
