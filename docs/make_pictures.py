@@ -714,7 +714,8 @@ def backwards(chain):
     return turned[::-1]
 
 
-def main():
+def built_core():
+    """The module _core of the folder that the command line names."""
     folder = Path(sys.argv[1]) if len(sys.argv) > 1 else DOCS.parent / "build" / "release"
     sys.path.insert(0, str(DOCS.parent / "Mod"))
     import evenload
@@ -724,6 +725,11 @@ def main():
         from evenload import _core
     except ImportError as error:
         sys.exit("No module _core for this Python in %s: %s." % (folder, error))
+    return _core
+
+
+def main():
+    core = built_core()
     for draw in (
         draw_star,
         draw_square,
@@ -735,7 +741,7 @@ def main():
         draw_star_simulation,
         draw_optimisation,
     ):
-        draw(_core)
+        draw(core)
 
 
 if __name__ == "__main__":

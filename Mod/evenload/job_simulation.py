@@ -30,6 +30,9 @@ SAME_LEVEL = 1e-3  # mm: vertices nearer in height bound no slab of their own
 # mm: how far beyond a floor's open sides nothing must stay. More than shape.BESIDE, from where on
 # shape.py has seen that there is nothing, and than the tolerance of curves.
 BEYOND = 0.1
+# Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
+# exact at any.
+COARSE = 0.25
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -137,6 +140,21 @@ def read(operation, after_earlier=True):
     return Setup(*found)
 
 
+def stock_before(operation, resolution):
+    """(DexelStock, notes): what the job's earlier active operations leave for an operation.
+
+    Raises ValueError with a sentence.
+    """
+    core, job, notes = compiled.core(), host.parent_job(operation), []
+    regions, top, bottom = _stock(job.Stock, notes)
+    stock = core.DexelStock([(region, top) for region in regions], bottom, resolution)
+    earlier = _earlier(job, operation, top, notes, rounded=True)
+    earlier += _hole(host.operation_under(operation), top)
+    for moves, diameter in earlier:
+        core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
+    return stock, notes
+
+
 # ---- path ----
 
 
@@ -154,8 +172,12 @@ def _moves(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
-def _earlier(job, operation, top, notes):
-    """[(moves, tool diameter), ...] of the active operations before one, and of their holes."""
+def _earlier(job, operation, top, notes, rounded=False):
+    """[(moves, tool diameter), ...] of the active operations before one, and of their holes.
+
+    rounded: a bull-nosed tool cuts nothing outside of its flat up to the height of its corner, so
+    that no more is taken for cleared than is.
+    """
     result = []
     inner = host.operation_under(operation)
     for other in host.operations(job):
@@ -175,7 +197,13 @@ def _earlier(job, operation, top, notes):
             continue
         moves, _ = _moves(other)
         result += _hole(host.operation_under(other), top)
-        if len(moves) > 1:
+        if len(moves) < 2:
+            continue
+        corner = tools.corner_radius(controller) if rounded else 0.0
+        if corner > 0:
+            result.append(([(*m[:3], m[3] + corner, *m[4:]) for m in moves], diameter))
+            diameter -= 2 * corner
+        if diameter > 0:
             result.append((moves, diameter))
     return result
 

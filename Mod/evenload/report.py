@@ -165,7 +165,7 @@ def picture(op, path):
     if last is None:
         raise ValueError("%s has no path to draw: recompute it first." % op.Label)
     samples = compiled.core().engagement_profile(
-        last.regions, last.toolpath, last.tool.diameter, hole=last.hole
+        last.material, last.toolpath, last.tool.diameter, hole=last.hole
     )
     chains = [c for floor in last.floors for c in (floor.outer, *floor.islands)]
     ratio = figures(op).get("time_ratio")

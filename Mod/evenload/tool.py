@@ -110,6 +110,15 @@ def diameter(controller):
     return max(_number(bit, "Diameter"), 0.0) if bit else 0.0
 
 
+def corner_radius(controller):
+    """The radius in mm between a bull-nosed tool's floor and side, by its controller; else 0."""
+    bit = controller.Tool
+    if "bullnose" not in _shapes(bit):
+        return 0.0
+    radius = _number(bit, "CornerRadius") or _number(bit, "FlatRadius")  # the names of FreeCAD's
+    return min(max(radius, 0.0), 0.5 * diameter(controller))
+
+
 def other_shape(controller):
     """What a tool controller's tool is, in words, when it is no flat or bull-nosed end mill, else
     None.

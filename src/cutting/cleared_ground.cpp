@@ -132,11 +132,18 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
   if (material) {
     limited_ = true;
-    material_ = *material;
-    for (const Region& region : material_)
-      for (const Curve& curve : region.curves())
-        for (const Segment& segment : curve.segments())
-          if (segment.open) material_edges_.push_back(segment);
+    std::vector<Curve> curves;
+    for (const Region& region : *material)
+      for (Curve& curve : region.curves()) curves.push_back(std::move(curve));
+    std::vector<Bounds> boxes;
+    for (const Curve& curve : curves)
+      for (const Segment& segment : curve.segments())
+        if (segment.open) {
+          material_edges_.push_back(segment);
+          boxes.push_back(segment.bounds());
+        }
+    edge_boxes_ = BoxTree(boxes);
+    material_ = BoundaryIndex(curves);
   }
 }
 
@@ -382,41 +389,38 @@ void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<Angul
 void ClearedGround::remove_outside_material(Vec2 p, double radius,
                                             std::vector<AngularInterval>& set) const {
   std::vector<double> breaks;
-  for (const Segment& s : material_edges_) {
-    if (s.distance_to(p) > radius) continue;
+  edge_boxes_.visit({p - Vec2{radius, radius}, p + Vec2{radius, radius}}, [&](std::uint32_t edge) {
+    const Segment& s = material_edges_[edge];
+    if (s.distance_to(p) > radius) return;
     const auto keep = [&](double angle) {
       if (s.distance_to(p + radius * unit(angle)) < 1e-7) breaks.push_back(wrap_positive(angle));
     };
     if (s.is_arc()) {
       const Vec2 v = s.centre - p;
       const double d = norm(v);
-      if (d < 1e-12) continue;
+      if (d < 1e-12) return;
       const double c = (d * d + radius * radius - s.radius * s.radius) / (2 * d * radius);
-      if (std::abs(c) >= 1) continue;
+      if (std::abs(c) >= 1) return;
       keep(angle_of(v) - std::acos(c));
       keep(angle_of(v) + std::acos(c));
     } else {
       const Vec2 direction = normalized(s.b - s.a);
       const double v = -cross(direction, p - s.a) / radius;
-      if (std::abs(v) >= 1) continue;
+      if (std::abs(v) >= 1) return;
       keep(angle_of(direction) + std::asin(v));
       keep(angle_of(direction) + kPi - std::asin(v));
     }
-  }
+  });
   std::sort(breaks.begin(), breaks.end());
-  const auto inside = [&](Vec2 x) {
-    return std::any_of(material_.begin(), material_.end(),
-                       [x](const Region& region) { return region.contains(x); });
-  };
   if (breaks.empty()) {
     const AngularInterval& piece = set.front();
-    if (!inside(p + radius * unit(0.5 * (piece.low + piece.high)))) set.clear();
+    if (!material_.contains(p + radius * unit(0.5 * (piece.low + piece.high)))) set.clear();
     return;
   }
   for (std::size_t i = 0; i < breaks.size(); ++i) {
     const double low = breaks[i];
     const double high = i + 1 < breaks.size() ? breaks[i + 1] : breaks[0] + 2 * kPi;
-    if (high - low > 1e-12 && !inside(p + radius * unit(0.5 * (low + high))))
+    if (high - low > 1e-12 && !material_.contains(p + radius * unit(0.5 * (low + high))))
       cut_wrapped(set, low, high);
   }
 }
@@ -446,9 +450,7 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
 }
 
 bool ClearedGround::is_cleared_point(Vec2 x) const {
-  if (limited_ && std::none_of(material_.begin(), material_.end(),
-                               [x](const Region& region) { return region.contains(x); }))
-    return true;
+  if (limited_ && !material_.contains(x)) return true;
   return is_cleared_since(x, 0);
 }
 

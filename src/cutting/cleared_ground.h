@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "geometry/boundary_index.h"
+#include "geometry/box_tree.h"
 #include "geometry/region.h"
 
 namespace evenload {
@@ -33,7 +34,9 @@ struct AngularInterval {
 class ClearedGround {
  public:
   // `bounds`: where the tool's centre may be. `tool_radius` mm.
-  // `material`: where there is stock at all; nullptr: everywhere that the tool can touch.
+  // `material`: where there is stock at all; nullptr: everywhere that the tool can touch. The
+  // pieces of its border that are marked open are edges of the stock; the tool cannot pass the
+  // others.
   ClearedGround(const Bounds& bounds, double tool_radius, const std::vector<Region>* material);
 
   double tool_radius() const { return tool_radius_; }
@@ -115,7 +118,8 @@ class ClearedGround {
   std::vector<Entry> entries_;
   std::vector<Primitive> primitives_;
   std::vector<Segment> material_edges_;
-  std::vector<Region> material_;
+  BoxTree edge_boxes_;
+  BoundaryIndex material_{std::vector<Curve>{}};
   bool limited_ = false;
 };
 

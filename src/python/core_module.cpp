@@ -17,6 +17,7 @@
 #include "python/gcode_module.h"
 #include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/rest_levels.h"
 #include "support/errors.h"
 
 namespace py = pybind11;
@@ -105,7 +106,8 @@ Toolpath clear_pocket_from_python(
     double top, std::vector<double> levels, double safe_height, double clearance_height,
     const std::string& order_by, const std::string& narrow_passages,
     const ForceCoefficients& force_coefficients, int teeth, double tool_helix_angle,
-    double spindle_speed, std::function<bool(double)> progress) {
+    double spindle_speed, const std::optional<std::vector<std::vector<Region>>>& stock,
+    std::function<bool(double)> progress) {
   ClearingParams params;
   params.tool_diameter = tool_diameter;
   params.engagement_angle = engagement_angle;
@@ -159,7 +161,7 @@ Toolpath clear_pocket_from_python(
   })
                             : Progress();
   const py::gil_scoped_release unlocked;
-  return clear_pocket(regions, params, watch);
+  return stock ? clear_rest(regions, *stock, params, watch) : clear_pocket(regions, params, watch);
 }
 
 std::vector<std::tuple<double, double, double, int>> profile_for_python(
@@ -246,23 +248,26 @@ PYBIND11_MODULE(_core, m) {
         "Diameter in mm of the largest tool that fits.");
   bind_force(m);
   const ClearingParams defaults;
-  m.def("clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
-        py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
-        py::arg("feed_control") = "constant feed", py::arg("feed"), py::arg("plunge_feed"),
-        py::arg("link_feed"), py::arg("maximum_feed"), py::arg("rapid_feed") = defaults.rapid_feed,
-        py::arg("roll_radius") = defaults.roll_radius,
-        py::arg("minimum_radius") = defaults.minimum_radius, py::arg("entry") = "automatic",
-        py::arg("helix_angle") = defaults.helix_angle,
-        py::arg("helix_diameter") = defaults.helix_diameter, py::arg("entry_point") = py::none(),
-        py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0,
-        py::arg("wall_pass") = true, py::arg("tolerance") = defaults.tolerance,
-        py::arg("arcs") = true, py::arg("link_lift") = 0.0, py::arg("top") = 0.0, py::arg("levels"),
-        py::arg("safe_height"), py::arg("clearance_height"), py::arg("order_by") = "region",
-        py::arg("narrow_passages") = "trochoid with smaller radius",
-        py::arg("force_coefficients") = defaults.force_coefficients, py::arg("teeth") = 1,
-        py::arg("tool_helix_angle") = defaults.tool_helix_angle, py::arg("spindle_speed") = 0.0,
-        py::arg("progress") = nullptr,
-        "The toolpath that clears the regions level by level at constant engagement.");
+  m.def(
+      "clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
+      py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
+      py::arg("feed_control") = "constant feed", py::arg("feed"), py::arg("plunge_feed"),
+      py::arg("link_feed"), py::arg("maximum_feed"), py::arg("rapid_feed") = defaults.rapid_feed,
+      py::arg("roll_radius") = defaults.roll_radius,
+      py::arg("minimum_radius") = defaults.minimum_radius, py::arg("entry") = "automatic",
+      py::arg("helix_angle") = defaults.helix_angle,
+      py::arg("helix_diameter") = defaults.helix_diameter, py::arg("entry_point") = py::none(),
+      py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0, py::arg("wall_pass") = true,
+      py::arg("tolerance") = defaults.tolerance, py::arg("arcs") = true, py::arg("link_lift") = 0.0,
+      py::arg("top") = 0.0, py::arg("levels"), py::arg("safe_height"), py::arg("clearance_height"),
+      py::arg("order_by") = "region", py::arg("narrow_passages") = "trochoid with smaller radius",
+      py::arg("force_coefficients") = defaults.force_coefficients, py::arg("teeth") = 1,
+      py::arg("tool_helix_angle") = defaults.tool_helix_angle, py::arg("spindle_speed") = 0.0,
+      py::arg("stock") = py::none(), py::arg("progress") = nullptr,
+      "The toolpath that clears the regions level by level at constant engagement. stock: for each "
+      "level, or once for all, the Regions in which material stands; None: all over.");
+  m.def("reachable_ground", &reachable_ground, py::arg("regions"), py::arg("tool_diameter"),
+        py::arg("stock_to_leave") = 0.0, "The Regions that the tool's disc can reach.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");

@@ -12,6 +12,7 @@
 
 #include "python/moves_from.h"
 #include "simulate/simulate.h"
+#include "simulate/standing.h"
 
 namespace py = pybind11;
 
@@ -199,6 +200,8 @@ void bind_simulate(py::module_& module) {
             return stock.area_lacking(prisms_from(prisms));
           },
           py::arg("prisms"), "mm^2 of prisms where the stock does not stand so high.")
+      .def("standing", &standing_regions, py::arg("z"), py::arg("reach"),
+           "The Regions of `reach` over which the stock stands higher than z, without slivers.")
       .def_property_readonly("area", &DexelStock::area, "mm^2")
       .def_property_readonly("volume", &DexelStock::volume, "mm^3")
       .def_property_readonly("resolution", &DexelStock::resolution, "mm")

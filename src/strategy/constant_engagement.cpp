@@ -109,6 +109,20 @@ std::vector<Region> mirrored(const std::vector<Region>& regions) {
   return result;
 }
 
+// The same with nothing but open pieces: all of its border lies against cleared ground.
+std::vector<Region> bared(std::vector<Region> regions) {
+  const auto bare = [](const Curve& curve) {
+    std::vector<Vertex> vertices = curve.vertices();
+    for (Vertex& v : vertices) v.open = true;
+    return Curve(std::move(vertices), true);
+  };
+  for (Region& region : regions) {
+    region.outer = bare(region.outer);
+    for (Curve& island : region.islands) island = bare(island);
+  }
+  return regions;
+}
+
 bool has_open_edges(const std::vector<Region>& regions) {
   for (const Region& region : regions)
     for (const Curve& curve : region.curves())
@@ -259,6 +273,18 @@ std::optional<Vec2> hole_place(const std::vector<Part>& parts, Vec2 hole, std::s
 
 }  // namespace
 
+std::vector<Region> reachable_ground(const std::vector<Region>& regions, double tool_diameter,
+                                     double stock_to_leave) {
+  require(tool_diameter > 0 && std::isfinite(tool_diameter),
+          "The tool's diameter must be positive.");
+  require(stock_to_leave >= 0 && std::isfinite(stock_to_leave),
+          "The stock to leave must not be negative.");
+  const double radius = 0.5 * tool_diameter;
+  std::vector<std::string> notes;
+  const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, false, notes);
+  return offset(offset(allowed, -(radius + stock_to_leave + kWallGap)), radius);
+}
+
 Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& given,
                       Progress& progress) {
   check(given);
@@ -285,13 +311,20 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
         path.report.termination = Termination::kIncomplete;
       }
 
+  const bool rest = params.stock.has_value();
+  if (rest && params.narrow_passages == NarrowPassages::kReducedFeed) {
+    params.narrow_passages = NarrowPassages::kTrochoid;
+    path.report.notes.push_back(
+        "What earlier operations left in narrow passages is cut by trochoids, not at a reduced "
+        "feed.");
+  }
   std::vector<PassageReport> passages;
   const std::vector<Part> parts = parts_of(centres, params, passages);
   std::size_t hole_region = parts.size();
   std::optional<Vec2> hole;
-  if (params.entry == EntryKind::kPredrilledHole ||
-      (params.entry == EntryKind::kAutomatic && params.entry_point &&
-       params.hole_diameter >= params.tool_diameter)) {
+  if (!rest && (params.entry == EntryKind::kPredrilledHole ||
+                (params.entry == EntryKind::kAutomatic && params.entry_point &&
+                 params.hole_diameter >= params.tool_diameter))) {
     hole = hole_place(parts, *params.entry_point, &hole_region);
     if (!hole && params.entry == EntryKind::kAutomatic)
       path.report.notes.push_back("The pre-drilled hole " + near(*params.entry_point, mirror) +
@@ -303,11 +336,15 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
           "move EntryPoint into the pocket, at least a tool's radius from its walls.");
   }
 
+  if (rest && params.stock->empty()) return path;
+
   const bool open = has_open_edges(regions);
+  if (rest) params.stock = bared(mirror ? mirrored(*params.stock) : *params.stock);
+  const std::vector<Region>& material = rest ? *params.stock : regions;
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
     const Region& region = parts[i].centres;
-    if (params.entry == EntryKind::kPredrilledHole && i != hole_region) {
+    if (!rest && params.entry == EntryKind::kPredrilledHole && i != hole_region) {
       path.report.notes.push_back(
           "The region " + near(region.outer.vertices().front().p, mirror) +
           ", which does not hold the pre-drilled hole, was left uncut: choose the entry "
@@ -321,7 +358,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
       path.report.notes.push_back(
           "The region " + near(region.outer.vertices().front().p, mirror) +
           " does not hold the pre-drilled hole: it has an entry of its own.");
-    RegionTask task{region, regions, open, i == hole_region ? hole : std::nullopt, mirror, {}, {}};
+    RegionTask task{region, material, open, rest, i == hole_region ? hole : std::nullopt,
+                    mirror, {},       {}};
     Progress share([&](double done) {
       return progress.report((static_cast<double>(i) + done) / static_cast<double>(parts.size()));
     });
@@ -335,7 +373,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
 
   Bounds bounds = bounds_of(centres);
   ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
-                       radius, open ? &regions : nullptr);
+                       radius, open || rest ? &material : nullptr);
   if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;

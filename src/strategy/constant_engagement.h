@@ -61,6 +61,9 @@ struct ClearingParams {
   int teeth = 1;                             // >= 1
   double tool_helix_angle = 30 * kPi / 180;  // rad, 0 <= angle < pi/2: of the flutes
   double spindle_speed = 0;                  // rev/min, > 0
+  // Where material stands at the levels; unset: all over the regions. Where none stands the ground
+  // counts as cleared down to the last level, holes drilled before among it.
+  std::optional<std::vector<Region>> stock;
 };
 
 // The toolpath that clears `regions` (pocket floors: vertices' `open` marks pieces without a wall)
@@ -69,5 +72,9 @@ struct ClearingParams {
 // entries that cannot be used.
 Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
                       Progress& progress);
+
+// What the tool's disc can reach of the regions: where stock matters to clear_pocket.
+std::vector<Region> reachable_ground(const std::vector<Region>& regions, double tool_diameter,
+                                     double stock_to_leave);
 
 }  // namespace evenload

@@ -97,6 +97,7 @@ double length_of(const std::vector<Segment>& moves) {
 
 bool is_free(const GroundBefore& before, const Area& centres, const std::vector<Segment>& moves,
              double ends) {
+  if (moves.empty()) return true;
   const ClearedGround& ground = before.ground;
   const double look = kLook * ground.tool_radius(), whole = length_of(moves);
   std::vector<AngularInterval> scratch;

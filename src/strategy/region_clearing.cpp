@@ -9,8 +9,10 @@
 
 #include "cutting/engagement.h"
 #include "feed/load_profile.h"
+#include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
 #include "strategy/entry.h"
+#include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
 #include "strategy/steering.h"
@@ -47,10 +49,6 @@ constexpr std::size_t kStagesAtOnce = 3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
-Bounds grown(Bounds bounds, double d) {
-  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
-}
-
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -62,7 +60,7 @@ class RegionClearing {
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr),
+                task.has_open_edges || task.rest ? &task.material : nullptr),
         stages_(stages()),
         samples_(stages_, ground_) {
     for (const PlanarRun& run : task.before) {
@@ -161,6 +159,11 @@ class RegionClearing {
   // Comes down, and cuts the first pass, a spiral, as far as it goes.
   void enter() {
     const Bounds everywhere = bounds_of({task_.centres});
+    if (task_.rest) {  // every pass comes down over cleared ground by itself
+      samples_.update(everywhere.low, everywhere.high);
+      here_ = {widest_.centre, 0};
+      return;
+    }
     const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
     const bool outside = task_.has_open_edges && params_.entry == EntryKind::kAutomatic;
     if (outside && !hole_first) {
@@ -270,10 +273,13 @@ class RegionClearing {
     std::vector<Segment> shorter = pass.moves;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
     const Pose start{shorter.front().a, angle_of(shorter.front().tangent(0))};
-    if (link_to(start, before))
+    if (link_to(start, before)) {
       pass.moves = std::move(shorter);
-    else if (!link_to(pass.start(), before))
-      come_down_at(pass.start());
+    } else if (!link_to(pass.start(), before)) {
+      take_back(pass);  // the tool comes down before the pass is cut
+      if (!come_down_at(pass.start())) return false;
+      for (const Segment& move : pass.moves) ground_.add(move);
+    }
     return take(std::move(pass), turn_radius);
   }
 
@@ -311,6 +317,7 @@ class RegionClearing {
   // Goes to `to` over ground that was cleared before the move numbered `before`; false where there
   // is no way, or none so quick as to go up and down.
   bool link_to(const Pose& to, std::size_t before) {
+    if (result_.runs.empty()) return false;
     const double gap = distance(here_.p, to.p);
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
     const double rise =
@@ -333,9 +340,23 @@ class RegionClearing {
     return true;
   }
 
-  void come_down_at(const Pose& to) {
+  // Up, and down where the ground is clear. False when the tool cannot come down there.
+  bool come_down_at(const Pose& to) {
+    if (task_.rest) return come_down_beside(to);
     begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
     here_ = to;
+    return true;
+  }
+
+  // Between what earlier cuts left.
+  bool come_down_beside(const Pose& to) {
+    const std::optional<Segment> way =
+        way_from_beside(ground_, task_.material, exact_, to, link_turn());
+    if (!way && !is_free_disc(ground_, task_.material, to.p)) return false;
+    begin_run({DescentKind::kPlunge, way ? way->a : to.p, {}, 0, {}, true});
+    if (way) add_moves(MoveKind::kLink, {*way});
+    here_ = to;
+    return true;
   }
 
   double link_turn() const { return stages_.size() > 1 ? stages_.front().turn_radius : radius_; }
@@ -347,7 +368,7 @@ class RegionClearing {
     while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
       if (starts.empty()) {
-        if (!enter_untouched() && !cut_leftover()) return;
+        if (!cut_off_walls()) return;
         continue;
       }
       const PassStart start = choose(starts, last_start);
@@ -467,6 +488,18 @@ class RegionClearing {
       if (!pass.empty()) return pass;
     }
     return {};
+  }
+
+  // Where no wall leads into the material. The first entry beside what earlier cuts left comes
+  // before one into it.
+  bool cut_off_walls() {
+    const bool beside = task_.rest && result_.runs.empty() &&
+                        has_free_place(ground_, task_.material, task_.centres);
+    if (!beside) return enter_untouched() || cut_leftover();
+    if (cut_leftover()) return true;
+    if (!enter_untouched()) return false;
+    leftover_ = Leftover();
+    return true;
   }
 
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be

@@ -14,10 +14,12 @@
 namespace evenload {
 
 struct RegionTask {
-  Region centres;                // where the tool's centre may be, climb milling to the right
-  std::vector<Region> material;  // the pocket's floor; used where pieces of its border are open
+  Region centres;  // where the tool's centre may be, climb milling to the right
+  // The pocket's floor, used where pieces of its border are open; for rest machining the stock.
+  std::vector<Region> material;
   bool has_open_edges = false;
-  std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region
+  bool rest = false;           // earlier cuts left the material: the rest of the ground is cleared
+  std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region; not with `rest`
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
   std::vector<Region> around;  // where links may go; empty: within `centres`
   std::vector<PlanarRun>

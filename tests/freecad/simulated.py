@@ -15,7 +15,7 @@ def simulated(op, **changes):
     """
     last = op.Proxy.last
     profile = compiled.core().engagement_profile(
-        last.regions, last.toolpath, last.tool.diameter, hole=last.hole
+        last.material, last.toolpath, last.tool.diameter, hole=last.hole
     )
     x, y, degrees, kind = (numpy.array(column) for column in zip(*profile))
     length = numpy.hypot(numpy.diff(x, prepend=x[0]), numpy.diff(y, prepend=y[0]))

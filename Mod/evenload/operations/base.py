@@ -11,7 +11,7 @@ import Path
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
-from evenload.operations import checks, force
+from evenload.operations import checks, force, rest
 from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
@@ -33,6 +33,7 @@ class Computation:
     tool: object  # tool.Tool
     data: object  # tool.CuttingData
     hole: tuple  # (x, y, diameter) in mm, or None
+    material: list  # the core's Regions where material stood at the lowest level
 
 
 class Operation(host.operation_base()):
@@ -124,6 +125,10 @@ class Operation(host.operation_base()):
             self._set_side_step(obj)
         elif prop == "SideStep":
             self._set_angle(obj)
+        elif prop == "UseRestMachining" and hasattr(obj, "EarlierOperations"):
+            job = host.parent_job(obj)
+            if job is not None:
+                rest.link_all(job)
 
     def follow_tool(self, obj, again=()):
         """Sets what follows the tool and its controller. again: names of settings that shall follow
@@ -223,11 +228,15 @@ class Operation(host.operation_base()):
                 self.follow_tool(obj)
             else:
                 self._clear_results(obj)
-            return super().execute(obj)
+            result = super().execute(obj)
+            if self.last is not None and not self.last.toolpath.moves:
+                obj.Path = Path.Path()  # without the rapid at its end
+            return result
         except Exception as error:
             obj.Path = Path.Path()
             obj.CycleTime = ""
             self._clear_results(obj)
+            rest.empty_after(obj)
             if not isinstance(error, (ValueError, ImportError)):
                 obj.Report = "EvenLoad failed: %s." % _internal(error)
                 raise
@@ -250,14 +259,19 @@ class Operation(host.operation_base()):
         with self._watch(obj) as watch:
             slack = max(floor.slack for floor in floors)
             parameters = self._parameters(obj, tool, data, levels, hole, slack)
+            stock, notes = None, []
+            if obj.UseRestMachining:
+                stock, notes = rest.standing(obj, core, tool, regions, levels, slack)
+                parameters["stock"] = stock
             toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
         self._check_entries(obj, tool, toolpath)
         moves = toolpath.moves
         while moves and moves[-1][0] == planar.RAPID and moves[-1][3] >= obj.ClearanceHeight.Value:
             moves.pop()  # FreeCAD itself ends every operation there
         self.commandlist.extend(commands.from_moves(moves))
-        self.last = Computation(floors, regions, toolpath, tool, data, hole)
-        notes = self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
+        material = regions if stock is None else next(filter(None, reversed(stock)), [])
+        self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
+        notes += self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
 
     def generate(self, obj, core, regions, parameters):

@@ -140,6 +140,12 @@ SETTINGS = (
     Setting("StockToLeave", "App::PropertyLength", 0.0, "What stays at the walls"),
     Setting("StockToLeaveAxial", "App::PropertyLength", 0.0, "What stays above FinalDepth"),
     Setting(
+        "UseRestMachining",
+        "App::PropertyBool",
+        False,
+        "Clears only what the job's earlier operations leave",
+    ),
+    Setting(
         "WallPass", "App::PropertyBool", True, "A last pass along the walls takes what is left"
     ),
     Setting(
@@ -209,6 +215,13 @@ HIDDEN_SETTINGS = (
         "App::PropertyStringList",
         [],
         "Names of the settings that no longer follow the tool",
+        RESULTS,
+    ),
+    Setting(
+        "EarlierOperations",
+        "App::PropertyLinkList",
+        [],
+        "What rest machining depends on: the job's operations before this one",
         RESULTS,
     ),
     Setting(
