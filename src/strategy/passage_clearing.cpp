@@ -8,6 +8,7 @@
 
 #include "feed/load_profile.h"
 #include "geometry/arc_fit.h"
+#include "geometry/box_tree.h"
 #include "strategy/entry.h"
 #include "strategy/links.h"
 
@@ -23,10 +24,6 @@ constexpr double kShortWall = 0.3;
 // mm: a wall this much further than the nearest one is touched as well.
 constexpr double kTouched = 1e-3;
 constexpr std::size_t kNone = ~std::size_t{0};
-
-Bounds grown(Bounds bounds, double d) {
-  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
-}
 
 std::vector<Segment> reversed(const std::vector<Segment>& moves) {
   std::vector<Segment> result;

@@ -4,6 +4,7 @@
 #include <iomanip>
 #include <sstream>
 
+#include "geometry/box_tree.h"
 #include "strategy/area.h"
 #include "strategy/leftover.h"
 
@@ -14,10 +15,6 @@ namespace {
 constexpr double kJustWide = 0.002;
 // Of the widest free width: between points of a passage's middle.
 constexpr double kAxisSpacing = 0.125;
-
-Bounds grown(Bounds bounds, double d) {
-  return {bounds.low - Vec2{d, d}, bounds.high + Vec2{d, d}};
-}
 
 Curve without_cusps(const std::vector<PassageBorder>& loop) {
   std::vector<Vertex> vertices;
