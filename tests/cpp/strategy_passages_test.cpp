@@ -7,6 +7,7 @@
 
 #include "corpus.h"
 #include "cutting/engagement.h"
+#include "feed/feed_control.h"
 #include "feed/feed_limit.h"
 #include "feed/load_profile.h"
 #include "path_check.h"
@@ -236,7 +237,7 @@ TEST(ReducedFeed, KeepsTheEngagementLimitOutsideOfPassages) {
     ASSERT_FALSE(narrow.places.passages.empty());
     std::optional<Vec2> hole;
     if (pocket.hole) hole = pocket.hole->centre;
-    const RegionTask task{centres, {pocket.region}, false, hole, false, {}, {}};
+    const RegionTask task{centres, {pocket.region}, false, false, hole, false, {}, {}};
     Progress progress;
     const RegionResult result =
         clear_with_passages(task, narrow.places, narrow.axes, 0, params, progress);
