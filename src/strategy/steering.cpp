@@ -29,6 +29,8 @@ constexpr double kProgress =
 
 constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
 constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
+constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
+constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: so much above its target, and so much below, but no more
@@ -264,12 +266,20 @@ bool Steering::roll_in(TurnPart part) {
 // within the limit.
 void Steering::escape() {
   if (roll_in(TurnPart::kWayOut)) {
-    double turned = 0;
-    for (double total = contact(pose()).total; turned < kPi && total > kInContact;
-         total = contact(pose()).total) {
-      append(move_of(pose(), 1 / turn_, kTurnStep * turn_));
-      note_contact(total, kTurnStep * turn_);
-      turned += kTurnStep;
+    // Where contact all but ends and grows again, the turn ends as well.
+    double lowest = kPi;
+    double since = 0;  // mm
+    double total = contact(pose()).total;
+    for (double turned = 0; turned < kPi && total > kInContact; turned += kWayOutStep) {
+      append(move_of(pose(), 1 / turn_, kWayOutStep * turn_));
+      note_contact(total, kWayOutStep * turn_);
+      total = contact(pose()).total;
+      since = total < lowest ? 0 : since + kWayOutStep * turn_;
+      lowest = std::min(lowest, total);
+      if (lowest < kNearlyOut && total > lowest + kNearlyOut) {
+        cut_back(since);
+        break;
+      }
     }
   } else if (turn_ > 0) {
     cut_back(travelled_);
