@@ -328,7 +328,9 @@ void Steering::step_on_wall() {
     return;
   }
   if (turn_ <= 0 && over_mean(total, step)) {
-    if (may_leave_wall_)
+    // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
+    // in the middle of a front.
+    if (may_leave_wall_ && near_corner(step))
       mode_ = Mode::kEnd;
     else
       give_up();
