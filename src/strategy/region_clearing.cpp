@@ -25,6 +25,8 @@ namespace {
 // Left turns are never tighter than this share of the tool's radius, but at the exact border's
 // corners.
 constexpr double kTightestTurn = 0.001;
+// The same for turns that the walls do not need.
+constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
 constexpr double kShortCorner = 0.05;
@@ -105,7 +107,8 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest, kShortCorner, kFirstTurn * entry_radius()};
+    return {std::max(wish, tightest), tightest, kShortCorner, kSpareTurn * radius_,
+            kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
