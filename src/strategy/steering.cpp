@@ -140,9 +140,14 @@ void Steering::cut_back(double length) {
   while (!met_.empty() && met_.back().until > travelled_ + kHere) met_.pop_back();
 }
 
+// rad engaged before the last `length` mm of the path; 0 where that was nothing.
+double Steering::met_before(double length) const {
+  return has_cut() && met_.back().until > travelled_ - length - kHere ? met_.back().total : 0;
+}
+
 // Says that the last `length` mm of the path met `total` rad of material.
 void Steering::note_contact(double total, double length) {
-  if (total > kInContact) met_.push_back({travelled_, length, total});
+  if (total > kInContact) met_.push_back({travelled_, length, met_before(length), total});
 }
 
 // The share of the next move, which ends without contact, up to which there is contact; 0 where
@@ -172,7 +177,8 @@ void Steering::make_step(const Segment& move, double total) {
   if (total > kInContact)
     note_contact(total, length);
   else if (touched > 0)
-    met_.push_back({travelled_ - (1 - touched) * length, touched * length, kInContact});
+    met_.push_back(
+        {travelled_ - (1 - touched) * length, touched * length, met_before(length), kInContact});
 }
 
 // The highest engagement on the left turn from `from`, up to where it has passed its first peak, or
@@ -543,9 +549,10 @@ void Steering::roll_out() {
   }
   if (turned > 1e-9) {
     append(move_of(from, 1 / turn_, turned * turn_));
-    if (in_contact > 0)
-      met_.push_back({travelled_ - (turned - in_contact) * turn_, in_contact * turn_,
-                      sum / looks * turned / in_contact});
+    if (in_contact > 0) {
+      const double mean = sum / looks * turned / in_contact;
+      met_.push_back({travelled_ - (turned - in_contact) * turn_, in_contact * turn_, mean, mean});
+    }
   }
   const BoundaryIndex::Hit wall = stage_.centres.nearest(pose().p);
   EVENLOAD_ASSERT(wall.distance < 1e-3);
@@ -573,7 +580,7 @@ Pass Steering::run() {
   }
   for (const Met& met : met_) {
     pass_.cut_length += met.length;
-    pass_.cut_area += met.length * radius_ * (1 - std::cos(met.total));
+    pass_.cut_area += met.length * radius_ * (1 - 0.5 * (std::cos(met.from) + std::cos(met.total)));
   }
   return std::move(pass_);
 }
