@@ -29,7 +29,9 @@ constexpr double kTightestTurn = 0.001;
 constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
-constexpr double kShortCorner = 0.05;
+constexpr double kShortCorner = 0.08;
+// mm per rad of the engagement angle: at small angles less.
+constexpr double kShortCornerPerAngle = 0.143;
 // mm: of the place of an entry.
 constexpr double kEntryTolerance = 1e-3;
 // mm: a place of one stage's wall this near to another's is the same place.
@@ -109,8 +111,9 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest, kShortCorner, kSpareTurn * radius_,
-            kFirstTurn * entry_radius()};
+    return {std::max(wish, tightest), tightest,
+            std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
+            kSpareTurn * radius_, kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
