@@ -57,7 +57,7 @@ class WallSamples {
     bool corner = false;  // later stages have samples of their own nearby
     int failures = 0;
     std::size_t track = 0;
-    int blockers = 0;                // samples of earlier stages nearby, which come first
+    int blockers = 0;                // uncleared samples of earlier stages nearby: they come first
     std::vector<std::size_t> later;  // the samples that this one is one of those for
   };
   struct Track {

@@ -4,6 +4,8 @@
 #include <random>
 #include <set>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "geometry/box_tree.h"
 #include "geometry/point_grid.h"

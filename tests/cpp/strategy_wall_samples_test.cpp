@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <random>
+#include <vector>
 
 #include "geometry_shapes.h"
 #include "strategy/wall_samples.h"
