@@ -10,8 +10,12 @@ namespace {
 constexpr double kSpacing = 1.0 / 15;
 // The grid is not made of more points than this.
 constexpr double kMaximumPoints = 4e7;
+// Tool radii: the side of the cells that the points lie in; asked for are half a radius at once.
+constexpr double kCell = 0.5;
 // mm: points nearer than this to the edge of the tool's reach are not looked for.
 constexpr double kEdge = 0.01;
+
+Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; }
 
 }  // namespace
 
@@ -26,34 +30,43 @@ void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedG
       const Vec2 p = bounds.low + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_};
       if (ground.is_cleared_point(p)) continue;
       if (centres.signed_distance(p) < -(radius - kEdge)) continue;
-      points_.push_back({p, false});
+      points_.push_back(p);
     }
+  to_ask_ = PointGrid(bounds, kCell * radius);
+  for (std::size_t i = 0; i < points_.size(); ++i) to_ask_.add(i, points_[i]);
   prepared_ = true;
 }
 
-void Leftover::drop_cleared(const ClearedGround& ground) {
-  std::erase_if(points_, [&](const Point& point) { return ground.is_cleared_point(point.p); });
+double Leftover::area(const ClearedGround& ground) {
+  std::size_t left = 0;
+  place_.reset();
+  for (const Vec2 p : points_) {
+    if (ground.is_cleared_point(p)) continue;
+    if (!place_) place_ = p;
+    ++left;
+  }
+  return static_cast<double>(left) * cell_ * cell_;
 }
 
-double Leftover::area(const ClearedGround& ground) {
-  drop_cleared(ground);
-  return static_cast<double>(points_.size()) * cell_ * cell_;
+std::optional<Vec2> Leftover::nearest_left(const ClearedGround& ground, Vec2 from) {
+  while (const std::optional<std::size_t> item = to_ask_.nearest(from)) {
+    const Vec2 p = points_[*item];
+    if (!ground.is_cleared_point(p)) return p;
+    // What lies beside it is likely to be cleared as well.
+    to_ask_.drop_if(around(p, 0),
+                    [&](std::size_t i) { return ground.is_cleared_point(points_[i]); });
+  }
+  return std::nullopt;
 }
 
 std::optional<Pose> Leftover::next_start(const ClearedGround& ground, const Area& centres,
                                          Vec2 from) {
-  drop_cleared(ground);
   const double radius = ground.tool_radius();
-  for (;;) {
-    Point* nearest = nullptr;
-    for (Point& point : points_)
-      if (!point.asked &&
-          (!nearest || squared_norm(point.p - from) < squared_norm(nearest->p - from)))
-        nearest = &point;
-    if (!nearest) return std::nullopt;
-    const Vec2 x = nearest->p;
-    for (Point& point : points_)  // neighbours belong to the same piece
-      if (distance(point.p, x) < 0.5 * radius) point.asked = true;
+  while (const std::optional<Vec2> nearest = nearest_left(ground, from)) {
+    const Vec2 x = *nearest;
+    // Neighbours belong to the same piece.
+    to_ask_.drop_if(around(x, 0.5 * radius),
+                    [&](std::size_t i) { return distance(points_[i], x) < 0.5 * radius; });
     // From every side: where the tool just touches the point's surroundings.
     for (int i = 0; i < 24; ++i) {
       const Vec2 outwards = unit(2 * kPi * i / 24);
@@ -79,6 +92,7 @@ std::optional<Pose> Leftover::next_start(const ClearedGround& ground, const Area
       return Pose{x + touch * outwards, angle_of(-outwards) + kPi / 2};
     }
   }
+  return std::nullopt;
 }
 
 }  // namespace evenload

@@ -1,10 +1,12 @@
-// What is left within the tool's reach, found on a grid of points, and where to approach it.
+// What is left within the tool's reach, found on a grid of points, and where to approach it. A
+// point that was cleared or asked for is not looked at again.
 #pragma once
 
 #include <optional>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
+#include "geometry/point_grid.h"
 #include "strategy/area.h"
 #include "strategy/steering.h"
 
@@ -20,19 +22,15 @@ class Leftover {
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
   // mm^2 that are still left. Condition: prepared().
   double area(const ClearedGround& ground);
-  // One point of what area() found; empty when there was nothing.
-  std::optional<Vec2> place() const {
-    return points_.empty() ? std::nullopt : std::optional<Vec2>(points_.front().p);
-  }
+  // The first point of what area() found; empty when there was nothing.
+  std::optional<Vec2> place() const { return place_; }
 
  private:
-  void drop_cleared(const ClearedGround& ground);
+  std::optional<Vec2> nearest_left(const ClearedGround& ground, Vec2 from);
 
-  struct Point {
-    Vec2 p;
-    bool asked = false;
-  };
-  std::vector<Point> points_;
+  std::vector<Vec2> points_;
+  PointGrid to_ask_;  // those of the points that may be left and were not asked for
+  std::optional<Vec2> place_;
   double cell_ = 0;
   bool prepared_ = false;
 };

@@ -77,7 +77,7 @@ class RegionClearing {
 
   RegionResult run() {
     enter();
-    if (!result_.runs.empty()) clear_all();
+    if (task_.rest || !result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) report();
     return std::move(result_);
   }
@@ -524,24 +524,27 @@ class RegionClearing {
   }
 
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
-  // cut within the limit.
+  // cut within the limit. A room that needs no entry never needs one later.
   bool enter_untouched() {
     if (params_.entry == EntryKind::kPredrilledHole) return false;
-    for (const Stage& stage : stages_) {
-      for (const Region& room : stage.rooms) {
-        if (has_cleared_wall(room)) continue;
-        const Circle circle = largest_circle(room, kEntryTolerance);
-        if (circle.radius < kNarrowestRoom * radius_ || ground_.is_cleared_point(circle.centre))
-          continue;
-        Descent descent;
-        const Pose start = choose_entry(circle, descent);
-        begin_run(descent);
-        samples_.update(descent.at, descent.at);
-        cut_from(start);
-        return true;
-      }
-    }
+    for (; rooms_of_ < stages_.size(); ++rooms_of_, next_room_ = 0)
+      for (; next_room_ < stages_[rooms_of_].rooms.size(); ++next_room_)
+        if (enter_room(stages_[rooms_of_].rooms[next_room_])) return true;
     return false;
+  }
+
+  // False when the room needs no entry, or is too narrow for one.
+  bool enter_room(const Region& room) {
+    if (has_cleared_wall(room)) return false;
+    const Circle circle = largest_circle(room, kEntryTolerance);
+    if (circle.radius < kNarrowestRoom * radius_ || ground_.is_cleared_point(circle.centre))
+      return false;
+    Descent descent;
+    const Pose start = choose_entry(circle, descent);
+    begin_run(descent);
+    samples_.update(descent.at, descent.at);
+    cut_from(start);
+    return true;
   }
 
   bool has_cleared_wall(const Region& room) const {
@@ -596,9 +599,10 @@ class RegionClearing {
   Leftover leftover_;
   RegionResult result_;
   Pose here_;
-  std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
-  Vec2 tried_at_;                   // where it began
-  int since_tried_ = kTryEvery;     // passes
+  std::size_t rooms_of_ = 0, next_room_ = 0;  // the first room that may need an entry
+  std::size_t best_in_corner_ = 0;            // the stage of the last pass into a corner
+  Vec2 tried_at_;                             // where it began
+  int since_tried_ = kTryEvery;               // passes
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;
 };

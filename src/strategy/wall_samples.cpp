@@ -2,7 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
-#include <unordered_map>
+
+#include "geometry/box_tree.h"
 
 namespace evenload {
 namespace {
@@ -13,16 +14,33 @@ constexpr double kSpacing = 0.08;
 constexpr int kTries = 3;
 // So many samples back a clear place is looked for.
 constexpr std::size_t kLookBack = 8;
+// Tool radii: the side of the cells that samples lie in.
+constexpr double kCell = 2;
 // mm: samples this near to the border of the stage before are shared with it.
 constexpr double kShared = 1e-4;
+
+Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; }
 
 }  // namespace
 
 WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground)
     : stages_(stages), ground_(ground) {
-  const double spacing = kSpacing * ground.tool_radius();
-  for (std::size_t k = 0; k < stages.size(); ++k) {
-    const std::vector<Curve>& curves = stages[k].centres.curves();
+  take_samples(kSpacing * ground.tool_radius());
+  if (samples_.empty()) return;
+  Bounds bounds{samples_.front().p, samples_.front().p};
+  for (const Sample& sample : samples_) bounds = joined(bounds, {sample.p, sample.p});
+  open_ = shared_ = PointGrid(bounds, kCell * ground.tool_radius());
+  for (std::size_t i = 0; i < samples_.size(); ++i) {
+    (samples_[i].shared ? shared_ : open_).add(i, samples_[i].p);
+    if (is_open(samples_[i])) ++uncleared_;
+  }
+  order_by_stage();
+  for (std::size_t i = 0; i < samples_.size(); ++i) sort_in(i);
+}
+
+void WallSamples::take_samples(double spacing) {
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    const std::vector<Curve>& curves = stages_[k].centres.curves();
     for (std::size_t c = 0; c < curves.size(); ++c) {
       Track track{k, samples_.size(), 0};
       for (std::size_t i = 0; i < curves[c].segment_count(); ++i) {
@@ -35,7 +53,8 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
           sample.place = {c, i, static_cast<double>(j) / n};
           sample.p = segment.point(sample.place.t);
           sample.stage = k;
-          sample.shared = k > 0 && stages[k - 1].centres.nearest(sample.p).distance < kShared;
+          sample.track = tracks_.size();
+          sample.shared = k > 0 && stages_[k - 1].centres.nearest(sample.p).distance < kShared;
           samples_.push_back(sample);
         }
       }
@@ -43,29 +62,62 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
       tracks_.push_back(track);
     }
   }
-  // What lies within a tool's radius in an earlier stage is cut first.
-  const double near = ground.tool_radius();
-  std::unordered_map<long long, std::vector<std::size_t>> cells;
-  const auto key = [near](Vec2 p, int dx, int dy) {
-    return (static_cast<long long>(std::floor(p.x / near)) + dx) * 1000003LL +
-           static_cast<long long>(std::floor(p.y / near)) + dy;
-  };
-  for (std::size_t i = 0; i < samples_.size(); ++i)
-    if (!samples_[i].shared) cells[key(samples_[i].p, 0, 0)].push_back(i);
+}
+
+// What lies within a tool's radius in an earlier stage is cut first.
+void WallSamples::order_by_stage() {
+  const double near = ground_.tool_radius();
   for (std::size_t i = 0; i < samples_.size(); ++i) {
-    if (samples_[i].shared || samples_[i].stage == 0) continue;
-    for (int dx = -1; dx <= 1; ++dx)
-      for (int dy = -1; dy <= 1; ++dy) {
-        const auto cell = cells.find(key(samples_[i].p, dx, dy));
-        if (cell == cells.end()) continue;
-        for (const std::size_t other : cell->second)
-          if (samples_[other].stage < samples_[i].stage &&
-              distance(samples_[other].p, samples_[i].p) < near) {
-            samples_[i].earlier.push_back(other);
-            samples_[other].corner = true;
-          }
-      }
+    Sample& sample = samples_[i];
+    if (sample.shared || sample.stage == 0) continue;
+    open_.visit(around(sample.p, near), [&](std::size_t other) {
+      Sample& earlier = samples_[other];
+      if (earlier.stage >= sample.stage || distance(earlier.p, sample.p) >= near) return;
+      earlier.later.push_back(i);
+      earlier.corner = true;
+      ++sample.blockers;
+    });
   }
+}
+
+bool WallSamples::blocks(const Sample& sample) { return !sample.clear && sample.failures < kTries; }
+
+// The sample of the same track that comes `back` before this one.
+std::size_t WallSamples::neighbour(std::size_t index, std::size_t back) const {
+  const Track& track = tracks_[samples_[index].track];
+  return track.first + (index - track.first + track.count - back % track.count) % track.count;
+}
+
+// Where the sample belongs among the edges.
+void WallSamples::sort_in(std::size_t index) {
+  const Sample& sample = samples_[index];
+  const bool is_edge = is_open(sample) && blocks(sample) && !is_open(samples_[neighbour(index, 1)]);
+  const auto put = [index](std::set<std::size_t>& set, bool into) {
+    if (into)
+      set.insert(index);
+    else
+      set.erase(index);
+  };
+  put(edges_, is_edge);
+  put(edges_in_turn_, is_edge && sample.blockers == 0);
+}
+
+template <typename Edit>
+void WallSamples::change(std::size_t index, Edit edit) {
+  Sample& sample = samples_[index];
+  const bool was_open = is_open(sample), blocked = blocks(sample);
+  edit(sample);
+  if (is_open(sample) != was_open) {
+    uncleared_ = was_open ? uncleared_ - 1 : uncleared_ + 1;
+    const Track& track = tracks_[sample.track];
+    sort_in(neighbour(index, track.count - 1));
+  }
+  if (blocks(sample) != blocked)
+    for (const std::size_t later : sample.later) {
+      samples_[later].blockers += blocked ? -1 : 1;
+      sort_in(later);
+    }
+  sort_in(index);
 }
 
 void WallSamples::look(Sample& sample) {
@@ -83,41 +135,42 @@ void WallSamples::look(Sample& sample) {
 }
 
 void WallSamples::update(Vec2 low, Vec2 high) {
-  const double reach = 2 * ground_.tool_radius();
-  for (Sample& sample : samples_) {
-    if (sample.clear || sample.shared) continue;
-    if (sample.p.x < low.x - reach || sample.p.x > high.x + reach || sample.p.y < low.y - reach ||
-        sample.p.y > high.y + reach)
-      continue;
-    if (sample.has_witness && !ground_.is_cleared_since(sample.witness, 0)) continue;
-    sample.failures = 0;
-    look(sample);
-  }
-}
-
-void WallSamples::give_up(std::size_t sample) {
-  const Sample& failed = samples_[sample];
-  if (++samples_[sample].failures < kTries) return;
-  const double near = kSpacing * ground_.tool_radius();
-  for (Sample& other : samples_)
-    if (other.shared && other.stage == failed.stage + 1 && distance(other.p, failed.p) < near) {
-      other.shared = false;
-      look(other);
-    }
-}
-
-bool WallSamples::waits(const Sample& sample) const {
-  return std::any_of(sample.earlier.begin(), sample.earlier.end(), [this](std::size_t i) {
-    return !samples_[i].clear && samples_[i].failures < kTries;
+  const Bounds reached = grown({low, high}, 2 * ground_.tool_radius());
+  open_.drop_if(reached, [&](std::size_t index) {
+    const Sample& sample = samples_[index];
+    if (!overlap(reached, {sample.p, sample.p})) return false;
+    if (sample.has_witness && !ground_.is_cleared_since(sample.witness, 0)) return false;
+    change(index, [this](Sample& changed) {
+      changed.failures = 0;
+      look(changed);
+    });
+    return sample.clear;
   });
 }
 
-// The last clear sample of the track before its sample `i`, if only samples shared with the stage
-// before lie between: their stretch was looked at in that stage, at places a little apart from
-// these.
-const WallSamples::Sample* WallSamples::last_clear_before(const Track& track, std::size_t i) const {
+void WallSamples::give_up(std::size_t sample) {
+  change(sample, [](Sample& failed) { ++failed.failures; });
+  const Sample& failed = samples_[sample];
+  if (failed.failures < kTries) return;
+  const double near = kSpacing * ground_.tool_radius();
+  shared_.drop_if(around(failed.p, near), [&](std::size_t index) {
+    const Sample& other = samples_[index];
+    if (other.stage != failed.stage + 1 || distance(other.p, failed.p) >= near) return false;
+    change(index, [this](Sample& taken_over) {
+      taken_over.shared = false;
+      look(taken_over);
+    });
+    if (!other.clear) open_.add(index, other.p);
+    return true;
+  });
+}
+
+// The last clear sample of the track before this one, if only samples shared with the stage before
+// lie between: their stretch was looked at in that stage, at places a little apart from these.
+const WallSamples::Sample* WallSamples::last_clear_before(std::size_t index) const {
+  const Track& track = tracks_[samples_[index].track];
   for (std::size_t back = 1; back <= std::min(kLookBack, track.count - 1); ++back) {
-    const Sample& sample = samples_[track.first + (i + track.count - back) % track.count];
+    const Sample& sample = samples_[neighbour(index, back)];
     if (sample.clear) return &sample;
     if (!sample.shared) return nullptr;
     if (ground_.is_clear(sample.p)) return &sample;
@@ -126,35 +179,25 @@ const WallSamples::Sample* WallSamples::last_clear_before(const Track& track, st
 }
 
 std::vector<PassStart> WallSamples::starts() const {
-  std::vector<PassStart> result = starts(true);
-  return result.empty() ? starts(false) : result;
+  std::vector<PassStart> result = starts(edges_in_turn_);
+  return result.empty() ? starts(edges_) : result;
 }
 
-std::vector<PassStart> WallSamples::starts(bool in_order) const {
+std::vector<PassStart> WallSamples::starts(const std::set<std::size_t>& from) const {
   std::vector<PassStart> result;
-  for (const Track& track : tracks_) {
-    const std::vector<Curve>& curves = stages_[track.stage].centres.curves();
-    for (std::size_t i = 0; i < track.count; ++i) {
-      const std::size_t index = track.first + i;
-      const Sample& sample = samples_[index];
-      if (sample.clear || sample.shared || sample.failures >= kTries) continue;
-      if (in_order && waits(sample)) continue;
-      const Sample* before = last_clear_before(track, i);
-      if (!before) continue;
-      const Segment wall = curves[before->place.curve].segment(before->place.segment);
-      result.push_back({track.stage,
-                        before->place,
-                        {before->p, angle_of(wall.tangent(before->place.t))},
-                        index,
-                        sample.corner});
-    }
+  for (const std::size_t index : from) {
+    const Sample& sample = samples_[index];
+    const Sample* before = last_clear_before(index);
+    if (!before) continue;
+    const std::vector<Curve>& curves = stages_[sample.stage].centres.curves();
+    const Segment wall = curves[before->place.curve].segment(before->place.segment);
+    result.push_back({sample.stage,
+                      before->place,
+                      {before->p, angle_of(wall.tangent(before->place.t))},
+                      index,
+                      sample.corner});
   }
   return result;
-}
-
-std::size_t WallSamples::uncleared_count() const {
-  return static_cast<std::size_t>(std::count_if(
-      samples_.begin(), samples_.end(), [](const Sample& s) { return !s.clear && !s.shared; }));
 }
 
 }  // namespace evenload

@@ -5,12 +5,17 @@
 // cleared to uncleared is where a pass can start. Samples are taken along the walls of every stage;
 // what a stage shares with the one before is sampled once. Our own; the source orders its passes by
 // the medial axis [Jacsó 2021, hybrid path].
+//
+// A look costs as much as there is uncleared near it, and a list of starts as much as it has
+// entries, however long the walls are: only samples that have changed are looked at again.
 #pragma once
 
 #include <cstddef>
+#include <set>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
+#include "geometry/point_grid.h"
 #include "strategy/stage.h"
 #include "strategy/steering.h"
 
@@ -38,7 +43,7 @@ class WallSamples {
   // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
   // its surroundings change, and the next stage takes its place.
   void give_up(std::size_t sample);
-  std::size_t uncleared_count() const;
+  std::size_t uncleared_count() const { return uncleared_; }
 
  private:
   struct Sample {
@@ -51,21 +56,35 @@ class WallSamples {
     bool clear = false;
     bool corner = false;  // later stages have samples of their own nearby
     int failures = 0;
-    std::vector<std::size_t> earlier;  // samples of earlier stages nearby, which come first
+    std::size_t track = 0;
+    int blockers = 0;                // uncleared samples of earlier stages nearby: they come first
+    std::vector<std::size_t> later;  // the samples that this one is one of those for
   };
   struct Track {
     std::size_t stage = 0;
     std::size_t first = 0, count = 0;  // in samples_
   };
-  std::vector<PassStart> starts(bool in_order) const;
-  const Sample* last_clear_before(const Track& track, std::size_t i) const;
+  static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
+  static bool blocks(const Sample& sample);
+  void take_samples(double spacing);
+  void order_by_stage();
+  std::vector<PassStart> starts(const std::set<std::size_t>& from) const;
+  const Sample* last_clear_before(std::size_t index) const;
+  std::size_t neighbour(std::size_t index, std::size_t back) const;
   void look(Sample& sample);
-  bool waits(const Sample& sample) const;
+  // Everything that depends on a sample's marks follows from them here.
+  template <typename Edit>
+  void change(std::size_t index, Edit edit);
+  void sort_in(std::size_t index);
 
   const std::vector<Stage>& stages_;
   const ClearedGround& ground_;
   std::vector<Sample> samples_;
   std::vector<Track> tracks_;
+  PointGrid open_, shared_;              // samples that are not cleared
+  std::size_t uncleared_ = 0;            // of the open samples
+  std::set<std::size_t> edges_;          // open, not given up, and not right after an open one
+  std::set<std::size_t> edges_in_turn_;  // those of them that wait for no earlier stage
   mutable std::vector<AngularInterval> scratch_;
 };
 

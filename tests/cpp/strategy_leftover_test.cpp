@@ -1,0 +1,84 @@
+#include <gtest/gtest.h>
+
+#include <optional>
+#include <vector>
+
+#include "geometry_shapes.h"
+#include "strategy/leftover.h"
+
+namespace evenload {
+namespace {
+
+using shapes::rectangle;
+
+constexpr double kRadius = 3;
+const Bounds kEverywhere{{0, 0}, {60, 30}};
+
+// A floor of 60 mm x 30 mm, cleared but for two squares of 2 mm.
+class TwoPosts : public ::testing::Test {
+ protected:
+  TwoPosts() {
+    for (const double y : {3.0, 6.0, 9.0, 11.0, 19.0, 21.0, 24.0, 27.0}) clear({3, y}, {57, y});
+    for (const double x : {3.0, 57.0}) clear({x, 3}, {x, 27});
+    for (const double y : {13.0, 15.0, 17.0}) {
+      clear({3, y}, {6, y});
+      clear({14, y}, {46, y});
+      clear({54, y}, {57, y});
+    }
+    leftover_.prepare(centres_, kEverywhere, ground_);
+  }
+
+  void clear(Vec2 from, Vec2 to) { ground_.add(Segment::line(from, to)); }
+
+  // The post that the pose touches: its circle meets material when the tool moves a little towards
+  // it, and none before.
+  Vec2 post_beside(const Pose& pose) const {
+    EXPECT_TRUE(ground_.is_clear(pose.p));
+    EXPECT_GE(centres_.signed_distance(pose.p), -1e-9);
+    const Vec2 right = -left_normal(unit(pose.heading));
+    EXPECT_FALSE(ground_.is_clear(pose.p + 0.05 * right));
+    const Vec2 post = pose.p.x < 30 ? left_ : right_;
+    EXPECT_LT(distance(pose.p + kRadius * right, post), 3);
+    return post;
+  }
+
+  const Vec2 left_{10, 15}, right_{50, 15};
+  const Area centres_{{make_region(rectangle(3, 3, 57, 27))}};
+  ClearedGround ground_{kEverywhere, kRadius, nullptr};
+  Leftover leftover_;
+};
+
+TEST_F(TwoPosts, AreMeasuredAndNamed) {
+  // By points 0.2 mm apart.
+  EXPECT_NEAR(leftover_.area(ground_), 8, 1.6);
+  ASSERT_TRUE(leftover_.place());
+  EXPECT_FALSE(ground_.is_cleared_point(*leftover_.place()));
+}
+
+TEST_F(TwoPosts, AreOfferedNearestFirstAndEachPlaceOnce) {
+  const std::optional<Pose> first = leftover_.next_start(ground_, centres_, {55, 15});
+  ASSERT_TRUE(first);
+  EXPECT_EQ(post_beside(*first), right_);
+  const std::optional<Pose> second = leftover_.next_start(ground_, centres_, {5, 15});
+  ASSERT_TRUE(second);
+  EXPECT_EQ(post_beside(*second), left_);
+  int more = 0;
+  while (const std::optional<Pose> pose = leftover_.next_start(ground_, centres_, {30, 15})) {
+    post_beside(*pose);
+    ASSERT_LT(++more, 20);
+  }
+}
+
+TEST_F(TwoPosts, AreNotOfferedAfterTheyWereCut) {
+  clear({45, 15}, {55, 15});
+  const std::optional<Pose> pose = leftover_.next_start(ground_, centres_, {55, 15});
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(post_beside(*pose), left_);
+  clear({5, 15}, {15, 15});
+  EXPECT_FALSE(leftover_.next_start(ground_, centres_, {55, 15}));
+  EXPECT_EQ(leftover_.area(ground_), 0);
+  EXPECT_FALSE(leftover_.place());
+}
+
+}  // namespace
+}  // namespace evenload
