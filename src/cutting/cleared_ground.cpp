@@ -171,10 +171,24 @@ void ClearedGround::visit_cells(const Primitive& primitive, Visit visit) {
       std::min(columns_ - 1, static_cast<int>(std::floor((high.x + reach - origin_.x) / cell_)));
   const int j1 =
       std::min(rows_ - 1, static_cast<int>(std::floor((high.y + reach - origin_.y) / cell_)));
-  for (int j = j0; j <= j1; ++j)
-    for (int i = i0; i <= i1; ++i)
+  for (int j = j0; j <= j1; ++j) {
+    const double y = origin_.y + (j + 0.5) * cell_;
+    int first = i0, last = i1;
+    if (!s.is_arc() && std::abs(s.b.y - s.a.y) > reach) {
+      // A long slanting line: only where it is near the row.
+      const double t0 = (y - reach - s.a.y) / (s.b.y - s.a.y);
+      const double t1 = (y + reach - s.a.y) / (s.b.y - s.a.y);
+      const double xa = s.a.x + std::clamp(t0, 0.0, 1.0) * (s.b.x - s.a.x);
+      const double xb = s.a.x + std::clamp(t1, 0.0, 1.0) * (s.b.x - s.a.x);
+      first = std::max(
+          i0, static_cast<int>(std::floor((std::min(xa, xb) - reach - origin_.x) / cell_)));
+      last = std::min(i1,
+                      static_cast<int>(std::floor((std::max(xa, xb) + reach - origin_.x) / cell_)));
+    }
+    for (int i = first; i <= last; ++i)
       visit(cells_[static_cast<std::size_t>(j) * columns_ + i],
-            origin_ + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_});
+            Vec2{origin_.x + (i + 0.5) * cell_, y});
+  }
 }
 
 void ClearedGround::add(const Segment& move, double swept_radius) {
@@ -450,8 +464,7 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
 }
 
 bool ClearedGround::is_cleared_point(Vec2 x) const {
-  if (limited_ && !material_.contains(x)) return true;
-  return is_cleared_since(x, 0);
+  return is_cleared_since(x, 0) || (limited_ && !material_.contains(x));
 }
 
 }  // namespace evenload
