@@ -160,7 +160,8 @@ double Steering::contact_until(const Segment& move) const {
   for (int i = n - 1; i >= 0; --i) {
     double low = static_cast<double>(i) / n, high = static_cast<double>(i + 1) / n;
     if (i > 0 ? !touches(low) : !has_cut() || idle() > kHere) continue;
-    while ((high - low) * move.length() > kContactEnd * radius_) {
+    // Never all of the move, or contact would seem to go on in steps however short.
+    while (high - low > std::min(0.1, kContactEnd * radius_ / move.length())) {
       const double middle = 0.5 * (low + high);
       (touches(middle) ? low : high) = middle;
     }
