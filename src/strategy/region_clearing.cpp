@@ -25,6 +25,8 @@ namespace {
 // Left turns are never tighter than this share of the tool's radius, but at the exact border's
 // corners.
 constexpr double kTightestTurn = 0.001;
+// The same for turns that the walls do not need.
+constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
 constexpr double kShortCorner = 0.05;
@@ -44,6 +46,8 @@ constexpr double kRetractPrice = 0.3;
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
+// In one corner other stages are tried at every so manieth pass.
+constexpr int kTryEvery = 4;
 // Of the stages that a pass into a corner is tried in every so manieth is.
 constexpr std::size_t kStagesAtOnce = 3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
@@ -105,7 +109,8 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest, kShortCorner, kFirstTurn * entry_radius()};
+    return {std::max(wish, tightest), tightest, kShortCorner, kSpareTurn * radius_,
+            kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
@@ -399,6 +404,25 @@ class RegionClearing {
     for (std::size_t i = 0; i < pass.moves.size(); ++i) ground_.remove_last();
   }
 
+  // Tries the stages from `start` on and before `end`, a few at a time, uphill from `first`.
+  template <typename Value>
+  static void climb_stages(std::size_t start, std::size_t first, std::size_t end, double middle,
+                           Value value_of) {
+    double last = middle;
+    for (std::size_t k = first + kStagesAtOnce; k < end; k += kStagesAtOnce) {
+      const double value = value_of(k);
+      if (value < last) break;
+      last = value;
+    }
+    if (last > middle) return;
+    for (std::size_t k = first; k >= start + kStagesAtOnce;) {
+      k -= kStagesAtOnce;
+      const double value = value_of(k);
+      if (value < last) break;
+      last = value;
+    }
+  }
+
   // The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
   // full engagement, and the less it is stopped by the walls. Stages are tried from the one that
   // was best last, uphill.
@@ -423,20 +447,14 @@ class RegionClearing {
     const std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
     if (start.stage < end) {
       const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
+      // From pass to pass in a corner the best stage hardly changes.
+      const bool same = distance(start.pose.p, tried_at_) < radius_ && ++since_tried_ < kTryEvery;
       const double middle = value_of(first);
-      double last = middle;
-      for (std::size_t k = first + kStagesAtOnce; k < end; k += kStagesAtOnce) {
-        const double value = value_of(k);
-        if (value < last) break;
-        last = value;
+      if (!same || middle == 0) {
+        since_tried_ = 0;
+        climb_stages(start.stage, first, end, middle, value_of);
       }
-      if (last <= middle)
-        for (std::size_t k = first; k >= start.stage + kStagesAtOnce;) {
-          k -= kStagesAtOnce;
-          const double value = value_of(k);
-          if (value < last) break;
-          last = value;
-        }
+      tried_at_ = start.pose.p;
     }
     for (const Segment& move : best.moves) ground_.add(move);
     return best;
@@ -576,6 +594,8 @@ class RegionClearing {
   RegionResult result_;
   Pose here_;
   std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
+  Vec2 tried_at_;                   // where it began
+  int since_tried_ = kTryEvery;     // passes
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;
 };

@@ -13,6 +13,9 @@ namespace {
 // stage that uses most of it.
 constexpr double kStageRatio = 0.9;
 
+// The same for stages that the walls do not need.
+constexpr double kSpareRatio = 0.5;
+
 // The walls are opened by this much more than the turn radius, so that a pass in the narrowest
 // channel of its stage still has room between its roll-in and its roll-out.
 constexpr double kOpeningRatio = 1.25;
@@ -33,7 +36,9 @@ double deepest_rest(const Region& exact, const Area& stage) {
 std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits) {
   EVENLOAD_ASSERT(limits.tightest > 0 && limits.tightest <= limits.widest);
   std::vector<Stage> stages;
-  for (double turn = limits.widest; turn > limits.tightest * kStageRatio; turn *= kStageRatio) {
+  bool spare = false;
+  for (double turn = limits.widest; turn > (spare ? limits.spare : limits.tightest) * kStageRatio;
+       turn *= spare ? kSpareRatio : kStageRatio) {
     const double opening = kOpeningRatio * turn;
     const std::vector<Region> eroded = offset({centres}, -opening);
     if (eroded.empty()) continue;
@@ -46,7 +51,8 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     stage.rooms = opened;
     const double left = deepest_rest(centres, stage.centres);
     stages.push_back(std::move(stage));
-    if (left < limits.rest && turn <= limits.first_turn) break;
+    // Whatever a pass cannot enter is left to tighter turns, though the walls need none.
+    spare = spare || (left < limits.rest && turn <= limits.first_turn);
   }
   Stage exact;
   exact.rooms = {centres};

@@ -23,7 +23,8 @@ struct Stage {
 struct StageLimits {
   double widest = 0.9;      // mm, the turn radius of the first stage
   double tightest = 0.003;  // mm, the smallest turn radius
-  double rest = 0.02;       // mm: no further stages once the corners that are left are shorter
+  double rest = 0.02;       // mm: few further stages once the corners that are left are shorter,
+  double spare = 0.09;      // mm: down to this turn radius
   double first_turn = 1e9;  // mm: the first pass must be able to turn as tightly as this
 };
 

@@ -29,6 +29,8 @@ constexpr double kProgress =
 
 constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
 constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
+constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
+constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: so much above its target, and so much below, but no more
@@ -138,9 +140,14 @@ void Steering::cut_back(double length) {
   while (!met_.empty() && met_.back().until > travelled_ + kHere) met_.pop_back();
 }
 
+// rad engaged before the last `length` mm of the path; 0 where that was nothing.
+double Steering::met_before(double length) const {
+  return has_cut() && met_.back().until > travelled_ - length - kHere ? met_.back().total : 0;
+}
+
 // Says that the last `length` mm of the path met `total` rad of material.
 void Steering::note_contact(double total, double length) {
-  if (total > kInContact) met_.push_back({travelled_, length, total});
+  if (total > kInContact) met_.push_back({travelled_, length, met_before(length), total});
 }
 
 // The share of the next move, which ends without contact, up to which there is contact; 0 where
@@ -170,7 +177,8 @@ void Steering::make_step(const Segment& move, double total) {
   if (total > kInContact)
     note_contact(total, length);
   else if (touched > 0)
-    met_.push_back({travelled_ - (1 - touched) * length, touched * length, kInContact});
+    met_.push_back(
+        {travelled_ - (1 - touched) * length, touched * length, met_before(length), kInContact});
 }
 
 // The highest engagement on the left turn from `from`, up to where it has passed its first peak, or
@@ -264,12 +272,20 @@ bool Steering::roll_in(TurnPart part) {
 // within the limit.
 void Steering::escape() {
   if (roll_in(TurnPart::kWayOut)) {
-    double turned = 0;
-    for (double total = contact(pose()).total; turned < kPi && total > kInContact;
-         total = contact(pose()).total) {
-      append(move_of(pose(), 1 / turn_, kTurnStep * turn_));
-      note_contact(total, kTurnStep * turn_);
-      turned += kTurnStep;
+    // Where contact all but ends and grows again, the turn ends as well.
+    double lowest = kPi;
+    double since = 0;  // mm
+    double total = contact(pose()).total;
+    for (double turned = 0; turned < kPi && total > kInContact; turned += kWayOutStep) {
+      append(move_of(pose(), 1 / turn_, kWayOutStep * turn_));
+      note_contact(total, kWayOutStep * turn_);
+      total = contact(pose()).total;
+      since = total < lowest ? 0 : since + kWayOutStep * turn_;
+      lowest = std::min(lowest, total);
+      if (lowest < kNearlyOut && total > lowest + kNearlyOut) {
+        cut_back(since);
+        break;
+      }
     }
   } else if (turn_ > 0) {
     cut_back(travelled_);
@@ -318,7 +334,9 @@ void Steering::step_on_wall() {
     return;
   }
   if (turn_ <= 0 && over_mean(total, step)) {
-    if (may_leave_wall_)
+    // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
+    // in the middle of a front.
+    if (may_leave_wall_ && near_corner(step))
       mode_ = Mode::kEnd;
     else
       give_up();
@@ -531,9 +549,10 @@ void Steering::roll_out() {
   }
   if (turned > 1e-9) {
     append(move_of(from, 1 / turn_, turned * turn_));
-    if (in_contact > 0)
-      met_.push_back({travelled_ - (turned - in_contact) * turn_, in_contact * turn_,
-                      sum / looks * turned / in_contact});
+    if (in_contact > 0) {
+      const double mean = sum / looks * turned / in_contact;
+      met_.push_back({travelled_ - (turned - in_contact) * turn_, in_contact * turn_, mean, mean});
+    }
   }
   const BoundaryIndex::Hit wall = stage_.centres.nearest(pose().p);
   EVENLOAD_ASSERT(wall.distance < 1e-3);
@@ -561,7 +580,7 @@ Pass Steering::run() {
   }
   for (const Met& met : met_) {
     pass_.cut_length += met.length;
-    pass_.cut_area += met.length * radius_ * (1 - std::cos(met.total));
+    pass_.cut_area += met.length * radius_ * (1 - 0.5 * (std::cos(met.from) + std::cos(met.total)));
   }
   return std::move(pass_);
 }

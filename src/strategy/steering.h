@@ -88,6 +88,7 @@ class Steering {
   bool near_corner(double step) const;
   bool over_mean(double total, double step) const;
   double reach_of(const Segment& move) const;
+  double met_before(double length) const;
   void note_contact(double total, double length);
   double contact_until(const Segment& move) const;
   void make_step(const Segment& move, double total);
@@ -112,7 +113,8 @@ class Steering {
   struct Met {
     double until = 0;   // mm travelled
     double length = 0;  // mm
-    double total = 0;   // rad engaged
+    double from = 0;    // rad engaged at the beginning
+    double total = 0;   // rad engaged at the end
   };
   std::vector<Met> met_;
   double step_ = 0;         // mm, adaptive

@@ -8,6 +8,8 @@ namespace {
 
 // mm above a level's top to which rapids go down before a descent.
 constexpr double kApproach = 0.5;
+// mm above a level's top to which the tool then goes straight down before a helix or ramp begins.
+constexpr double kAboveMaterial = 0.05;
 // Share of a link over which it rises, and sinks, when links are lifted.
 constexpr double kLiftShare = 0.25;
 // Rise and fall of a lifted link per mm of way: short links are lifted less.
@@ -166,47 +168,59 @@ class Assembler {
   }
 
   void begin(const Descent& descent, double top, double level) {
+    const double from = std::min(params_.safe_height, top + kApproach);
+    // Air is no reason to go round and round.
+    const double contact = std::min(from, top + kAboveMaterial);
+    const bool is_helix = descent.kind == DescentKind::kHelix;
+    const double sweep =
+        is_helix ? (contact - level) / (std::tan(params_.helix_angle) * descent.radius) : 0;
+    const Vec2 start = is_helix ? on_helix(descent, -sweep) : descent.at;
     if (moves_.empty()) {
       Move move;
       move.kind = MoveKind::kRapid;
-      move.x = descent.at.x;
-      move.y = descent.at.y;
+      move.x = start.x;
+      move.y = start.y;
       move.z = params_.clearance_height;
       push(move);
     } else {
-      rapid_xy(descent.at);
+      rapid_xy(start);
     }
-    const double from = std::min(params_.safe_height, top + kApproach);
-    switch (descent.kind) {
-      case DescentKind::kPlunge:
-        if (descent.over_cleared_ground) {
-          rapid_z(level);
-        } else {
-          rapid_z(from);
-          line(descent.at, level, MoveKind::kEntry, params_.plunge_feed);
-        }
-        break;
-      case DescentKind::kHelix:
+    if (descent.kind == DescentKind::kPlunge) {
+      if (descent.over_cleared_ground) {
+        rapid_z(level);
+      } else {
         rapid_z(from);
-        helix(descent, from, level);
-        break;
-      case DescentKind::kRamp:
-        rapid_z(from);
-        ramp(descent, from, level);
-        break;
+        line(start, level, MoveKind::kEntry, params_.plunge_feed);
+      }
+      return;
     }
+    rapid_z(from);
+    if (contact < from) line(start, contact, MoveKind::kEntry, params_.plunge_feed);
+    if (is_helix)
+      helix(descent, sweep, contact, level);
+    else
+      ramp(descent, contact, level);
   }
 
-  void helix(const Descent& descent, double from, double level) {
-    const double start = angle_of(descent.at - descent.centre);
-    const double per_turn = std::tan(params_.helix_angle) * 2 * kPi * descent.radius;
-    const int turns = std::max(1, static_cast<int>(std::ceil((from - level) / per_turn)));
-    // The last turn is level: it takes the floor that the slope left.
-    for (int i = 0; i < turns + 1; ++i) {
-      const double z = level + (from - level) * std::max(0, turns - i - 1) / turns;
-      go(Segment::arc(descent.centre, descent.radius, start, 2 * kPi), MoveKind::kEntry, z,
+  // The place on the helix `angle` rad after its end.
+  static Vec2 on_helix(const Descent& descent, double angle) {
+    return descent.centre + descent.radius * unit(angle_of(descent.at - descent.centre) + angle);
+  }
+
+  // Down by `sweep` rad, in full turns and what is left of one, to the place where the first pass
+  // begins.
+  void helix(const Descent& descent, double sweep, double from, double level) {
+    const double end = angle_of(descent.at - descent.centre);
+    for (double left = sweep; left > 0;) {
+      const double turn = std::min(left, 2 * kPi);
+      const double z = level + (from - level) * (left - turn) / sweep;
+      go(Segment::arc(descent.centre, descent.radius, end - left, turn), MoveKind::kEntry, z,
          params_.plunge_feed);
+      left -= turn;
     }
+    // The last turn is level: it takes the floor that the slope left.
+    go(Segment::arc(descent.centre, descent.radius, end, 2 * kPi), MoveKind::kEntry, level,
+       params_.plunge_feed);
   }
 
   void ramp(const Descent& descent, double from, double level) {

@@ -157,8 +157,12 @@ TEST(Assemble, StartsHighAndEndsHigh) {
     const std::vector<Move> moves = assemble(runs, params);
     EXPECT_EQ(moves.front().kind, MoveKind::kRapid);
     EXPECT_EQ(moves.front().z, params.clearance_height);
-    EXPECT_EQ(moves.front().x, runs.front().descent.at.x);
-    EXPECT_EQ(moves.front().y, runs.front().descent.at.y);
+    const Descent& descent = runs.front().descent;
+    const Vec2 above{moves.front().x, moves.front().y};
+    if (descent.kind == DescentKind::kHelix)
+      EXPECT_NEAR(distance(above, descent.centre), descent.radius, 1e-9);
+    else
+      EXPECT_EQ(distance(above, descent.at), 0);
     EXPECT_EQ(moves.back().kind, MoveKind::kRapid);
     EXPECT_EQ(moves.back().z, params.clearance_height);
     EXPECT_TRUE(assemble({}, params).size() <= 1);
@@ -197,12 +201,18 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
       AssemblyParams params = two_levels();
       params.helix_angle = angle;
       const std::vector<Move> moves = assemble(runs, params);
-      double flat_at_level = 0;
+      double flat_at_level = 0, floor = params.top;
       for (std::size_t i = 1; i < moves.size(); ++i) {
         const Move &from = moves[i - 1], &to = moves[i];
+        if (to.kind == MoveKind::kCut) floor = to.z;
         if (to.kind != MoveKind::kEntry) continue;
         EXPECT_EQ(to.feed, params.plunge_feed);
         const double flat = flat_length(from, to), drop = from.z - to.z;
+        if (flat == 0) {  // straight down in the air, to just above what is to be cut
+          EXPECT_GT(to.z, floor);
+          EXPECT_LT(to.z, floor + 0.1);
+          continue;
+        }
         EXPECT_GT(flat, 0);
         EXPECT_GE(drop, -1e-12);
         EXPECT_LE(drop, std::tan(angle) * flat + 1e-9);
