@@ -75,7 +75,7 @@ class RegionClearing {
 
   RegionResult run() {
     enter();
-    if (!result_.runs.empty()) clear_all();
+    if (task_.rest || !result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) report();
     return std::move(result_);
   }
