@@ -10,7 +10,11 @@ from evenload import machines, materials, simulation
 
 LEVELS, SPEEDS = 4, 5  # that are tried where none are given
 LEAST_CHIP = 0.2  # of the largest chip thickness: thinner chips rub more than they cut
-FEED_CONTROLS = ("constant feed", "constant removal rate")  # those that scale with the feed
+FEED_CONTROLS = (  # those that scale with the feed
+    "constant feed",
+    "constant removal rate",
+    "constant chip thickness",
+)
 SAME = 1e-6  # share by which lengths and speeds may pass their limits: rounding
 TOOL_KEYS = {
     "diameter": "mm",

@@ -141,6 +141,7 @@ def session():
     result["base_list"] = [
         base_page.form.baseList.item(i).text() for i in range(base_page.form.baseList.count())
     ]
+    result["shown"] = [name for name, widget in page.widgets.items() if widget.isVisible()]
     result["tolerance_text"] = page.widgets["Tolerance"].text()
     picture("panel")
 

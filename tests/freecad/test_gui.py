@@ -7,6 +7,7 @@ import shutil
 import pytest
 from conftest import Bench, freecad
 from evenload import materials
+from evenload.operations.settings import SETTINGS
 from models import SQUARE, block_with, face_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -54,6 +55,10 @@ def test_the_command_takes_the_selected_face(session):
 def test_the_command_takes_a_whole_sketch(session):
     assert session["sketch_base"] == [["Outline", [""]]]
     assert session["cancelled_is_gone"]
+
+
+def test_the_panel_shows_every_setting_once(session):
+    assert sorted(session["shown"]) == sorted(setting.name for setting in SETTINGS)
 
 
 def test_the_panel_sets_properties_and_computes(session):
