@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include "geometry/bi_arc.h"
+
 namespace evenload {
 namespace {
 
@@ -59,31 +61,14 @@ bool turn_straight_turn(const Pose& a, const Pose& b, double radius, double side
   return true;
 }
 
-// The arc from `a` to `b` that starts in `direction`; nothing where it turns by more than
-// kMostTurn, or more tightly than `tightest` mm.
-std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, double tightest) {
-  const Vec2 chord = b - a;
-  const double half_turn = std::atan2(cross(direction, chord), dot(direction, chord));
-  if (std::abs(2 * half_turn) > kMostTurn) return std::nullopt;
-  if (std::abs(half_turn) < 1e-7) return Segment::line(a, b);
-  const Segment arc = Segment::from_bulge(a, b, std::tan(half_turn / 2));
-  return arc.radius < tightest ? std::nullopt : std::optional<Segment>(arc);
-}
-
-// Two arcs, tangent to each other, whose joint is as far along both ends' tangents. False when
-// there are none that turn no more tightly than `tightest` mm.
+// A bi-arc. False when there is none that turns no more tightly than `tightest` mm.
 bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segment>& moves) {
-  const Vec2 from = unit(a.heading), to = unit(b.heading), v = b.p - a.p;
-  const double along = dot(v, from + to), apart = 2 * (1 - dot(from, to));
-  const double denominator = along + std::sqrt(along * along + apart * squared_norm(v));
-  if (!(denominator > 1e-9)) return false;
-  const double reach = squared_norm(v) / denominator;
-  const Vec2 joint = 0.5 * (a.p + reach * from + b.p - reach * to);
-  const std::optional<Segment> first = tangent_arc(a.p, joint, from, tightest);
-  if (!first) return false;
-  const std::optional<Segment> second = tangent_arc(joint, b.p, first->tangent(1), tightest);
-  if (!second) return false;
-  moves = {*first, *second};
+  const std::optional<BiArc> pair =
+      bi_arc({a.p, unit(a.heading)}, {b.p, unit(b.heading)}, kMostTurn);
+  if (!pair) return false;
+  for (const Segment& s : {pair->first, pair->second})
+    if (s.is_arc() && s.radius < tightest) return false;
+  moves = {pair->first, pair->second};
   return true;
 }
 
