@@ -23,6 +23,9 @@ constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
 constexpr double kLook = 0.04;
 constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
+// rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
+// within less than kLook.
+constexpr double kTurnLook = 0.15;
 // A turn of just under a full circle is a turn of nothing with a rounding error.
 constexpr double kFullTurn = 2 * kPi - 1e-6;
 
@@ -98,7 +101,8 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
   double done = 0;
   for (const Segment& move : moves) {
     const double length = move.length();
-    const int n = std::max(1, static_cast<int>(std::ceil(length / look)));
+    const double looks = std::max(length / look, std::abs(move.sweep) / kTurnLook);
+    const int n = std::max(1, static_cast<int>(std::ceil(looks)));
     double wall_free = 0;  // mm along the move that is known to be inside
     for (int i = 0; i <= n; ++i) {
       const double t = static_cast<double>(i) / n;
