@@ -1,8 +1,9 @@
 """Toolpath -> Path commands, and back. The only place for mm/s and G-codes.
 
-Post-processors round to three decimals. So ends are rounded here first, and the arcs' centres are
-then chosen for the rounded ends: what is posted is what was computed, and no arc's two radii
-disagree by more than a controller accepts.
+Post-processors write three decimals, or four when told to. Ends are rounded here first, to four,
+and the arcs' centres are then chosen for the rounded ends: what is posted with four decimals is
+what was computed, and tangent arcs stay so. With three no arc's two radii disagree by more than a
+controller accepts.
 """
 
 from math import acos, atan2, ceil, cos, hypot, isfinite, pi, sin, sqrt, tan
@@ -11,23 +12,27 @@ import Path
 
 from evenload.planar import CUT, RAPID, sweep_of
 
-DECIMALS = 3  # of a mm: what FreeCAD's post-processors write unless told otherwise
+# Of a mm. On a grid of 0.001 mm, which posts write unless told otherwise, moves of some hundredths
+# of a mm would be turned by degrees, and the engagement with them.
+DECIMALS = 4
 GRID = 10.0**-DECIMALS
+SHORTEST_LINE = 0.0005  # mm: shorter ones are left out, posts would repeat a position
 # mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds them,
 # which would make full circles of them; inch posts round to 0.0001 in, and their roundings at both
 # ends add up to 0.0036 mm.
 SHORTEST_ARC = 0.005
 LARGEST_RADIUS = 1e4  # mm: flatter arcs become lines; at 50 mm of length they bend by 0.03 um
 SMALLEST_RADIUS = 0.01  # mm: tighter arcs become lines, which leave them by less than twice this
-# Controllers refuse arcs whose radii at start and end differ by more than about 0.005 mm.
-RADIUS_MISMATCH = 0.0005  # mm: a centre on the grid is found for every arc within twice this
+# mm: a centre on the grid is found for every arc within twice this. Controllers refuse arcs whose
+# radii at start and end differ by more than about 0.005 mm; rounding to 0.001 mm adds up to 0.003.
+RADIUS_MISMATCH = 0.00005
 MOST_TURN_CHANGE = 0.5  # rad: by which rounding may change a sweep; only the tiniest arcs get there
 # rad: FreeCAD's simulator and dressups take the wrong side of longer arcs; the margin keeps halves.
 LARGEST_SWEEP = pi * (1 + 1e-6)
 # FreeCAD's simulator and dressups take an arc whose end points span an area below 0.005 mm^2 with
 # its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
 # long enough for that to do no harm.
-SMALLEST_CROSS = 0.006  # mm^2
+SMALLEST_CROSS = 0.0052  # mm^2
 LARGEST_SMALL_SWEEP = 1.75  # rad: a hundred degrees
 SAGITTA = 0.004  # mm: largest distance of those lines from the arc, on the inner side
 
@@ -84,17 +89,18 @@ class _Writer:
             self._rapid_z(z)
 
     def _rapid_z(self, z):
-        if abs(z - self.z) >= GRID / 2:
+        if abs(z - self.z) >= SHORTEST_LINE:
             self.commands.append(Path.Command("G0", {"Z": z}))
             self.z = z
 
     def line(self, x, y, z, feed):
-        if x != self.x or y != self.y or abs(z - self.z) >= GRID / 2:
+        flat = hypot(x - self.x, y - self.y)
+        if flat >= SHORTEST_LINE or abs(z - self.z) >= SHORTEST_LINE:
             self._feed("G1", x, y, z, {"F": feed})
 
     def _feed(self, name, x, y, z, parameters):
         """Feed moves name all three axes: FreeCAD's dressups look for them."""
-        if abs(z - self.z) < GRID / 2:
+        if abs(z - self.z) < SHORTEST_LINE:
             z = self.z
         parameters.update(X=x, Y=y, Z=z)
         self.commands.append(Path.Command(name, parameters))

@@ -15,6 +15,9 @@ constexpr double kChangePrice = 0.0005;
 // mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
 // second.
 constexpr double kShortestPiece = 0.2;
+// mm: no feed changes within a move nearer to its ends than this; what is rounded to a post's
+// 0.001 mm turns shorter arcs by more than a degree.
+constexpr double kShortestPart = 0.1;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -23,14 +26,36 @@ struct Piece {
   double feed;
 };
 
+// Whether the feed may change after each of the samples [first, last): where a move ends, and so
+// far from its ends that no tiny move is split off.
+std::vector<char> places_for_change(const std::vector<LoadSample>& profile, std::size_t first,
+                                    std::size_t last) {
+  std::vector<char> allowed(last - first, 1);
+  for (std::size_t begin = first; begin < last;) {
+    std::size_t end = begin;
+    double left = 0, done = 0;  // mm of the move
+    for (; end < last && profile[end].move == profile[begin].move; ++end)
+      left += profile[end].length;
+    for (std::size_t k = begin; k + 1 < end; ++k) {
+      done += profile[k].length;
+      left -= profile[k].length;
+      allowed[k - first] = done >= kShortestPart && left >= kShortestPart;
+    }
+    begin = end;
+  }
+  return allowed;
+}
+
 // The best division of samples [first, last) into pieces of one feed.
 std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t first,
                           std::size_t last, const FeedParams& params) {
   const std::size_t n = last - first;
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
+  const std::vector<char> may_change = places_for_change(profile, first, last);
   cost[0] = 0;
   for (std::size_t j = 1; j <= n; ++j) {
+    if (!may_change[j - 1]) continue;
     double slowest = params.maximum_feed, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
     const double price = move_ends ? kChangePrice : kBlockPrice;

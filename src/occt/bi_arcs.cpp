@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace evenload {
 namespace {
@@ -26,33 +25,9 @@ constexpr double kFlatSagitta = 1e-6;
 // size at 1e4 mm.
 constexpr double kSameSupport = 1e-8;
 
-struct BiArc {
-  Segment first, second;
-};
-
-// The arc that starts in `direction`, or ends in it when `at_end`.
-std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, bool at_end) {
-  const Vec2 chord = b - a;
-  double half_turn = std::atan2(cross(direction, chord), dot(direction, chord));
-  if (at_end) half_turn = -half_turn;
-  if (!(std::abs(2 * half_turn) <= kMaximumTurn)) return std::nullopt;
-  const double bulge = std::tan(half_turn / 2);
-  if (std::abs(bulge) * norm(chord) / 2 < kFlatSagitta) return Segment::line(a, b);
-  return Segment::from_bulge(a, b, bulge);
-}
-
-std::optional<BiArc> bi_arc(const PlanePoint& from, const PlanePoint& to) {
-  const Vec2 v = to.p - from.p;
-  const double along = dot(v, from.direction + to.direction);
-  const double apart = 2 * (1 - dot(from.direction, to.direction));
-  const double denominator = along + std::sqrt(along * along + apart * squared_norm(v));
-  if (!(denominator > 0)) return std::nullopt;
-  const double reach = squared_norm(v) / denominator;
-  const Vec2 joint = 0.5 * (from.p + reach * from.direction + to.p - reach * to.direction);
-  const auto first = tangent_arc(from.p, joint, from.direction, false);
-  const auto second = tangent_arc(joint, to.p, to.direction, true);
-  if (!first || !second) return std::nullopt;
-  return BiArc{*first, *second};
+Segment written(const Segment& s) {
+  const bool flat = std::abs(s.bulge()) * distance(s.a, s.b) / 2 < kFlatSagitta;
+  return flat ? Segment::line(s.a, s.b) : s;
 }
 
 class Fitter {
@@ -62,10 +37,10 @@ class Fitter {
       : curve_(curve), tolerance_(tolerance), samples_per_parameter_(samples_per_parameter) {}
 
   void fit(double from, const PlanePoint& start, double to, const PlanePoint& end, int depth) {
-    const auto pair = bi_arc(start, end);
+    const auto pair = bi_arc(start, end, kMaximumTurn);
     if (pair && within_tolerance(*pair, from, to)) {
-      append(pair->first);
-      append(pair->second);
+      append(written(pair->first));
+      append(written(pair->second));
       return;
     }
     if (depth == kMaximumDepth) {

@@ -1,21 +1,13 @@
-// A smooth plane curve as arcs.
-//
-// A bi-arc is a pair of arcs that share their tangent where they meet and have the curve's own
-// points and tangents at their outer ends; of the family of such pairs the one with equal tangent
-// lengths is taken. [Bolton 1975, Biarc curves]
+// A smooth plane curve as arcs: bi-arcs, which have the curve's own points and directions at their
+// outer ends.
 #pragma once
 
 #include <functional>
 #include <vector>
 
-#include "geometry/curve.h"
+#include "geometry/bi_arc.h"
 
 namespace evenload {
-
-struct PlanePoint {
-  Vec2 p;
-  Vec2 direction;  // of travel, of unit length
-};
 
 // The open chain from curve(from) to curve(to), both ends included, for a curve whose direction is
 // continuous in between. Laws: the chain stays within `tolerance` mm of the curve; its direction is

@@ -5,6 +5,8 @@
 #include <initializer_list>
 #include <optional>
 
+#include "geometry/bi_arc.h"
+
 namespace evenload {
 namespace {
 
@@ -21,6 +23,9 @@ constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
 constexpr double kLook = 0.04;
 constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
+// rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
+// within less than kLook.
+constexpr double kTurnLook = 0.15;
 // A turn of just under a full circle is a turn of nothing with a rounding error.
 constexpr double kFullTurn = 2 * kPi - 1e-6;
 
@@ -59,31 +64,14 @@ bool turn_straight_turn(const Pose& a, const Pose& b, double radius, double side
   return true;
 }
 
-// The arc from `a` to `b` that starts in `direction`; nothing where it turns by more than
-// kMostTurn, or more tightly than `tightest` mm.
-std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, double tightest) {
-  const Vec2 chord = b - a;
-  const double half_turn = std::atan2(cross(direction, chord), dot(direction, chord));
-  if (std::abs(2 * half_turn) > kMostTurn) return std::nullopt;
-  if (std::abs(half_turn) < 1e-7) return Segment::line(a, b);
-  const Segment arc = Segment::from_bulge(a, b, std::tan(half_turn / 2));
-  return arc.radius < tightest ? std::nullopt : std::optional<Segment>(arc);
-}
-
-// Two arcs, tangent to each other, whose joint is as far along both ends' tangents. False when
-// there are none that turn no more tightly than `tightest` mm.
+// A bi-arc. False when there is none that turns no more tightly than `tightest` mm.
 bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segment>& moves) {
-  const Vec2 from = unit(a.heading), to = unit(b.heading), v = b.p - a.p;
-  const double along = dot(v, from + to), apart = 2 * (1 - dot(from, to));
-  const double denominator = along + std::sqrt(along * along + apart * squared_norm(v));
-  if (!(denominator > 1e-9)) return false;
-  const double reach = squared_norm(v) / denominator;
-  const Vec2 joint = 0.5 * (a.p + reach * from + b.p - reach * to);
-  const std::optional<Segment> first = tangent_arc(a.p, joint, from, tightest);
-  if (!first) return false;
-  const std::optional<Segment> second = tangent_arc(joint, b.p, first->tangent(1), tightest);
-  if (!second) return false;
-  moves = {*first, *second};
+  const std::optional<BiArc> pair =
+      bi_arc({a.p, unit(a.heading)}, {b.p, unit(b.heading)}, kMostTurn);
+  if (!pair) return false;
+  for (const Segment& s : {pair->first, pair->second})
+    if (s.is_arc() && s.radius < tightest) return false;
+  moves = {pair->first, pair->second};
   return true;
 }
 
@@ -113,7 +101,8 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
   double done = 0;
   for (const Segment& move : moves) {
     const double length = move.length();
-    const int n = std::max(1, static_cast<int>(std::ceil(length / look)));
+    const double looks = std::max(length / look, std::abs(move.sweep) / kTurnLook);
+    const int n = std::max(1, static_cast<int>(std::ceil(looks)));
     double wall_free = 0;  // mm along the move that is known to be inside
     for (int i = 0; i <= n; ++i) {
       const double t = static_cast<double>(i) / n;

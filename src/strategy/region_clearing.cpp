@@ -15,6 +15,7 @@
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
+#include "strategy/short_moves.h"
 #include "strategy/steering.h"
 #include "strategy/wall_samples.h"
 #include "support/errors.h"
@@ -261,7 +262,16 @@ class RegionClearing {
   bool cut_from(const Pose& start) {
     double turn_radius = 0;
     Pass pass = pass_from_pose(start, &turn_radius);
-    return !pass.empty() && take(std::move(pass), turn_radius);
+    if (pass.empty()) return false;
+    smooth(pass);
+    return take(std::move(pass), turn_radius);
+  }
+
+  // Rids the newest pass of its tiny moves, here and in the ground.
+  void smooth(Pass& pass) {
+    take_back(pass);
+    pass.moves = without_short_moves(pass.moves, exact_);
+    for (const Segment& move : pass.moves) ground_.add(move);
   }
 
   Pass pass_from_pose(const Pose& start, double* turn_radius) {
@@ -277,6 +287,7 @@ class RegionClearing {
   // Goes to where the pass meets material, and takes it into the result. `before`: the size of the
   // ground before the pass. False when it cuts next to nothing.
   bool go_and_take(Pass pass, double turn_radius, std::size_t before) {
+    smooth(pass);
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = pass.moves;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);

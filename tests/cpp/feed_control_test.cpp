@@ -153,6 +153,32 @@ TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
   }
 }
 
+TEST(FeedControl, SplitsNoTinyPieceOffAMove) {
+  std::mt19937 random(4);
+  int split = 0;
+  for (int round = 0; round < 30; ++round) {
+    const std::vector<PlanarRun> before = random_runs(random);
+    std::vector<PlanarRun> after = before;
+    set_constant_load(after, random_profile(random, before), {});
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      std::size_t k = 0;
+      for (const PlanarMove& whole : before[r].moves) {
+        std::size_t pieces = 0;
+        double shortest = whole.segment.length();
+        for (double done = 0; done < whole.segment.length() - 1e-6; ++pieces) {
+          const double length = after[r].moves[k++].segment.length();
+          shortest = std::min(shortest, length);
+          done += length;
+        }
+        if (pieces < 2) continue;
+        ++split;
+        EXPECT_GE(shortest, 0.1 - 1e-9);
+      }
+    }
+  }
+  EXPECT_GT(split, 100);
+}
+
 TEST(FeedControl, LeavesAMoveWholeWhereSplittingItSavesLittle) {
   // An arc of 10 mm; on its last twentieth the feed could be 1.1, 1.5 times as high.
   for (const auto& [share, pieces] : {std::pair{1 / 1.1, 1}, std::pair{0.5, 2}}) {

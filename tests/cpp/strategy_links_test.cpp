@@ -53,6 +53,22 @@ TEST(Links, LeadFromPoseToPoseTangentToBoth) {
   }
 }
 
+TEST(Links, WithTightTurnsSeeAWallThatTheyPassForAMoment) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add_disc({20, 20}, 60);
+  for (const double turn_radius : {0.05, 0.1, 0.2})
+    for (const double start : {-0.3, -0.7, -1.1}) {
+      // Round the lowest point, which lies beyond the wall by a hundredth of the radius.
+      const auto turn = [&](double beyond) {
+        return std::vector<Segment>{
+            Segment::arc({20, turn_radius - beyond}, turn_radius, -kPi / 2 + start, 1.4)};
+      };
+      EXPECT_FALSE(is_free(now(ground), centres, turn(0.01 * turn_radius), 0));
+      EXPECT_TRUE(is_free(now(ground), centres, turn(-1e-9), 0));
+    }
+}
+
 TEST(Links, KeepOutOfMaterialAndWalls) {
   const Area centres({make_region(rectangle(0, 0, 40, 40), {rectangle(15, 5, 25, 35)})});
   ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);

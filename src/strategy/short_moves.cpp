@@ -1,0 +1,107 @@
+#include "strategy/short_moves.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "geometry/bi_arc.h"
+
+namespace evenload {
+namespace {
+
+// Of unit vectors along moves that are tangent to each other.
+constexpr double kSameDirection = 1e-6;
+// The same, for one arc in place of two moves: posts turn moves of any length in use by more.
+constexpr double kOneArcDirection = 2e-4;
+// rad: of either arc of a bi-arc.
+constexpr double kMostTurn = kPi;
+// mm: this near to the border a move follows it, and this far beyond a move counts as inside.
+constexpr double kOnBorder = 1e-6;
+// Looks along each move.
+constexpr int kLooks = 8;
+
+bool is_tangent(const Segment& a, const Segment& b) {
+  return norm(a.tangent(1) - b.tangent(0)) < kSameDirection;
+}
+
+bool follows_border(const Segment& move, const Area& centres) {
+  for (const double t : {0.25, 0.5, 0.75})
+    if (std::abs(centres.signed_distance(move.point(t))) > kOnBorder) return false;
+  return true;
+}
+
+// True when every look along `way` is within kSmoothing of one of `others`.
+bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others) {
+  for (const Segment& move : way)
+    for (int i = 1; i < kLooks; ++i) {
+      const Vec2 p = move.point(static_cast<double>(i) / kLooks);
+      if (std::none_of(others.begin(), others.end(),
+                       [&](const Segment& s) { return s.distance_to(p) <= kSmoothing; }))
+        return false;
+    }
+  return true;
+}
+
+bool is_inside(const std::vector<Segment>& way, const Area& centres) {
+  for (const Segment& move : way)
+    for (int i = 0; i <= kLooks; ++i)
+      if (centres.signed_distance(move.point(static_cast<double>(i) / kLooks)) < -kOnBorder)
+        return false;
+  return true;
+}
+
+// What can come in place of `a` and `b`; empty where nothing can.
+std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres) {
+  if (!is_tangent(a, b) || follows_border(a, centres) || follows_border(b, centres)) return {};
+  const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
+  const auto serves = [&](const std::vector<Segment>& way) {
+    return is_near(way, {a, b}) && is_near({a, b}, way) && is_inside(way, centres);
+  };
+  const Vec2 chord = to.p - from.p;
+  const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));
+  if (std::abs(2 * half_turn) <= kMostTurn) {
+    const Segment one = Segment::from_bulge(from.p, to.p, std::tan(half_turn / 2));
+    if (norm(one.tangent(1) - to.direction) < kOneArcDirection && serves({one})) return {one};
+  }
+  const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
+  if (!two || std::min(two->first.length(), two->second.length()) < kShortest) return {};
+  const std::vector<Segment> way{two->first, two->second};
+  return serves(way) ? way : std::vector<Segment>{};
+}
+
+}  // namespace
+
+std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres) {
+  std::vector<Segment> result;                              // the moves so far
+  std::vector<Segment> rest(moves.rbegin(), moves.rend());  // the moves to come, the last first
+  const auto join_before = [&](const Segment& move) {
+    if (result.empty()) return false;
+    const std::vector<Segment> way = instead_of(result.back(), move, centres);
+    if (way.empty()) return false;
+    result.pop_back();
+    result.insert(result.end(), way.begin(), way.end());
+    return true;
+  };
+  const auto join_after = [&](const Segment& move) {
+    if (rest.empty()) return false;
+    const std::vector<Segment> way = instead_of(move, rest.back(), centres);
+    if (way.empty()) return false;
+    rest.pop_back();
+    rest.insert(rest.end(), way.rbegin(), way.rend());
+    return true;
+  };
+  while (!rest.empty()) {
+    const Segment move = rest.back();
+    rest.pop_back();
+    if (move.length() < kShortest) {
+      const bool before_is_longer =
+          !result.empty() && (rest.empty() || result.back().length() >= rest.back().length());
+      if (before_is_longer ? join_before(move) || join_after(move)
+                           : join_after(move) || join_before(move))
+        continue;
+    }
+    result.push_back(move);
+  }
+  return result;
+}
+
+}  // namespace evenload

@@ -1,0 +1,123 @@
+#include <gtest/gtest.h>
+
+#include <random>
+
+#include "geometry_shapes.h"
+#include "strategy/short_moves.h"
+
+namespace evenload {
+namespace {
+
+using shapes::rectangle;
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
+}
+
+Area room() { return Area({make_region(rectangle(-50, -50, 50, 50))}); }
+
+// The move that goes on from `p` and `heading`, which become those of its end.
+Segment next_move(Vec2* p, double* heading, double curvature, double length) {
+  const Segment move =
+      curvature == 0
+          ? Segment::line(*p, *p + length * unit(*heading))
+          : Segment::arc(*p + left_normal(unit(*heading)) / curvature, 1 / std::abs(curvature),
+                         *heading - (curvature > 0 ? kPi / 2 : -kPi / 2), curvature * length);
+  *p = move.b;
+  *heading += curvature * length;
+  return move;
+}
+
+// Tangent moves, of which every third is tiny and bends nearly as the one before it.
+std::vector<Segment> with_remainders(std::mt19937& random) {
+  Vec2 p{0, 0};
+  double heading = uniform(random, -kPi, kPi);
+  double curvature = 0;
+  std::vector<Segment> moves;
+  for (int i = 0; i < 12; ++i) {
+    const bool is_tiny = i % 3 == 1;
+    const double length = is_tiny ? uniform(random, 0.005, 0.09) : uniform(random, 0.5, 2);
+    curvature = is_tiny ? curvature + uniform(random, -0.1, 0.1) : uniform(random, -0.4, 0.4);
+    moves.push_back(next_move(&p, &heading, curvature, length));
+  }
+  return moves;
+}
+
+std::size_t short_ones(const std::vector<Segment>& moves) {
+  std::size_t count = 0;
+  for (const Segment& move : moves) count += move.length() < kShortest;
+  return count;
+}
+
+double distance_from(Vec2 p, const std::vector<Segment>& moves) {
+  double nearest = 1e9;
+  for (const Segment& move : moves) nearest = std::min(nearest, move.distance_to(p));
+  return nearest;
+}
+
+TEST(ShortMoves, AreTakenUpByTheirNeighboursWithoutCorners) {
+  std::mt19937 random(7);
+  std::size_t before = 0, after = 0;
+  for (int round = 0; round < 200; ++round) {
+    const std::vector<Segment> moves = with_remainders(random);
+    const std::vector<Segment> smooth = without_short_moves(moves, room());
+    before += short_ones(moves);
+    after += short_ones(smooth);
+    ASSERT_LE(smooth.size(), moves.size());
+    EXPECT_LE(distance(smooth.front().a, moves.front().a), 1e-9);
+    EXPECT_LE(distance(smooth.back().b, moves.back().b), 1e-9);
+    for (std::size_t i = 1; i < smooth.size(); ++i) {
+      EXPECT_LE(distance(smooth[i - 1].b, smooth[i].a), 1e-9);
+      EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-4);
+    }
+    for (const Segment& move : smooth)
+      for (int k = 0; k <= 20; ++k)
+        EXPECT_LE(distance_from(move.point(k / 20.0), moves), 1.05 * kSmoothing);
+  }
+  EXPECT_LT(after, before / 5);
+}
+
+TEST(ShortMoves, OfTheSameCircleBecomeOneArcWithIt) {
+  Vec2 p{0, 0};
+  double heading = 0.3;
+  const std::vector<Segment> moves{next_move(&p, &heading, 0.5, 1.5),
+                                   next_move(&p, &heading, 0.5, 0.04)};
+  const std::vector<Segment> smooth = without_short_moves(moves, room());
+  ASSERT_EQ(smooth.size(), 1U);
+  EXPECT_NEAR(smooth[0].length(), 1.54, 1e-9);
+  EXPECT_NEAR(smooth[0].radius, 2, 1e-9);
+}
+
+TEST(ShortMoves, StayWhereTheyMakeACornerOrATightTurn) {
+  Vec2 p{0, 0};
+  double heading = 0;
+  std::vector<Segment> corner{next_move(&p, &heading, 0, 1)};
+  heading = 1;
+  corner.push_back(next_move(&p, &heading, 0, 0.05));
+  EXPECT_EQ(without_short_moves(corner, room()).size(), 2U);
+  p = {0, 0};
+  heading = 0;
+  const std::vector<Segment> turn{next_move(&p, &heading, 0, 1), next_move(&p, &heading, 20, 0.05),
+                                  next_move(&p, &heading, 0, 1)};
+  const std::vector<Segment> same = without_short_moves(turn, room());
+  ASSERT_EQ(same.size(), 3U);
+  EXPECT_EQ(same[1].length(), turn[1].length());
+}
+
+TEST(ShortMoves, AlongAWallAndBesideItNeverLeaveIt) {
+  // Along the lower wall, then off it by a left turn that begins with a tiny move.
+  const Area centres({make_region(rectangle(-50, 0, 50, 50))});
+  Vec2 p{0, 0};
+  double heading = 0;
+  const std::vector<Segment> moves{next_move(&p, &heading, 0, 1), next_move(&p, &heading, 0, 0.05),
+                                   next_move(&p, &heading, 0.2, 0.05),
+                                   next_move(&p, &heading, 0.3, 1)};
+  const std::vector<Segment> smooth = without_short_moves(moves, centres);
+  EXPECT_EQ(smooth[0].b, moves[0].b);
+  EXPECT_EQ(smooth[1].b, moves[1].b);
+  for (const Segment& move : smooth)
+    for (int k = 0; k <= 20; ++k) EXPECT_GE(centres.signed_distance(move.point(k / 20.0)), -1e-6);
+}
+
+}  // namespace
+}  // namespace evenload
