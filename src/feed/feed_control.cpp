@@ -36,7 +36,8 @@ std::vector<char> places_for_change(const std::vector<LoadSample>& profile, std:
     double left = 0, done = 0;  // mm of the move
     for (; end < last && profile[end].move == profile[begin].move; ++end)
       left += profile[end].length;
-    for (std::size_t k = begin; k + 1 < end; ++k) {
+    const std::size_t last_of_move = end - 1;
+    for (std::size_t k = begin; k < last_of_move; ++k) {
       done += profile[k].length;
       left -= profile[k].length;
       allowed[k - first] = done >= kShortestPart && left >= kShortestPart;
