@@ -76,7 +76,9 @@ def test_a_hole_serves_its_region_and_the_other_gets_an_entry_of_its_own(two):
     in_hole = [d for d in descents if d[2][0] < SPLIT]
     beside = [d for d in descents if d[2][0] > SPLIT]
     assert [end for _, _, end in in_hole] == [(15, 15, -1.5), (15, 15, -3)]
-    assert {name for name, *_ in beside} == {"G3"}
+    straight = [end[2] for name, _, end in beside if name == "G1"]
+    assert straight == pytest.approx([0.05, -1.45])  # in the air, to just above each level's top
+    assert {name for name, *_ in beside} == {"G1", "G3"}
     assert all(math.dist(end[:2], (60, 15)) < 3 for _, _, end in beside)
     assert check_crossings(op) == 1
 
