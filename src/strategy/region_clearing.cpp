@@ -517,6 +517,7 @@ class RegionClearing {
       *turn_radius = stages_[k].turn_radius;
       Steering steering = steering_at(k);
       Pass pass = steering.from_wall(place);
+      if (pass.empty() && stages_[k].turn_radius <= 0) pass = steering.bit_by_bit(place);
       if (!pass.empty()) return pass;
     }
     return {};

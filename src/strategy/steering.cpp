@@ -337,7 +337,7 @@ void Steering::step_on_wall() {
   if (turn_ <= 0 && over_mean(total, step)) {
     // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
     // in the middle of a front.
-    if (may_leave_wall_ && near_corner(step))
+    if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
       mode_ = Mode::kEnd;
     else
       give_up();
@@ -370,7 +370,7 @@ bool Steering::over_mean(double total, double step) const {
   const double from = travelled_ + step - kMeanLength;
   for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
     sum += met->total * (met->until - std::max(from, met->until - met->length));
-  return sum > (near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
+  return sum > (bit_by_bit_ || near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
 }
 
 // The share of `move` that can be made before the centre of the left turn meets the border of its
@@ -604,6 +604,13 @@ Pass Steering::from_wall(const WallPlace& start) {
   wall_ = start;
   mode_ = Mode::kWall;
   return run();
+}
+
+Pass Steering::bit_by_bit(const WallPlace& start) {
+  bit_by_bit_ = true;
+  Pass pass = from_wall(start);
+  bit_by_bit_ = false;
+  return pass;
 }
 
 Pass Steering::along_wall(const WallPlace& start) {

@@ -61,6 +61,8 @@ class Steering {
   Pass from_wall(const WallPlace& start);
   // The same, but never leaves the wall: empty where that would exceed the limit.
   Pass along_wall(const WallPlace& start);
+  // Along the exact border, where nothing else will do: as far as the limit allows, and no further.
+  Pass bit_by_bit(const WallPlace& start);
   // The same from a free pose that just touches material on its right.
   Pass from_pose(const Pose& start);
 
@@ -107,6 +109,7 @@ class Steering {
   Pose start_;
   Mode mode_ = Mode::kEnd;
   bool may_leave_wall_ = true;
+  bool bit_by_bit_ = false;
   WallPlace wall_;
   double travelled_ = 0;  // mm
   // What was met on the way, so that it can be forgotten when the path is cut back.
