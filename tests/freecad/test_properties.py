@@ -90,10 +90,9 @@ def test_no_turn_is_tighter_than_the_minimum_radius_where_there_is_room(pocket, 
 @pytest.mark.parametrize("wish", [0.9, 2.0])
 def test_no_turn_into_the_material_is_tighter_than_the_roll_radius(pocket, wish):
     op = cleared(pocket(ROUND), RollRadius=wish, MinimumRadius=0.3)
-    # A chord of less than a hundred roundings says too little of its arc's radius.
-    turns = [m for m in arcs(of_feed(op, CUT), "G3") if length_of(m) > 20 * ROUNDING]
-    tightest = min(map(radius_of, turns))
-    assert 0.97 * wish < tightest < 1.1 * wish
+    tightest = min(radius_of(m) for m in arcs(of_feed(op, CUT), "G3"))
+    # The shortest turns are of a few hundredths, whose radius the output's grid changes.
+    assert 0.95 * wish < tightest < 1.1 * wish
     assert "Turned more tightly" not in op.Report
 
 

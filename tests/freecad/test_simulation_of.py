@@ -42,7 +42,9 @@ def test_several_depths_are_each_cut_at_their_own(bench):
     floors = [(deep.model, tuple(floors_of(deep.model.Shape, -9.0)))]
     op = deep.done(deep.operation(floors, FinalDepth=-9.0, StepDown=3.0))
     found = evenload.simulation.of(op, resolution=0.1)
-    assert found.axial_depth[found.kind == 3].max() == pytest.approx(3, abs=0.01)
+    # Where a move begins, the tool may graze the micrometre that stays at the walls.
+    cuts = (found.kind == 3) & (found.length > 0)
+    assert found.axial_depth[cuts].max() == pytest.approx(3, abs=0.01)
     assert found.rest_area < 0.5 and found.gouge_mm < 0.002
 
 
