@@ -341,21 +341,17 @@ class RegionClearing {
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
     const double rise =
         params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
-    const double retract_minutes = (2 * rise + gap) / params_.rapid_feed + kRetractPrice / 60;
-    std::vector<Segment> link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
-                                              retract_minutes * params_.link_feed);
-    if (!link.empty()) {
-      add_moves(MoveKind::kLink, link);
-      ++result_.links;
-      return true;
-    }
-    // What grazes is no link, but a cut of next to nothing.
-    const double feed =
-        params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
-    link = shortest_link({ground_, before}, around_, here_, to, link_turn(), retract_minutes * feed,
-                         LinkSpace::kGrazing);
+    const double retract = (2 * rise + gap) / params_.rapid_feed * params_.link_feed;
+    const double price = kRetractPrice / 60 * params_.link_feed;
+    std::vector<Segment> link =
+        shortest_link({ground_, before}, around_, here_, to, link_turn(), retract + price);
+    // To graze a wall is no gentler than to lift.
+    if (link.empty())
+      link = shortest_link({ground_, before}, around_, here_, to, link_turn(), retract,
+                           LinkSpace::kGrazing);
     if (link.empty()) return false;
-    add_moves(MoveKind::kCut, link);
+    add_moves(MoveKind::kLink, link);
+    ++result_.links;
     return true;
   }
 

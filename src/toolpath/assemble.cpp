@@ -207,17 +207,14 @@ class Assembler {
     return descent.centre + descent.radius * unit(angle_of(descent.at - descent.centre) + angle);
   }
 
-  // Down by `sweep` rad, in full turns and what is left of one, to the place where the first pass
+  // Down by `sweep` rad, in equal pieces of a turn at most, to the place where the first pass
   // begins.
   void helix(const Descent& descent, double sweep, double from, double level) {
     const double end = angle_of(descent.at - descent.centre);
-    for (double left = sweep; left > 0;) {
-      const double turn = std::min(left, 2 * kPi);
-      const double z = level + (from - level) * (left - turn) / sweep;
-      go(Segment::arc(descent.centre, descent.radius, end - left, turn), MoveKind::kEntry, z,
-         params_.plunge_feed);
-      left -= turn;
-    }
+    const int turns = std::max(1, static_cast<int>(std::ceil(sweep / (2 * kPi))));
+    for (int i = turns; i > 0; --i)
+      go(Segment::arc(descent.centre, descent.radius, end - sweep * i / turns, sweep / turns),
+         MoveKind::kEntry, level + (from - level) * (i - 1) / turns, params_.plunge_feed);
     // The last turn is level: it takes the floor that the slope left.
     go(Segment::arc(descent.centre, descent.radius, end, 2 * kPi), MoveKind::kEntry, level,
        params_.plunge_feed);
