@@ -19,7 +19,7 @@ namespace {
 using shapes::rectangle;
 
 constexpr double kDegree = kPi / 180;
-constexpr double kResolution = 0.05;  // mm
+constexpr double kResolution = 0.02;  // mm
 // Above the limit: where a cusp between two sweeps of the larger tool comes under the edge, a
 // sample of the simulator stands for the whole step before it.
 constexpr double kOver = 2.5 * kDegree;
