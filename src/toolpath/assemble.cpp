@@ -172,9 +172,8 @@ class Assembler {
     // Air is no reason to go round and round.
     const double contact = std::min(from, top + kAboveMaterial);
     const bool is_helix = descent.kind == DescentKind::kHelix;
-    const double sweep =
-        is_helix ? (contact - level) / (std::tan(params_.helix_angle) * descent.radius) : 0;
-    const Vec2 start = is_helix ? on_helix(descent, -sweep) : descent.at;
+    const int half_turns = is_helix ? half_turns_of(descent, contact - level) : 0;
+    const Vec2 start = half_turns % 2 ? 2 * descent.centre - descent.at : descent.at;
     if (moves_.empty()) {
       Move move;
       move.kind = MoveKind::kRapid;
@@ -197,24 +196,23 @@ class Assembler {
     rapid_z(from);
     if (contact < from) line(start, contact, MoveKind::kEntry, params_.plunge_feed);
     if (is_helix)
-      helix(descent, sweep, contact, level);
+      helix(descent, half_turns, contact, level);
     else
       ramp(descent, contact, level);
   }
 
-  // The place on the helix `angle` rad after its end.
-  static Vec2 on_helix(const Descent& descent, double angle) {
-    return descent.centre + descent.radius * unit(angle_of(descent.at - descent.centre) + angle);
+  // Half turns, which FreeCAD's dressups follow most exactly, that descend by `depth`.
+  int half_turns_of(const Descent& descent, double depth) const {
+    const double each = std::tan(params_.helix_angle) * kPi * descent.radius;
+    return std::max(1, static_cast<int>(std::ceil(depth / each - 1e-9)));
   }
 
-  // Down by `sweep` rad, in equal pieces of a turn at most, to the place where the first pass
-  // begins.
-  void helix(const Descent& descent, double sweep, double from, double level) {
+  // Down by `half_turns`, to the place where the first pass begins.
+  void helix(const Descent& descent, int half_turns, double from, double level) {
     const double end = angle_of(descent.at - descent.centre);
-    const int turns = std::max(1, static_cast<int>(std::ceil(sweep / (2 * kPi))));
-    for (int i = turns; i > 0; --i)
-      go(Segment::arc(descent.centre, descent.radius, end - sweep * i / turns, sweep / turns),
-         MoveKind::kEntry, level + (from - level) * (i - 1) / turns, params_.plunge_feed);
+    for (int i = half_turns; i > 0; --i)
+      go(Segment::arc(descent.centre, descent.radius, end - i * kPi, kPi), MoveKind::kEntry,
+         level + (from - level) * (i - 1) / half_turns, params_.plunge_feed);
     // The last turn is level: it takes the floor that the slope left.
     go(Segment::arc(descent.centre, descent.radius, end, 2 * kPi), MoveKind::kEntry, level,
        params_.plunge_feed);
