@@ -321,14 +321,14 @@ class RegionClearing {
   // Takes a pass that begins where the tool stands into the result. False when it cuts next to
   // nothing.
   bool take(Pass pass, double turn_radius) {
-    if (turn_radius > 0 && turn_radius < tightest_) {
-      tightest_ = turn_radius;
-      tightest_at_ = pass.moves.back().b;
-    }
     look_again(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
     add_moves(MoveKind::kCut, pass.moves);
+    if (turn_radius > 0 && turn_radius < tightest_) {
+      tightest_ = turn_radius;
+      tightest_at_ = pass.moves.back().b;
+    }
     ++result_.passes;
     return pass.cut_area > kLeastCut * radius_ * radius_;
   }
@@ -524,7 +524,7 @@ class RegionClearing {
   bool cut_off_walls() {
     const bool beside = task_.rest && result_.runs.empty() &&
                         has_free_place(ground_, task_.material, task_.centres);
-    if (!beside) return enter_untouched() || cut_leftover();
+    if (!beside) return enter_untouched() || cut_leftover() || enter_touched();
     if (cut_leftover()) return true;
     if (!enter_untouched()) return false;
     leftover_ = Leftover();
@@ -533,20 +533,30 @@ class RegionClearing {
 
   // Comes down anew in a room that no pass has reached, because the way there is too narrow to be
   // cut within the limit. A room that needs no entry never needs one later.
-  bool enter_untouched() {
+  bool enter_untouched() { return enter_next(untouched_, false); }
+
+  // The same where passes got no further than the room's mouth, and nothing else will do.
+  bool enter_touched() { return enter_next(touched_, true); }
+
+  // Rooms are looked at once, stage by stage.
+  struct NextRoom {
+    std::size_t stage = 0, room = 0;
+  };
+  bool enter_next(NextRoom& next, bool touched_too) {
     if (params_.entry == EntryKind::kPredrilledHole) return false;
-    for (; rooms_of_ < stages_.size(); ++rooms_of_, next_room_ = 0)
-      for (; next_room_ < stages_[rooms_of_].rooms.size(); ++next_room_)
-        if (enter_room(stages_[rooms_of_].rooms[next_room_])) return true;
+    for (; next.stage < stages_.size(); ++next.stage, next.room = 0)
+      for (; next.room < stages_[next.stage].rooms.size(); ++next.room)
+        if (enter_room(stages_[next.stage].rooms[next.room], touched_too)) return true;
     return false;
   }
 
   // False when the room needs no entry, or is too narrow for one.
-  bool enter_room(const Region& room) {
-    if (has_cleared_wall(room)) return false;
+  bool enter_room(const Region& room, bool touched_too) {
+    if (!touched_too && has_cleared_wall(room)) return false;
     const Circle circle = largest_circle(room, kEntryTolerance);
-    if (circle.radius < kNarrowestRoom * radius_ || ground_.is_cleared_point(circle.centre))
-      return false;
+    const bool reached =
+        touched_too ? ground_.is_clear(circle.centre) : ground_.is_cleared_point(circle.centre);
+    if (circle.radius < kNarrowestRoom * radius_ || reached) return false;
     Descent descent;
     const Pose start = choose_entry(circle, descent);
     begin_run(descent);
@@ -607,10 +617,10 @@ class RegionClearing {
   Leftover leftover_;
   RegionResult result_;
   Pose here_;
-  std::size_t rooms_of_ = 0, next_room_ = 0;  // the first room that may need an entry
-  std::size_t best_in_corner_ = 0;            // the stage of the last pass into a corner
-  Vec2 tried_at_;                             // where it began
-  int since_tried_ = kTryEvery;               // passes
+  NextRoom untouched_, touched_;    // the first rooms that may need an entry
+  std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
+  Vec2 tried_at_;                   // where it began
+  int since_tried_ = kTryEvery;     // passes
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;
 };
