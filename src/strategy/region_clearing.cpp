@@ -45,6 +45,8 @@ constexpr double kNarrowestRoom = 0.02;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
+// What a way along a wall, which is less gentle, costs beyond its length.
+constexpr double kGrazingPrice = 1.5;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
@@ -345,10 +347,9 @@ class RegionClearing {
     const double price = kRetractPrice / 60 * params_.link_feed;
     std::vector<Segment> link =
         shortest_link({ground_, before}, around_, here_, to, link_turn(), retract + price);
-    // To graze a wall is no gentler than to lift.
     if (link.empty())
-      link = shortest_link({ground_, before}, around_, here_, to, link_turn(), retract,
-                           LinkSpace::kGrazing);
+      link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
+                           (retract + price) / kGrazingPrice, LinkSpace::kGrazing);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
@@ -536,7 +537,7 @@ class RegionClearing {
   bool enter_untouched() { return enter_next(untouched_, false); }
 
   // The same where passes got no further than the room's mouth, and nothing else will do.
-  bool enter_touched() { return enter_next(touched_, true); }
+  bool enter_touched() { return leftover_.area(ground_) > 0 && enter_next(touched_, true); }
 
   // Rooms are looked at once, stage by stage.
   struct NextRoom {

@@ -18,6 +18,7 @@ constexpr double kFirstStep = 0.2;  // of free steering; adapted from there
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
 constexpr double kMostTurn = 1.5;       // rad, of a step
+constexpr double kCuspLook = 0.03;      // the same where the engagement cannot be held
 constexpr double kLookStep = 0.25;      // between two looks on the way
 constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 constexpr double kRunOut = 0.1;         // of which this much is kept
@@ -486,8 +487,9 @@ void Steering::step_free() {
     double error = 0;  // as a share of what is allowed
     bool rises = false;
     const double slack = std::min(kSlack, kSlackShare * theta_);
-    // Where the engagement falls on the way it may have risen before: look more often.
-    const int along = static_cast<int>(std::ceil(length / (kLookStep * radius_)));
+    // Where the engagement falls on the way it may have risen before, at a cusp of the front.
+    const double between = (steady ? kLookStep : kCuspLook) * radius_;
+    const int along = static_cast<int>(std::ceil(length / between));
     const bool bends = std::abs(curvature - curvature_) * length > kBend;
     const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
     for (int i = 1; i <= looks; ++i) {
