@@ -30,7 +30,7 @@ constexpr double kTightestTurn = 0.001;
 constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
-constexpr double kShortCorner = 0.08;
+constexpr double kShortCorner = 0.055;
 // mm per rad of the engagement angle: at small angles less.
 constexpr double kShortCornerPerAngle = 0.143;
 // mm: of the place of an entry.

@@ -42,7 +42,7 @@ constexpr double kBias = 0.8 * kDegree, kBiasShare = 1.0 / 75;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
 constexpr double kCornerShare =
-    0.6;  // of the limit for that mean: rounded G-code meets more in a corner
+    0.7;  // of the limit for that mean: rounded G-code meets more in a corner
 constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
 constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
 constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
