@@ -26,7 +26,8 @@ from PIL import Image
 DOCS = Path(__file__).resolve().parent
 RAPID, LINK, ENTRY, CUT = range(4)
 WALL_GAP = 8e-4  # mm, and the shares below: as in src/strategy
-STAGE_RATIO, OPENING_RATIO = 0.6, 1.25
+STAGE_RATIO, OPENING_RATIO = 0.9, 1.25
+SHOWN_STAGES = 5  # every fifth, or they could not be told apart
 STEP = 0.1  # mm along the path between two looks
 INK, GROUND, STOCK = "#202124", "#ffffff", "#e3dccb"
 BLUE, ORANGE, GREEN, RED, GREY, VIOLET = (
@@ -101,13 +102,13 @@ class Job:
         return self.core.offset([self.region], -(self.radius + WALL_GAP))
 
     def stages(self, count):
-        """[(turn radius, region of centres, region of turn centres)] of the first stages."""
+        """[(turn radius, region of centres, region of turn centres)] of every fifth stage."""
         result, turn = [], self.wish
         while len(result) < count:
             opening = OPENING_RATIO * turn
             opened = self.core.offset(self.core.offset(self.centres(), -opening), opening)
             result.append((turn, opened, self.core.offset(opened, -turn)))
-            turn *= STAGE_RATIO
+            turn *= STAGE_RATIO**SHOWN_STAGES
         return result
 
     def samples(self, step=STEP):
