@@ -207,6 +207,7 @@ def _regions(core, region):
                 % getattr(region, "Label", region)
             )
         depth = region.StartDepth.Value - region.FinalDepth.Value
+        depth -= getattr(getattr(region, "StockToLeaveAxial", None), "Value", 0.0)
         return list(last.regions), depth, last.hole
     prisms = simulation.prisms_of(core, region, 0.0, "The region")
     if any(top for _, top in prisms):

@@ -150,9 +150,7 @@ class PassageClearing {
     const PassageAxis& axis = axes_[k];
     passage_done_[k] = 1;
     const std::size_t root = axis.points.empty() ? kNone : come_to(axis, k);
-    if (root == kNone) return;  // what is left will be in the report
-    const std::size_t end = follow_middle(axis, root);
-    follow_walls(axis, places_.passages[k], end);
+    if (root != kNone) follow_walls(axis, places_.passages[k], follow_middle(axis, root));
     progress_.report(share_done());
     for (const std::size_t room : places_.passages[k].rooms)
       if (!room_done_[room] && !progress_.cancelled()) clear_room(room);

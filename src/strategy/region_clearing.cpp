@@ -45,15 +45,15 @@ constexpr double kNarrowestRoom = 0.02;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
-// What a way along a wall, which is less gentle, costs beyond its length.
+// A way along a wall, which is less gentle, counts so many times its length.
 constexpr double kGrazingPrice = 1.5;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
-// In one corner other stages are tried at every so manieth pass.
+// Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
-// Of the stages that a pass into a corner is tried in every so manieth is.
+// The step of that search, in stages.
 constexpr std::size_t kStagesAtOnce = 3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
@@ -272,7 +272,7 @@ class RegionClearing {
   // Rids the newest pass of its tiny moves, here and in the ground.
   void smooth(Pass& pass) {
     take_back(pass);
-    pass.moves = without_short_moves(pass.moves, exact_);
+    pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
     for (const Segment& move : pass.moves) ground_.add(move);
   }
 
@@ -320,6 +320,15 @@ class RegionClearing {
     if (share > 0 && share < 1 - 1e-9) moves.back() = moves.back().part(0, share);
   }
 
+  // Where the tightest turn of a pass ends.
+  static Vec2 sharpest_place(const std::vector<Segment>& moves) {
+    const auto sharpest =
+        std::max_element(moves.begin(), moves.end(), [](const Segment& a, const Segment& b) {
+          return std::abs(a.curvature()) < std::abs(b.curvature());
+        });
+    return sharpest->b;
+  }
+
   // Takes a pass that begins where the tool stands into the result. False when it cuts next to
   // nothing.
   bool take(Pass pass, double turn_radius) {
@@ -329,7 +338,7 @@ class RegionClearing {
     add_moves(MoveKind::kCut, pass.moves);
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;
-      tightest_at_ = pass.moves.back().b;
+      tightest_at_ = sharpest_place(pass.moves);
     }
     ++result_.passes;
     return pass.cut_area > kLeastCut * radius_ * radius_;
@@ -495,9 +504,8 @@ class RegionClearing {
     return best;
   }
 
-  // The pass from `start`. In a corner the one of the latest stage that can follow the wall within
-  // the limit all the way: it takes at once what the stages before would take bit by bit. Else the
-  // one with the widest turn, no wider than its stage's, that can enter there.
+  // The pass from `start`: in a corner the one that is worth most, elsewhere the one with the
+  // widest turn, no wider than its stage's, that can enter there.
   Pass pass_from(const PassStart& start, double* turn_radius) {
     if (start.corner) {
       Pass pass = best_corner_pass(start, turn_radius);

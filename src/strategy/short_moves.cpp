@@ -29,13 +29,14 @@ bool follows_border(const Segment& move, const Area& centres) {
   return true;
 }
 
-// True when every look along `way` is within kSmoothing of one of `others`.
-bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others) {
+// True when every look along `way` is within `smoothing` mm of one of `others`.
+bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others,
+             double smoothing) {
   for (const Segment& move : way)
     for (int i = 1; i < kLooks; ++i) {
       const Vec2 p = move.point(static_cast<double>(i) / kLooks);
       if (std::none_of(others.begin(), others.end(),
-                       [&](const Segment& s) { return s.distance_to(p) <= kSmoothing; }))
+                       [&](const Segment& s) { return s.distance_to(p) <= smoothing; }))
         return false;
     }
   return true;
@@ -50,11 +51,13 @@ bool is_inside(const std::vector<Segment>& way, const Area& centres) {
 }
 
 // What can come in place of `a` and `b`; empty where nothing can.
-std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres) {
+std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres,
+                                double smoothing) {
   if (!is_tangent(a, b) || follows_border(a, centres) || follows_border(b, centres)) return {};
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
   const auto serves = [&](const std::vector<Segment>& way) {
-    return is_near(way, {a, b}) && is_near({a, b}, way) && is_inside(way, centres);
+    return is_near(way, {a, b}, smoothing) && is_near({a, b}, way, smoothing) &&
+           is_inside(way, centres);
   };
   const Vec2 chord = to.p - from.p;
   const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));
@@ -70,12 +73,13 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
 
 }  // namespace
 
-std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres) {
+std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
+                                         double smoothing) {
   std::vector<Segment> result;                              // the moves so far
   std::vector<Segment> rest(moves.rbegin(), moves.rend());  // the moves to come, the last first
   const auto join_before = [&](const Segment& move) {
     if (result.empty()) return false;
-    const std::vector<Segment> way = instead_of(result.back(), move, centres);
+    const std::vector<Segment> way = instead_of(result.back(), move, centres, smoothing);
     if (way.empty()) return false;
     result.pop_back();
     result.insert(result.end(), way.begin(), way.end());
@@ -83,7 +87,7 @@ std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, cons
   };
   const auto join_after = [&](const Segment& move) {
     if (rest.empty()) return false;
-    const std::vector<Segment> way = instead_of(move, rest.back(), centres);
+    const std::vector<Segment> way = instead_of(move, rest.back(), centres, smoothing);
     if (way.empty()) return false;
     rest.pop_back();
     rest.insert(rest.end(), way.rbegin(), way.rend());

@@ -9,17 +9,18 @@
 
 namespace evenload {
 
-// `moves` with each move shorter than kShortest, and the longer neighbour that it is tangent to,
-// replaced by one line or arc, or by a bi-arc, from where the two began to where they ended, in the
-// same directions. They are replaced only where what comes instead stays within kSmoothing of them,
-// inside `centres`, and has no piece as short. Laws: the moves follow each other as before, and end
-// where they ended; moves along the border of `centres` stay as they are.
-std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres);
-
-// mm: over which the judges of engagement and rate take means; a post's rounding to 0.001 mm turns
+// mm: over which engagement and rate are taken as means; a post's rounding to 0.001 mm turns
 // longer moves by less than a degree.
 inline constexpr double kShortest = 0.1;
 // mm: what posts round to.
 inline constexpr double kSmoothing = 1e-3;
+
+// `moves` with each move shorter than kShortest, and the longer neighbour that it is tangent to,
+// replaced by one line or arc, or by a bi-arc, from where the two began to where they ended, in the
+// same directions. They are replaced only where what comes instead stays within `smoothing` mm of
+// them, inside `centres`, and has no piece as short. Laws: the moves follow each other as before,
+// and end where they ended; moves along the border of `centres` stay as they are.
+std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
+                                         double smoothing = kSmoothing);
 
 }  // namespace evenload

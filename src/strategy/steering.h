@@ -59,12 +59,12 @@ class Steering {
   // wall into the material. Moves are added to the ground as they are made. Empty when no material
   // is met, or when none can be entered within the limit.
   Pass from_wall(const WallPlace& start);
-  // The same, but never leaves the wall: empty where that would exceed the limit.
+  // The same from a free pose that just touches material on its right.
+  Pass from_pose(const Pose& start);
+  // From the wall, but never leaves it: empty where that would exceed the limit.
   Pass along_wall(const WallPlace& start);
   // Along the exact border, where nothing else will do: as far as the limit allows, and no further.
   Pass bit_by_bit(const WallPlace& start);
-  // The same from a free pose that just touches material on its right.
-  Pass from_pose(const Pose& start);
 
  private:
   enum class Mode { kWall, kFree, kEnd };

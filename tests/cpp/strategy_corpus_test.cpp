@@ -390,6 +390,13 @@ TEST(Clearing, TurnsMoreTightlyThanWishedWhereTheEntryOrTheWidthDemandsIt) {
   }
 }
 
+// The source's reference case, at a constant removal rate [Jacsó 2021: 1.22].
+TEST(Clearing, TakesAtMostEighteenHundredthsMoreThanTheIdealTimeForTheStar) {
+  const Case star = corpus::load("star");
+  const Report report = clear(star, star.params()).report;
+  EXPECT_LE(report.cutting_time, 1.18 * report.ideal_time);
+}
+
 // The note on tight turns names the wish, the tightest turn and a place of the path.
 TEST(Clearing, TellsWhereItTurnsMoreTightlyThanWished) {
   for (const CutMode mode : {CutMode::kClimb, CutMode::kConventional}) {

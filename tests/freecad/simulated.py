@@ -9,6 +9,12 @@ from evenload import commands, compiled
 FEED, RAPID_FEED, TEETH, SPEED = 255.0, 5000.0, 1, 6366.0
 
 
+def _means(values, length, window=0.1):
+    """Means over the last `window` mm: in a sharp corner a single place may meet any angle."""
+    area, along = numpy.cumsum(length * values), numpy.cumsum(length)
+    return (area - numpy.interp(along - window, along, area)) / window
+
+
 def simulated(op, **changes):
     """A Simulation of an operation that has been computed: its path and engagement are the core's,
     loads follow from them, and there is no rest and no incident unless `changes` say so.
@@ -19,6 +25,7 @@ def simulated(op, **changes):
     )
     x, y, degrees, kind = (numpy.array(column) for column in zip(*profile))
     length = numpy.hypot(numpy.diff(x, prepend=x[0]), numpy.diff(y, prepend=y[0]))
+    degrees = _means(degrees, length)
     feed = numpy.where(kind == commands.CUT, FEED, RAPID_FEED)
     time = numpy.cumsum(60 * length / feed)
     radius, depth = last.tool.diameter / 2, op.StartDepth.Value - op.FinalDepth.Value

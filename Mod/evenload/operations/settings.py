@@ -182,7 +182,7 @@ RESULT_SETTINGS = (
         "IdealTime",
         "App::PropertyFloat",
         0.0,
-        "Area over side step and feed, in s: no path is faster",
+        "Area over side step and feed, in s: the time if all were cut at the angle and the feed",
         RESULTS,
     ),
     Setting("RemovedVolume", "App::PropertyVolume", 0.0, "Volume that the path removes", RESULTS),
