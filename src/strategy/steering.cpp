@@ -425,6 +425,7 @@ void Steering::step_free() {
   const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
   // Where the engagement rises on the way of a step, the ends lie a little below the limit.
   const double target = theta_ - (rises_ ? std::min(kBias, kBiasShare * theta_) : 0);
+  bool longer = false;
   for (;;) {
     const double length = step_;
     const auto excess = [&](double curvature) {
@@ -509,6 +510,11 @@ void Steering::step_free() {
         std::clamp(kGrowth / std::sqrt(std::max(error, 1e-9)), kLeastGrowth, kMostGrowth);
     if (error > 1 && !smallest) {
       step_ = std::max(smallest_step, growth * length);
+      continue;
+    }
+    if (!longer && growth > 1.25 && length < kLargestStep * radius_ * 0.99 && kMostTurn / std::abs(curvature) > 1.1 * length) {
+      longer = true;
+      step_ = std::min({kLargestStep * radius_, growth * length, kMostTurn / std::abs(curvature)});
       continue;
     }
     const double share = reach_of(move);
