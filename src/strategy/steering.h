@@ -75,7 +75,22 @@ class Steering {
         0;  // rad from the right to the far end of the main engaged arc, or total if that is more
   };
 
+  // A free step from where the tool stands.
+  struct Step {
+    Segment move;
+    double curvature = 0;    // 1/mm
+    double excess = 0;       // rad engaged at its end beyond what was aimed at
+    bool held_back = false;  // a shorter step could turn enough
+  };
+  struct Error {
+    double share = 0;    // of what is allowed
+    bool rises = false;  // the engagement, on the way
+  };
+
   Contact contact(const Pose& pose) const;
+  double target_of(double length) const;
+  Step solve(double length) const;
+  Error error_of(const Step& step) const;
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);
