@@ -45,6 +45,8 @@ constexpr double kNarrowestRoom = 0.02;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
+// Tool radii at link feed: what it costs to leave a front unfinished.
+constexpr double kLeavingPrice = 1;
 // A way along a wall, which is less gentle, counts so many times its length.
 constexpr double kGrazingPrice = 1.5;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
@@ -348,17 +350,10 @@ class RegionClearing {
   // is no way, or none so quick as to go up and down.
   bool link_to(const Pose& to, std::size_t before) {
     if (result_.runs.empty()) return false;
-    const double gap = distance(here_.p, to.p);
-    if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
-    const double rise =
-        params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
-    const double retract = (2 * rise + gap) / params_.rapid_feed * params_.link_feed;
-    const double price = kRetractPrice / 60 * params_.link_feed;
-    std::vector<Segment> link =
-        shortest_link({ground_, before}, around_, here_, to, link_turn(), retract + price);
-    if (link.empty())
-      link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
-                           (retract + price) / kGrazingPrice, LinkSpace::kGrazing);
+    if (distance(here_.p, to.p) < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6)
+      return true;
+    double cost = 0;
+    const std::vector<Segment> link = cheapest_link(to, before, &cost);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
@@ -581,19 +576,55 @@ class RegionClearing {
     return false;
   }
 
+  // mm at link feed that take as long as to go up, to `to` and down again.
+  double retract_to(Vec2 to) const {
+    const double rise =
+        params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
+    const double time = (2 * rise + distance(here_.p, to)) / params_.rapid_feed;
+    return (time + kRetractPrice / 60) * params_.link_feed;
+  }
+
+  // The cheapest link to `to` over ground that was cleared before the move numbered `before`, and
+  // what it costs: mm at link feed. Empty where to go up and down is as quick.
+  std::vector<Segment> cheapest_link(const Pose& to, std::size_t before, double* cost) const {
+    const double retract = retract_to(to.p);
+    std::vector<Segment> link =
+        shortest_link({ground_, before}, around_, here_, to, link_turn(), retract);
+    *cost = link.empty() ? retract : length_of(link);
+    if (!link.empty()) return link;
+    link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
+                         retract / kGrazingPrice, LinkSpace::kGrazing);
+    if (!link.empty()) *cost = kGrazingPrice * length_of(link);
+    return link;
+  }
+
+  // The start that is reached soonest. The front that the last pass was cut from has an advantage:
+  // to leave it means to come back.
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
-    const PassStart* best = nullptr;
-    double best_cost = std::numeric_limits<double>::infinity();
+    struct Candidate {
+      const PassStart* start;
+      double extra,
+          least;  // mm at link feed: beyond the way, and with the shortest way that may be
+    };
+    std::vector<Candidate> candidates;
     for (const PassStart& start : starts) {
-      double cost = distance(here_.p, start.pose.p);
-      // The front that the last pass was cut from comes first: one branch is finished before the
-      // next.
-      if (last_start && distance(*last_start, start.pose.p) < radius_)
-        cost = distance(*last_start, start.pose.p) - 2 * radius_;
-      if (cost < best_cost) {
-        best_cost = cost;
-        best = &start;
-      }
+      const bool same_front = last_start && distance(*last_start, start.pose.p) < radius_;
+      const double extra = same_front ? 0 : kLeavingPrice * radius_;
+      candidates.push_back({&start, extra, distance(here_.p, start.pose.p) + extra});
+    }
+    std::sort(candidates.begin(), candidates.end(),
+              [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
+    const PassStart* best = candidates.front().start;
+    if (result_.runs.empty()) return *best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const Candidate& candidate : candidates) {
+      if (candidate.least >= least) break;
+      double cost = 0;
+      cheapest_link(candidate.start->pose, ground_.size(), &cost);
+      cost += candidate.extra;
+      if (cost >= least) continue;
+      least = cost;
+      best = candidate.start;
     }
     return *best;
   }
