@@ -17,19 +17,29 @@ def chain(points):
     return [tuple(point) for point in points]
 
 
-def path_of(case, feed_control="constant removal rate", **parameters):
-    """The Toolpath that clears it; parameters: more of `clear_pocket`'s."""
-    outer = [(*point, bool(case.get("open"))) for point in case["outer"]]
+def region(case):
+    """Its Region, with the pieces of the outline marked that are edges of the stock."""
+    edges = case.get("open_edges", [])
+    outer = [(*v, bool(case.get("open")) or i in edges) for i, v in enumerate(case["outer"])]
+    return _core.Region(outer, [chain(island) for island in case["islands"]])
+
+
+def path_of(case, **parameters):
+    """The Toolpath that clears it, at a constant removal rate unless told otherwise; parameters:
+    more of `clear_pocket`'s, before those in the case's own "choices".
+    """
     feed, link_feed, maximum_feed = (case[key] for key in FEEDS)
     entry = {}
     if case.get("hole"):
         x, y, diameter = case["hole"]
         entry = {"entry": "predrilled hole", "entry_point": (x, y), "hole_diameter": diameter}
+    chosen = {**case.get("choices", {}), **parameters}
+    if isinstance(chosen.get("force_coefficients"), (list, tuple)):
+        chosen["force_coefficients"] = _core.ForceCoefficients(*chosen["force_coefficients"])
     return _core.clear_pocket(
-        [_core.Region(outer, [chain(island) for island in case["islands"]])],
+        [region(case)],
         tool_diameter=case["tool"],
         engagement_angle=math.radians(case["engagement_deg"]),
-        feed_control=feed_control,
         feed=feed,
         plunge_feed=feed,
         link_feed=link_feed,
@@ -38,8 +48,7 @@ def path_of(case, feed_control="constant removal rate", **parameters):
         levels=[-case["axial_depth"]],
         safe_height=3.0,
         clearance_height=5.0,
-        **entry,
-        **parameters,
+        **{"feed_control": "constant removal rate", **entry, **chosen},
     )
 
 

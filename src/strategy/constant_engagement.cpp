@@ -23,7 +23,7 @@ namespace {
 // mm of path between two looks at the load where it does not change, from kEvenAngle on; below, in
 // proportion: where the front has a cusp, a degree more for a tenth of a millimetre is met, which
 // is a larger part of a smaller angle.
-constexpr double kLoadSpacing = 1.0;
+constexpr double kLoadSpacing = 0.3;
 constexpr double kEvenAngle = kPi / 3;
 // mm of path over which the reported engagement is a mean.
 constexpr double kEngagementWindow = 0.1;

@@ -46,6 +46,7 @@ constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 // The engagement that the last step is taken to have ended with, from the limit.
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
 constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
+constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
 constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
@@ -634,10 +635,35 @@ void Steering::reset(const Pose& start) {
   rises_ = false;
 }
 
+// Where a pass along the exact border ended in the middle of a front the next one would begin there,
+// and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far back as
+// the tool is clear, unless nothing is met at once.
+WallPlace Steering::run_up(const WallPlace& start) const {
+  const Curve& curve = stage_.centres.curves()[start.curve];
+  const std::size_t n = curve.segment_count();
+  const Segment first = curve.segment(start.segment);
+  const double ahead = start.t + kFinestWallStep * radius_ / first.length();
+  if (ahead < 1 &&
+      contact({first.point(ahead), angle_of(first.tangent(ahead))}).total <= kInContact)
+    return start;
+  WallPlace place = start;
+  for (double left = kMeanLength; left > kHere;) {
+    WallPlace back = place;
+    if (back.t <= 0) back = {back.curve, (back.segment + n - 1) % n, 1};
+    const Segment wall = curve.segment(back.segment);
+    const double step = std::min({left, kRunUpStep, back.t * wall.length()});
+    back.t = std::max(0.0, back.t - std::max(step, kHere) / wall.length());
+    if (!ground_.is_clear(wall.point(back.t))) break;
+    place = back;
+    left -= std::max(step, kHere);
+  }
+  return place;
+}
+
 Pass Steering::from_wall(const WallPlace& start) {
-  const Segment wall = stage_.centres.curves()[start.curve].segment(start.segment);
-  reset({wall.point(start.t), angle_of(wall.tangent(start.t))});
-  wall_ = start;
+  wall_ = turn_ > 0 ? start : run_up(start);
+  const Segment wall = stage_.centres.curves()[wall_.curve].segment(wall_.segment);
+  reset({wall.point(wall_.t), angle_of(wall.tangent(wall_.t))});
   mode_ = Mode::kWall;
   return run();
 }

@@ -104,6 +104,7 @@ class Steering {
   void overload();
   bool near_corner(double step) const;
   bool over_mean(double total, double step) const;
+  WallPlace run_up(const WallPlace& start) const;
   double reach_of(const Segment& move) const;
   double met_before(double length) const;
   void note_contact(double total, double length);

@@ -14,6 +14,7 @@ import math
 import multiprocessing
 import queue
 import random
+import resource
 import statistics
 import sys
 import time
@@ -36,20 +37,27 @@ LIMITS = {
     "plunge": 0.0,  # mm of plunges in material
     "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region
 }
+LEAST_CLIMB = 0.995  # share of the cutting length on the side asked for
 SECONDS = 60  # for one path
+MEMORY = 4 << 30  # bytes, of the process that clears and judges
 AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 OUTLIERS = 0.02  # mm of path: rapids and plunges shorter than this touch by rounding
+# Of the simulator: rows at most so far apart, and so many in a cut's width, or what is engaged at
+# small angles is lost between them.
+RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
+CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
+IN_MATERIAL = 1.0  # degrees of engagement
+ENTRY, CUT = 2, 3  # kinds of moves
+STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 
 
-def figures_of(case, path):
+def figures_of(case, path, scene):
     """{figure: value}; those of LIMITS, and the time over the ideal as "ratio"."""
     import evenload
-    import pocket_case
 
-    run = evenload.simulate(path, **pocket_case.scene(case))
-    width = 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
-    nominal = width * case["axial_depth"] * case["feed"]
-    entry = run.kind == 2
+    run = evenload.simulate(path, **scene, step=STEP)
+    nominal = cut_width(case) * case["axial_depth"] * case["feed"]
+    entry = run.kind == ENTRY
     entered = float(numpy.diff(run.removed_volume, prepend=0.0)[entry].sum()) / case["axial_depth"]
     regions = 1 + sum(1 for move in path.moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
     return {
@@ -61,8 +69,24 @@ def figures_of(case, path):
         "rapid": _beyond(run.rapid_in_material_mm),
         "plunge": _beyond(run.plunge_in_material_mm),
         "entry": entered / (math.pi * case["tool"] ** 2) / regions,
+        "climb": 1 - wrong_side(run, case.get("choices", {}).get("cut_mode") == "conventional"),
         "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
     }
+
+
+def cut_width(case):
+    """mm2 per mm of path at the engagement angle."""
+    return 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
+
+
+def wrong_side(run, conventional):
+    """Share of the length in material on which most of it lies on the side not asked for."""
+    left, right = numpy.radians(run.arcs[:, 1]), numpy.radians(run.arcs[:, 0])
+    sides = numpy.concatenate([[0.0], numpy.cumsum(numpy.cos(right) - numpy.cos(left))])
+    side = numpy.diff(sides[run.first_arc])  # the left counts positive
+    cut = (run.kind == CUT) & (run.engagement_deg > IN_MATERIAL)
+    wrong = cut & ((side < 0) if conventional else (side > 0))
+    return float(run.length[wrong].sum() / max(run.length[cut].sum(), 1e-9))
 
 
 def _beyond(length):
@@ -71,20 +95,21 @@ def _beyond(length):
 
 def judge(case, twice):
     """{"figures" or "wrong": ..., "compute": seconds of the processor}."""
-    import pocket_case
+    import choices
     from evenload import _core
 
+    resolution = max(FINEST, min(RESOLUTION, cut_width(case) / ROWS))
     start = time.process_time()
     try:
-        path = pocket_case.path_of(case)
+        path, scene = choices.path_and_scene(case, resolution)
     except _core.GeometryError as error:
         return {"refused": str(error)} if error.code == "tool too large" else _wrong(error)
     except (RuntimeError, ValueError) as error:
         return _wrong(error)
     compute = time.process_time() - start
-    if twice and pocket_case.path_of(case).moves != path.moves:
+    if twice and choices.path_and_scene(case, resolution)[0].moves != path.moves:
         return {"wrong": "cleared twice, the moves differ"}
-    return {"figures": figures_of(case, path), "compute": compute}
+    return {"figures": figures_of(case, path, scene), "compute": compute}
 
 
 def _wrong(error):
@@ -92,6 +117,7 @@ def _wrong(error):
 
 
 def work(tasks, answers):
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     for case, twice in iter(tasks.get, None):
         answers.put(judge(case, twice))
 
@@ -134,17 +160,21 @@ class Judge:
             self._process.join()
 
 
-def faults(answer):
+def faults(case, answer):
     """What is wrong with a judged case, a phrase each."""
+    import choices
+
     if "wrong" in answer:
         return [answer["wrong"]]
     if "refused" in answer:
         return []
     found = [
         "%s %.4g above %g" % (name, answer["figures"][name], limit)
-        for name, limit in LIMITS.items()
+        for name, limit in choices.limits_for(case, LIMITS).items()
         if not answer["figures"][name] <= limit
     ]
+    if answer["figures"]["climb"] < LEAST_CLIMB:
+        found.append("climb %.4g below %g" % (answer["figures"]["climb"], LEAST_CLIMB))
     if answer["compute"] > SECONDS:
         found.append("took %.0f s" % answer["compute"])
     return found
@@ -165,18 +195,24 @@ class Summary:
     def lines(self):
         yield "%d cases, %d failed, %d too narrow" % (self.cases, self.failed, self.refused)
         for name, values in self.values.items():
-            worst = max(values)
+            worst = min(values) if name == "climb" else max(values)
             median = statistics.median(value for value, _ in values)
             yield "%-7s median %8.4f, worst %8.4f in %s" % (name, median, *worst)
 
 
 def cases(seed, first):
-    """(number, case) without end; a case depends on the seed and its number alone."""
+    """(number, case) without end; a case depends on the seed and its number alone. Each second one
+    has choices beside the pocket.
+    """
+    import choices
+
     number = first
     while True:
         case = shapes.case(random.Random("%d/%d" % (seed, number)), number)
         if case is not None:
             case["name"] += "_s%d" % seed
+            if number % 2:
+                choices.choose(random.Random("%d/%d/choices" % (seed, number)), case)
             yield number, case
         number += 1
 
@@ -188,7 +224,7 @@ def fuzz(minutes, seed, first, most, folder):
         if time.monotonic() > end or (most and summary.cases >= most):
             break
         answer = judge_process.judged(case, number % AGAIN == 0)
-        found = faults(answer)
+        found = faults(case, answer)
         summary.add(case, answer, found)
         if found:
             case["note"] = "Found by fuzzing: %s." % "; ".join(found)
@@ -196,7 +232,9 @@ def fuzz(minutes, seed, first, most, folder):
             target = folder / (case["name"] + ".json")
             target.write_text(json.dumps(case, indent=1) + "\n")
             angle = case["engagement_deg"]
-            print("%s at %g deg: %s" % (case["name"], angle, "; ".join(found)), flush=True)
+            chosen = {key: case[key] for key in CHOSEN if key in case}
+            what = case["name"], angle, chosen or "", "; ".join(found)
+            print("%s at %g deg%s: %s" % what, flush=True)
     judge_process.stop()
     return summary
 
