@@ -42,11 +42,6 @@ constexpr double kSamePlace = 1e-4;
 constexpr double kFirstTurn = 0.5;
 // Rooms less wide than this share of the tool's radius get no entry of their own.
 constexpr double kNarrowestRoom = 0.02;
-// s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
-// staying down is gentler.
-constexpr double kRetractPrice = 0.3;
-// A way along a wall, which is less gentle, counts so many times its length.
-constexpr double kGrazingPrice = 1.5;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
@@ -350,15 +345,8 @@ class RegionClearing {
     if (result_.runs.empty()) return false;
     const double gap = distance(here_.p, to.p);
     if (gap < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6) return true;
-    const double rise =
-        params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
-    const double retract = (2 * rise + gap) / params_.rapid_feed * params_.link_feed;
-    const double price = kRetractPrice / 60 * params_.link_feed;
-    std::vector<Segment> link =
-        shortest_link({ground_, before}, around_, here_, to, link_turn(), retract + price);
-    if (link.empty())
-      link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
-                           (retract + price) / kGrazingPrice, LinkSpace::kGrazing);
+    const std::vector<Segment> link =
+        quicker_link({ground_, before}, around_, here_, to, link_turn(), params_);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
