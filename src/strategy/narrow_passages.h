@@ -34,8 +34,9 @@ struct NarrowPlaces {
 
 // Laws: rooms and passages share nothing but mouths and together are `centres`; a region that the
 // disc cannot enter is one passage; one in which it leaves nothing but corners is one room per
-// piece. Condition: radius > 0. Tolerance: kOffsetTolerance; passages less deep than kShallow mm
-// are not told from walls.
+// piece. A disc whose mouths have no clear order gives way to a smaller one, and one no wider than
+// kShallow to none: all is one room then. Condition: radius > 0. Tolerance: kOffsetTolerance;
+// passages less deep than kShallow mm are not told from walls.
 NarrowPlaces find_narrow_places(const Region& centres, double radius);
 inline constexpr double kShallow = 1e-5;
 

@@ -118,6 +118,7 @@ class PassageClearing {
     result_.uncut_area += cleared.uncut_area;
     result_.passes += cleared.passes;
     result_.links += cleared.links;
+    result_.tight_turns.add(cleared.tight_turns);
     for (std::string& note : cleared.notes) result_.notes.push_back(std::move(note));
   }
 

@@ -62,6 +62,11 @@ std::vector<PassageReport> reports_of(const DividedRegion& region, const Clearin
   return reports;
 }
 
+bool is_in_passage(Vec2 p, const std::vector<PassageReport>& passages) {
+  return std::any_of(passages.begin(), passages.end(),
+                     [&](const PassageReport& passage) { return passage.centres.contains(p); });
+}
+
 void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                      std::vector<PassageReport>& passages) {
   for (const LoadSample& sample : profile) {

@@ -36,6 +36,8 @@ inline constexpr double kWidestPassage = 0.9;
 
 std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params);
 
+bool is_in_passage(Vec2 p, const std::vector<PassageReport>& passages);
+
 // Notes the engagement in each passage. `profile`: of these very runs.
 void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                      std::vector<PassageReport>& passages);

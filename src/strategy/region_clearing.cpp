@@ -96,14 +96,8 @@ class RegionClearing {
                    : "for the turned-off WallPass, or where the tool has too little room to turn.");
       result_.notes.push_back(note.str());
     }
-    const double wish = limits().widest;
-    if (tightest_ < wish * (1 - 1e-9)) {
-      std::ostringstream note;
-      note << std::fixed << std::setprecision(3) << "Turned more tightly than the wished " << wish
-           << " mm in corners and narrow places, down to " << tightest_ << " mm near ("
-           << std::setprecision(2) << shown(tightest_at_).x << ", " << tightest_at_.y << ").";
-      result_.notes.push_back(note.str());
-    }
+    if (tightest_ < limits().widest * (1 - 1e-9))
+      result_.tight_turns = {1, tightest_, shown(tightest_at_)};
   }
 
   StageLimits limits() const {

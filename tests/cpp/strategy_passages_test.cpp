@@ -351,6 +351,53 @@ TEST(Skipping, SkipsAPocketThatIsNarrowThroughout) {
   EXPECT_EQ(notes_with(path, "Skipped: "), 1);
 }
 
+// Law: counts are those of all levels.
+TEST(Clearing, CountsPassesLinksAndRetractsOverAllLevels) {
+  for (const NarrowPassages choice : {NarrowPassages::kTrochoid, NarrowPassages::kReducedFeed}) {
+    const Case pocket = two_rooms(6.5);
+    ClearingParams params = pocket.params();
+    params.narrow_passages = choice;
+    const Report one = corpus::clear(pocket, params).report;
+    params.levels = {-1, -2, -3};
+    const Report three = corpus::clear(pocket, params).report;
+    EXPECT_GT(one.passes, 10);
+    EXPECT_GT(one.links, 10);
+    EXPECT_EQ(three.passes, 3 * one.passes);
+    EXPECT_EQ(three.links, 3 * one.links);
+    EXPECT_EQ(three.retracts + 1, 3 * (one.retracts + 1));
+  }
+}
+
+// One sentence, however many rooms turn tightly.
+TEST(Clearing, NamesTheTightestTurnOfAllRoomsOnce) {
+  const Case pocket = two_rooms(6.5);
+  const Toolpath path = clear(pocket, NarrowPassages::kSkip);
+  EXPECT_EQ(notes_with(path, "Turned more tightly"), 1);
+  EXPECT_EQ(notes_with(path, "of 2 rooms, down to"), 1);
+}
+
+TEST(Skipping, SaysThatAPredrilledHoleLiesInASkippedPassage) {
+  Case pocket = two_rooms(6.5);
+  pocket.hole = corpus::Hole{{26, 0}, 6.3};
+  try {
+    clear(pocket, NarrowPassages::kSkip);
+    FAIL() << "no error";
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
+    EXPECT_NE(std::string(error.what()).find("narrow passage that is skipped"), std::string::npos)
+        << error.what();
+  }
+  ClearingParams params = pocket.params();
+  params.narrow_passages = NarrowPassages::kSkip;
+  params.entry = EntryKind::kAutomatic;
+  const Toolpath path = corpus::clear(pocket, params);
+  EXPECT_EQ(notes_with(path,
+                       "near (26.00, 0.00) lies in a narrow passage that is skipped: it was "
+                       "not used."),
+            1);
+  EXPECT_EQ(entries(path), 2);
+}
+
 TEST(Skipping, SkipsNothingThatIsTwiceTheMinimumRadiusWide) {
   Case pocket = slot(6 + 2 * 0.9);
   EXPECT_EQ(notes_with(clear(pocket, NarrowPassages::kSkip), "Skipped"), 0);
