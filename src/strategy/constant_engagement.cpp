@@ -244,7 +244,8 @@ std::vector<Part> parts_of(const std::vector<Region>& centres, const ClearingPar
   for (const Region& region : centres) {
     const int first = static_cast<int>(passages.size());
     DividedRegion narrow;
-    if (params.narrow_passages != NarrowPassages::kTrochoid) narrow = divide(region, params);
+    if (!params.stock || params.narrow_passages == NarrowPassages::kSkip)
+      narrow = divide(region, params);
     for (PassageReport& report : reports_of(narrow, params)) passages.push_back(std::move(report));
     if (params.narrow_passages == NarrowPassages::kSkip)
       for (const Region& room : narrow.places.rooms) parts.push_back({room, {}, first});

@@ -66,10 +66,10 @@ Vec2 middle_of_longest(const Curve& curve) {
 
 class Division {
  public:
-  Division(const Region& region, double radius)
+  Division(const Region& region, double radius, double corner_depth)
       : curves_(region.curves()),
         walls_({region}),
-        radius_(radius),
+        corner_depth_(corner_depth),
         opened_(offset(offset({region}, -radius), radius)),
         rooms_(opened_) {}
 
@@ -232,7 +232,7 @@ class Division {
     for (const PassageBorder& piece : patch.front().pieces)
       for (const double t : {0.0, 0.5})
         deepest = std::max(deepest, -rooms_.signed_distance(piece.segment.point(t)));
-    return deepest <= kCornerDepth * radius_;
+    return deepest <= corner_depth_;
   }
 
   void fill_corner(const Loop& loop) {
@@ -283,7 +283,7 @@ class Division {
 
   std::vector<Curve> curves_;
   Area walls_;
-  double radius_;
+  double corner_depth_;  // mm
   std::vector<Region> opened_;
   Area rooms_;
   std::vector<Mouth> mouths_;
@@ -291,15 +291,19 @@ class Division {
 
 }  // namespace
 
-NarrowPlaces find_narrow_places(const Region& centres, double radius) {
+NarrowPlaces find_narrow_places(const Region& centres, double radius, double corner_depth) {
   EVENLOAD_ASSERT(radius > 0);
   double smaller = radius;
   for (int i = 0; smaller > kShallow; ++i) {
-    if (std::optional<NarrowPlaces> places = Division(centres, smaller).divide())
+    if (std::optional<NarrowPlaces> places = Division(centres, smaller, corner_depth).divide())
       return std::move(*places);
     smaller *= i < kRadiiNearby ? 1 - kOtherRadius : 0.5;
   }
   return {{centres}, {}};
+}
+
+NarrowPlaces find_narrow_places(const Region& centres, double radius) {
+  return find_narrow_places(centres, radius, kCornerDepth * radius);
 }
 
 }  // namespace evenload
