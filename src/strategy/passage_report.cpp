@@ -45,8 +45,8 @@ DividedRegion without_room_for_trochoids(const Region& centres, const ClearingPa
   region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
   const bool is_long =
       std::any_of(region.axes.begin(), region.axes.end(),
-                  [&](const PassageAxis& axis) { return axis.length() > params.tool_diameter; });
-  return is_long ? region : DividedRegion{{{centres}, {}}, {}};
+                  [&](const PassageAxis& axis) { return axis.length() > tool_radius; });
+  return is_long || region.places.rooms.empty() ? region : DividedRegion{{{centres}, {}}, {}};
 }
 
 }  // namespace

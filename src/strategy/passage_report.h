@@ -31,7 +31,7 @@ struct DividedRegion {
 // The rooms and passages of a region of tool centres for the set minimum radius. With
 // NarrowPassages::kReducedFeed passages are no wider than kWidestPassage allows; with kTrochoid
 // they are those where trochoids are no way to cut: too narrow for turns of kTightestTrochoid, and
-// one of them longer than the tool is wide.
+// one of them longer than the tool's radius, or without a room beside it.
 DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.

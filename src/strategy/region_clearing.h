@@ -8,7 +8,7 @@
 
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
-#include "strategy/tight_turns.h"
+#include "strategy/turn_report.h"
 #include "support/progress.h"
 #include "toolpath/planar.h"
 

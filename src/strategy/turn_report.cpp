@@ -1,4 +1,4 @@
-#include "strategy/tight_turns.h"
+#include "strategy/turn_report.h"
 
 #include <iomanip>
 #include <sstream>
