@@ -35,6 +35,7 @@ PUBLIC = (
     "two_rooms_closed",
 )
 TOO_SMALL = ("too_small",)  # no path: both only have to find that out
+CLEARABLE = len(PUBLIC) - len(TOO_SMALL)
 SPINDLE_SPEED = 6366  # rev/min
 
 
@@ -115,18 +116,22 @@ def figures():
     yield from totals(compute, found)
 
 
+MEDIANS = ("time_ratio", "band3", "rate_held", "blocks_per_metre")
+WORST = ("time_ratio", "over", "link_engagement", "rate_worst", "gouge", "rest_share")
+
+
 def totals(compute, found):
     for which, seconds in compute.items():
         yield "adaptive.sum.%scompute" % which, seconds, "s"
     yield "adaptive.sum.compute_ratio", compute[""] / compute["freecad_"], ""
     for which in compute:
         yield "adaptive.sum.%spaths" % which, len(found[which + "time_ratio"]), ""
-        for figure in ("time_ratio", "band3", "rate_held", "blocks_per_metre"):
+        for figure in MEDIANS:
             median = statistics.median(found[which + figure])
             yield "adaptive.median.%s%s" % (which, figure), median, ""
-        for figure in ("time_ratio", "over", "link_engagement", "rate_worst", "gouge"):
+        for figure in WORST:
             yield "adaptive.worst.%s%s" % (which, figure), max(found[which + figure]), ""
-        yield "adaptive.least.%srate_least" % which, min(found[which + "rate_least"]), ""
+        yield "adaptive.worst.%srate_least" % which, min(found[which + "rate_least"]), ""
 
 
 # ---- the table ----
@@ -145,18 +150,60 @@ COLUMNS = (
 )
 
 
+SUMMARIES = ("median", "worst", "sum")  # rows below those of the cases
+# (what, its key; FreeCAD's after "freecad_", whether it is to be at least or at most what follows:
+# required, wished) of the second table
+GOALS = (
+    ("star: time / ideal", "star.%stime_ratio", "<=", 1.18, 1.10),
+    ("time / ideal, median", "median.%stime_ratio", "<=", 1.15, 1.08),
+    ("over the angle, degrees", "worst.%sover", "<=", 2, 0.5),
+    ("star: cut within 3 degrees", "star.%sband3", ">=", 0.70, 0.85),
+    ("removal rate, largest", "worst.%srate_worst", "<=", 1.05, 1.02),
+    ("removal rate where F < max", "worst.%srate_least", ">=", 0.85, 0.98),
+    ("engagement of links, degrees", "worst.%slink_engagement", "<=", 1, 1),
+    ("gouge, mm", "worst.%sgouge", "<=", 0.005, 0.005),
+    ("area left / cleared", "worst.%srest_share", "<=", 0.0005, 0.0005),
+    ("cases with a path", "sum.%spaths", ">=", CLEARABLE, CLEARABLE),
+    ("star: blocks per metre", "star.%sblocks_per_metre", "<=", 700, 400),
+    ("compute / FreeCAD's", "sum.%scompute_ratio", "<=", 0.5, 0.1),
+)
+
+
 def table(values):
-    """The figures side by side, a line for each case and operation; values: {name: value}.
+    """The figures side by side, a line for each case and operation, then those of all cases, and
+    what is required and wished beside them; values: {name: value}.
 
     time: over the ideal; linkE: engagement of links in degrees; rate+, rate-: the largest removal
     rate and, where F < MaximumFeed, the least, over the nominal; held: the share of the length with
     such a feed on which it is 0.85 or more.
     """
     yield "%-17s %-8s" % ("case", "path") + "".join("%8s" % title for _, title, _ in COLUMNS)
-    for name in PUBLIC:
+    for name in (*PUBLIC, *SUMMARIES):
         for which, maker in (("", "EvenLoad"), ("freecad_", "FreeCAD")):
             line = "%-17s %-8s" % (name, maker)
             for figure, _, form in COLUMNS:
                 value = values.get("adaptive.%s.%s%s" % (name, which, figure))
                 line += " " + ("%7s" % "-" if value is None else form % value)
             yield line
+    yield ""
+    yield "%-30s" % "of all cases" + "%10s%10s%12s%10s" % (
+        "FreeCAD",
+        "EvenLoad",
+        "required",
+        "wished",
+    )
+    for title, key, sign, required, wished in GOALS:
+        yield goal_line(values, title, "adaptive." + key, sign, required, wished)
+
+
+def goal_line(values, title, key, sign, required, wished):
+    """One line: FreeCAD's figure, ours, and how far ours is as it should be."""
+    theirs, value = values.get(key % "freecad_"), values.get(key % "")
+    line = "%-30s" % title
+    for number in (theirs, value):
+        line += "%10s" % ("-" if number is None else "%.4g" % number)
+    line += "%12s%10s" % ("%s %g" % (sign, required), "%s %g" % (sign, wished))
+    if value is None:
+        return line
+    kept = [value <= goal if sign == "<=" else value >= goal for goal in (required, wished)]
+    return line + "  " + ("as wished" if kept[1] else "as required" if kept[0] else "MISSED")

@@ -15,8 +15,8 @@ FIGURES = (
     ("uncut_area_mm2", "UncutArea", "mm2", 2),
     ("cut_length_mm", None, "mm", 0),
     ("link_length_mm", None, "mm", 0),
-    ("passes", None, "", 0),
-    ("links", None, "", 0),
+    ("passes", "Passes", "", 0),
+    ("links", "Links", "", 0),
     ("retracts", "Retracts", "", 0),
     ("blocks", None, "", 0),
 )
@@ -87,8 +87,8 @@ def figures(op):
     if last is not None:
         report = last.toolpath.report
         result["cut_length_mm"], result["link_length_mm"] = report.cut_length, report.link_length
-        result["passes"], result["links"] = report.passes, report.links
-    result["retracts"] = int(result["retracts"])
+    for key in ("passes", "links", "retracts"):
+        result[key] = int(result[key])
     result["blocks"] = len(op.Path.Commands)
     result["report"] = op.Report
     return result

@@ -121,8 +121,8 @@ class ScaledPath:
         """{"passes", "links", "retracts"} at so many levels."""
         runs = sum(len(region[0]) for region in self._regions)
         return {
-            "passes": self.report.passes * levels,
-            "links": self.report.links * levels,
+            "passes": self.report.passes // len(self.heights) * levels,
+            "links": self.report.links // len(self.heights) * levels,
             "retracts": max(0, runs * levels - 1),
         }
 

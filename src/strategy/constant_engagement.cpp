@@ -244,7 +244,8 @@ std::vector<Part> parts_of(const std::vector<Region>& centres, const ClearingPar
   for (const Region& region : centres) {
     const int first = static_cast<int>(passages.size());
     DividedRegion narrow;
-    if (params.narrow_passages != NarrowPassages::kTrochoid) narrow = divide(region, params);
+    if (!params.stock || params.narrow_passages == NarrowPassages::kSkip)
+      narrow = divide(region, params);
     for (PassageReport& report : reports_of(narrow, params)) passages.push_back(std::move(report));
     if (params.narrow_passages == NarrowPassages::kSkip)
       for (const Region& room : narrow.places.rooms) parts.push_back({room, {}, first});
@@ -326,14 +327,20 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
                 (params.entry == EntryKind::kAutomatic && params.entry_point &&
                  params.hole_diameter >= params.tool_diameter))) {
     hole = hole_place(parts, *params.entry_point, &hole_region);
+    const bool skipped = is_in_passage(*params.entry_point, passages);
     if (!hole && params.entry == EntryKind::kAutomatic)
       path.report.notes.push_back("The pre-drilled hole " + near(*params.entry_point, mirror) +
-                                  " is too near to a wall to come down in: it was not used.");
+                                  (skipped ? " lies in a narrow passage that is skipped"
+                                           : " is too near to a wall to come down in") +
+                                  ": it was not used.");
     if (!hole && params.entry == EntryKind::kPredrilledHole)
       throw GeometryError(
           GeometryErrorCode::kEntryOutside, *given.entry_point,
-          "The pre-drilled hole's centre lies outside the ground that the tool can reach: "
-          "move EntryPoint into the pocket, at least a tool's radius from its walls.");
+          skipped ? "The pre-drilled hole lies in a narrow passage that is skipped: choose the "
+                    "entry 'Automatic', or another NarrowPassages."
+                  : "The pre-drilled hole's centre lies outside the ground that the tool can "
+                    "reach: move EntryPoint into the pocket, at least a tool's radius from its "
+                    "walls.");
   }
 
   if (rest && params.stock->empty()) return path;
@@ -341,6 +348,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   const bool open = has_open_edges(regions);
   if (rest) params.stock = bared(mirror ? mirrored(*params.stock) : *params.stock);
   const std::vector<Region>& material = rest ? *params.stock : regions;
+  const int levels = static_cast<int>(params.levels.size());
+  TightTurns tight_turns;
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
     const Region& region = parts[i].centres;
@@ -365,11 +374,16 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
     });
     RegionResult result = clear(parts[i], task, params, share);
     path.report.uncut_area += result.uncut_area;
-    path.report.passes += result.passes;
-    path.report.links += result.links;
+    path.report.passes += result.passes * levels;
+    path.report.links += result.links * levels;
+    tight_turns.add(result.tight_turns);
     for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
   }
+
+  if (const std::optional<std::string> note =
+          tight_turns_note(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
+    path.report.notes.push_back(*note);
 
   Bounds bounds = bounds_of(centres);
   ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
@@ -398,7 +412,6 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
     path.report.notes.push_back(*note);
 
   const double depth = params.top - params.levels.back();
-  const double levels = static_cast<double>(params.levels.size());
   for (const PlanarRun& run : runs) {
     if (run.descent.kind == DescentKind::kHelix)
       removed += kPi * std::pow(run.descent.radius + radius, 2);

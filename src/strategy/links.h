@@ -6,6 +6,7 @@
 
 #include "cutting/cleared_ground.h"
 #include "strategy/area.h"
+#include "strategy/constant_engagement.h"
 #include "strategy/steering.h"
 
 namespace evenload {
@@ -29,6 +30,17 @@ enum class LinkSpace {
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space = LinkSpace::kClear);
+
+// The same where that is quicker than to go up and come down again; clear of everything, or where
+// there is no such way, along walls and fronts. Empty where a retract is quicker. `price`: mm of a
+// link in the clear that would cost as much as what is chosen.
+std::vector<Segment> quicker_link(const GroundBefore& ground, const Area& centres, const Pose& from,
+                                  const Pose& to, double turn_radius, const ClearingParams& params,
+                                  double* price = nullptr);
+
+// mm of a link that takes as long as to go up, `gap` mm across and down again, with what that costs
+// besides.
+double length_of_retract(double gap, const ClearingParams& params);
 
 // True when the tool can go along `moves` inside `centres` without meeting material. Within `ends`
 // mm of both ends of the way it may graze.

@@ -15,9 +15,10 @@ namespace {
 constexpr double kCornerDepth = 1.01;
 // mm along the border: ends this near are one place; above the tolerance of offsets.
 constexpr double kSameEnd = 3e-6;
-// A disc that just fits somewhere leaves ends without an order: another one near it does not.
+// A disc that just fits somewhere leaves ends without an order: another one near it does not. After
+// so many of these, much smaller ones are tried.
 constexpr double kOtherRadius = 0.003;
-constexpr int kMostRadii = 5;
+constexpr int kRadiiNearby = 5;
 
 // A place on the region's border.
 struct Place {
@@ -54,12 +55,21 @@ Curve curve_of(const std::vector<PassageBorder>& pieces) {
   return Curve(std::move(vertices), true);
 }
 
+// Away from corners, where rooms leave the wall by a little without a mouth.
+Vec2 middle_of_longest(const Curve& curve) {
+  const std::vector<Segment> all = curve.segments();
+  return std::max_element(
+             all.begin(), all.end(),
+             [](const Segment& a, const Segment& b) { return a.length() < b.length(); })
+      ->point(0.5);
+}
+
 class Division {
  public:
-  Division(const Region& region, double radius)
+  Division(const Region& region, double radius, double corner_depth)
       : curves_(region.curves()),
         walls_({region}),
-        radius_(radius),
+        corner_depth_(corner_depth),
         opened_(offset(offset({region}, -radius), radius)),
         rooms_(opened_) {}
 
@@ -164,8 +174,8 @@ class Division {
         if (list[i].is_from == after.is_from) return std::nullopt;
         if (list[i].is_from) next[list[i].mouth] = &after;
       }
-      const Vec2 start = curves_[c].vertices().front().p;
-      if (!list.empty() || (!rooms_.empty() && rooms_.signed_distance(start) > -kShallow)) continue;
+      const Vec2 wall = middle_of_longest(curves_[c]);
+      if (!list.empty() || (!rooms_.empty() && rooms_.signed_distance(wall) > -kShallow)) continue;
       Loop loop;
       for (const Segment& s : curves_[c].segments()) loop.pieces.push_back({s, false});
       loops.push_back(std::move(loop));
@@ -222,7 +232,7 @@ class Division {
     for (const PassageBorder& piece : patch.front().pieces)
       for (const double t : {0.0, 0.5})
         deepest = std::max(deepest, -rooms_.signed_distance(piece.segment.point(t)));
-    return deepest <= kCornerDepth * radius_;
+    return deepest <= corner_depth_;
   }
 
   void fill_corner(const Loop& loop) {
@@ -273,7 +283,7 @@ class Division {
 
   std::vector<Curve> curves_;
   Area walls_;
-  double radius_;
+  double corner_depth_;  // mm
   std::vector<Region> opened_;
   Area rooms_;
   std::vector<Mouth> mouths_;
@@ -281,13 +291,19 @@ class Division {
 
 }  // namespace
 
-NarrowPlaces find_narrow_places(const Region& centres, double radius) {
+NarrowPlaces find_narrow_places(const Region& centres, double radius, double corner_depth) {
   EVENLOAD_ASSERT(radius > 0);
-  for (int i = 0; i < kMostRadii; ++i)
-    if (std::optional<NarrowPlaces> places =
-            Division(centres, radius * (1 - i * kOtherRadius)).divide())
+  double smaller = radius;
+  for (int i = 0; smaller > kShallow; ++i) {
+    if (std::optional<NarrowPlaces> places = Division(centres, smaller, corner_depth).divide())
       return std::move(*places);
-  throw InternalError("The mouths of the narrow passages have no order.");
+    smaller *= i < kRadiiNearby ? 1 - kOtherRadius : 0.5;
+  }
+  return {{centres}, {}};
+}
+
+NarrowPlaces find_narrow_places(const Region& centres, double radius) {
+  return find_narrow_places(centres, radius, kCornerDepth * radius);
 }
 
 }  // namespace evenload

@@ -3,9 +3,8 @@
 //
 // The region of tool centres is opened by a disc (shrunk by its radius, then grown again). The arcs
 // of the opened border that do not lie on the region's own border are mouths: behind each lies a
-// patch that the disc cannot reach. A patch behind one mouth only that is no deeper than the disc's
-// radius, which is what a corner of 60 degrees keeps, is a mere corner and stays with its room;
-// every other is a passage. Our own.
+// patch that the disc cannot reach. A patch behind one mouth only that is no deeper than a given
+// depth is a mere corner and stays with its room; every other is a passage. Our own.
 #pragma once
 
 #include <vector>
@@ -34,8 +33,11 @@ struct NarrowPlaces {
 
 // Laws: rooms and passages share nothing but mouths and together are `centres`; a region that the
 // disc cannot enter is one passage; one in which it leaves nothing but corners is one room per
-// piece. Condition: radius > 0. Tolerance: kOffsetTolerance; passages less deep than kShallow mm
-// are not told from walls.
+// piece. A disc whose mouths have no clear order gives way to a smaller one, and one no wider than
+// kShallow to none: all is one room then. Condition: radius > 0. Tolerance: kOffsetTolerance;
+// passages less deep than kShallow mm are not told from walls.
+NarrowPlaces find_narrow_places(const Region& centres, double radius, double corner_depth);
+// The same, where corners are no deeper than the disc's radius, as all of 60 degrees and more are.
 NarrowPlaces find_narrow_places(const Region& centres, double radius);
 inline constexpr double kShallow = 1e-5;
 

@@ -167,6 +167,13 @@ double PassageAxis::narrowest() const {
   return points.empty() ? 0 : least;
 }
 
+double PassageAxis::length() const {
+  double twice = 0;
+  for (const Point& point : points)
+    for (const std::size_t next : point.next) twice += distance(point.p, points[next].p);
+  return 0.5 * twice;
+}
+
 std::vector<PassageAxis> passage_axes(const Region& centres, const NarrowPlaces& places,
                                       double spacing) {
   if (places.passages.empty()) return {};

@@ -20,6 +20,7 @@ struct PassageAxis {
   std::vector<Point> points;
   // mm: twice the smallest distance to the walls, mouths aside.
   double narrowest() const;
+  double length() const;  // mm, of all branches
 };
 
 // The axes of all passages, in their order. Laws: every point lies in its passage, a mouth on the

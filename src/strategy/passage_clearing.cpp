@@ -6,36 +6,30 @@
 #include <optional>
 #include <utility>
 
-#include "feed/load_profile.h"
 #include "geometry/arc_fit.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
-#include "strategy/links.h"
+#include "strategy/passage_path.h"
+#include "strategy/passage_walls.h"
 
 namespace evenload {
 namespace {
 
 // mm: by which arcs in place of the middle's points leave them.
 constexpr double kFit = kAxisTolerance;
-// Share of the tool's radius: no shorter parts of a move are told apart as free.
-constexpr double kLook = 0.5;
-// Of the wall's length: where a tool's radius is more, the wall has one feed.
-constexpr double kShortWall = 0.3;
-// mm: a wall this much further than the nearest one is touched as well.
-constexpr double kTouched = 1e-3;
+// rad: the way from a hole to the middle turns by no more.
+constexpr double kMostTurn = 0.9 * kPi;
 constexpr std::size_t kNone = ~std::size_t{0};
 
-std::vector<Segment> reversed(const std::vector<Segment>& moves) {
-  std::vector<Segment> result;
-  for (auto move = moves.rbegin(); move != moves.rend(); ++move) result.push_back(move->reversed());
-  return result;
-}
-
-// The widest place of a passage's middle.
+// The widest place of a passage's middle; an end, from which one way leads on, where that is as
+// wide.
 std::size_t widest_point(const PassageAxis& axis) {
+  const auto is_end = [&](std::size_t i) { return axis.points[i].next.size() == 1; };
   std::size_t best = 0;
-  for (std::size_t i = 1; i < axis.points.size(); ++i)
-    if (axis.points[i].radius > axis.points[best].radius + 1e-9) best = i;
+  for (std::size_t i = 1; i < axis.points.size(); ++i) {
+    const double wider = axis.points[i].radius - axis.points[best].radius;
+    if (wider > kFit || (wider > -kFit && is_end(i) && !is_end(best))) best = i;
+  }
   return best;
 }
 
@@ -50,13 +44,9 @@ class PassageClearing {
         first_number_(first_number),
         params_(params),
         progress_(progress),
-        centres_({task.centres}),
-        ground_(grown(bounds_of({task.centres}), 0.5 * params.tool_diameter),
-                0.5 * params.tool_diameter, task.has_open_edges ? &task.material : nullptr),
+        path_(task, params),
         room_done_(places.rooms.size(), 0),
-        passage_done_(places.passages.size(), 0) {
-    if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
-  }
+        passage_done_(places.passages.size(), 0) {}
 
   RegionResult run() {
     begin();
@@ -65,6 +55,9 @@ class PassageClearing {
       if (passage == kNone) break;
       cut_passage(passage);
     }
+    result_.passes += path_.passes();
+    result_.links += path_.links();
+    result_.runs = path_.take_runs();
     return std::move(result_);
   }
 
@@ -79,7 +72,7 @@ class PassageClearing {
       if (task_.hole) {
         if (room.contains(*task_.hole)) first = i;
       } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic &&
-                 start_outside(Area({room}), task_.material, ground_)) {
+                 start_outside(Area({room}), task_.material, path_.ground())) {
         first = i;
         break;
       }
@@ -93,7 +86,7 @@ class PassageClearing {
 
   // A passage that opens into a room that is done; the first of all at the beginning.
   std::size_t next_passage() const {
-    const bool at_start = result_.runs.empty();
+    const bool at_start = path_.runs().empty();
     for (std::size_t k = 0; k < passage_done_.size(); ++k) {
       if (passage_done_[k]) continue;
       const std::vector<std::size_t>& rooms = places_.passages[k].rooms;
@@ -111,7 +104,7 @@ class PassageClearing {
     task.centres = room;
     if (task.hole && !room.contains(*task.hole)) task.hole.reset();
     task.around = {task_.centres};
-    task.before = result_.runs;
+    task.before = path_.runs();
     const double done = share_done(), all = task_.centres.area();
     room_done_[index] = 1;
     Progress share([&](double part) {
@@ -119,18 +112,13 @@ class PassageClearing {
     });
     RegionResult cleared = clear_region(task, params_, share);
     for (PlanarRun& run : cleared.runs) {
-      run.new_region = result_.runs.empty();
-      add_descent(run.descent, ground_);
-      for (const PlanarMove& move : run.moves) ground_.add(move.segment);
-      result_.runs.push_back(std::move(run));
-    }
-    if (!result_.runs.empty() && !result_.runs.back().moves.empty()) {
-      const Segment& last = result_.runs.back().moves.back().segment;
-      here_ = {last.b, angle_of(last.tangent(1))};
+      run.new_region = path_.runs().empty();
+      path_.append(std::move(run));
     }
     result_.uncut_area += cleared.uncut_area;
     result_.passes += cleared.passes;
     result_.links += cleared.links;
+    result_.tight_turns.add(cleared.tight_turns);
     for (std::string& note : cleared.notes) result_.notes.push_back(std::move(note));
   }
 
@@ -145,12 +133,22 @@ class PassageClearing {
 
   // ---- one passage ----
 
+  // The middle, then the rooms behind it, which leave its mouths clear, then the walls. Rooms that
+  // are begun from their mouths need the walls' cut first.
   void cut_passage(std::size_t k) {
-    number_ = first_number_ + static_cast<int>(k);
+    const int number = first_number_ + static_cast<int>(k);
     const PassageAxis& axis = axes_[k];
     passage_done_[k] = 1;
     const std::size_t root = axis.points.empty() ? kNone : come_to(axis, k);
-    if (root != kNone) follow_walls(axis, places_.passages[k], follow_middle(axis, root));
+    if (root != kNone) follow_middle(axis, root, number);
+    const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
+    if (!walls_first) clear_rooms_beside(k);
+    if (root != kNone && !progress_.cancelled())
+      follow_walls(places_.passages[k], axis, number, params_, path_);
+    if (walls_first) clear_rooms_beside(k);
+  }
+
+  void clear_rooms_beside(std::size_t k) {
     progress_.report(share_done());
     for (const std::size_t room : places_.passages[k].rooms)
       if (!room_done_[room] && !progress_.cancelled()) clear_room(room);
@@ -158,24 +156,22 @@ class PassageClearing {
 
   // Brings the tool to a point of the middle where it may begin.
   std::size_t come_to(const PassageAxis& axis, std::size_t k) {
-    if (!result_.runs.empty()) {
-      const std::size_t mouth = nearest_clear(axis, true);
+    const bool is_new = path_.runs().empty();
+    if (!is_new) {
+      const std::size_t mouth = nearest_mouth(axis);
       if (mouth != kNone) {
-        link_or_retract(axis, mouth);
+        path_.reach(pose_at(axis, mouth, axis.points[mouth].next.front()));
         return mouth;
       }
     }
-    const bool is_new = result_.runs.empty();
     if (task_.hole && places_.passages[k].centres.contains(*task_.hole)) {
-      result_.runs.push_back({{DescentKind::kPlunge, *task_.hole, {}, 0, {}, false}, {}, is_new});
-      here_ = {*task_.hole, 0};
-      return go_to_nearest(axis);
+      path_.begin({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false}, {*task_.hole, 0}, is_new);
+      return go_from_hole(axis, first_number_ + static_cast<int>(k));
     }
-    if (const std::size_t outside = nearest_clear(axis, false);
+    if (const std::size_t outside = place_outside(axis);
         outside != kNone && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
       const Vec2 at = axis.points[outside].p;
-      result_.runs.push_back({{DescentKind::kPlunge, at, {}, 0, {}, false}, {}, is_new});
-      here_ = {at, 0};
+      path_.begin({DescentKind::kPlunge, at, {}, 0, {}, false}, {at, 0}, is_new);
       return outside;
     }
     if (params_.entry == EntryKind::kPredrilledHole) return kNone;
@@ -189,226 +185,134 @@ class PassageClearing {
     params.entry = EntryKind::kRamp;
     const Vec2 at = axis.points[widest].p;
     const std::optional<Entry> entry =
-        descend_within(centres_, {at, axis.points[widest].radius}, params);
+        descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
     if (!entry) return kNone;
-    add_descent(entry->descent, ground_);
-    result_.runs.push_back({entry->descent, {}, is_new});
-    here_ = entry->start;
+    path_.begin(entry->descent, entry->start, is_new);
     return widest;
   }
 
-  std::size_t nearest_clear(const PassageAxis& axis, bool mouths) const {
+  // At a point of the middle, on the way to its neighbour.
+  static Pose pose_at(const PassageAxis& axis, std::size_t point, std::size_t neighbour) {
+    return {axis.points[point].p, angle_of(axis.points[neighbour].p - axis.points[point].p)};
+  }
+
+  std::size_t nearest_mouth(const PassageAxis& axis) const {
     std::size_t best = kNone;
+    double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
-      if (axis.points[i].is_mouth != mouths && mouths) continue;
-      if (best != kNone &&
-          squared_norm(axis.points[i].p - here_.p) >= squared_norm(axis.points[best].p - here_.p))
-        continue;
-      if (ground_.is_clear(axis.points[i].p)) best = i;
+      const double d = distance(axis.points[i].p, path_.here().p);
+      if (!axis.points[i].is_mouth || d >= nearest || !path_.is_clear(axis.points[i].p)) continue;
+      best = i;
+      nearest = d;
     }
     return best;
   }
 
-  // From a hole to the middle, straight.
-  std::size_t go_to_nearest(const PassageAxis& axis) {
-    std::size_t best = 0;
-    for (std::size_t i = 1; i < axis.points.size(); ++i)
-      if (squared_norm(axis.points[i].p - here_.p) < squared_norm(axis.points[best].p - here_.p))
+  // The last place of the middle before the material; any clear one where there is no such place.
+  std::size_t place_outside(const PassageAxis& axis) const {
+    std::size_t any = kNone;
+    for (std::size_t i = 0; i < axis.points.size(); ++i) {
+      if (!path_.is_clear(axis.points[i].p)) continue;
+      any = i;
+      for (const std::size_t next : axis.points[i].next)
+        if (!path_.is_clear(axis.points[next].p)) return i;
+    }
+    return any;
+  }
+
+  // From a hole's centre by one arc that ends along the middle; straight where none has room.
+  std::size_t go_from_hole(const PassageAxis& axis, int number) {
+    const Vec2 hole = path_.here().p;
+    std::size_t best = kNone, nearest = 0;
+    Segment way;
+    for (std::size_t i = 0; i < axis.points.size(); ++i) {
+      const Vec2 to = axis.points[i].p - hole;
+      if (norm(to) < norm(axis.points[nearest].p - hole)) nearest = i;
+      for (const std::size_t next : axis.points[i].next) {
+        const double turn =
+            2 * wrap_signed(pose_at(axis, i, next).heading - (norm(to) > 0 ? angle_of(to) : 0));
+        const Segment arc = Segment::from_bulge(hole, axis.points[i].p, std::tan(turn / 4));
+        if (norm(to) < kZeroLength || std::abs(turn) > kMostTurn || !is_inside(arc)) continue;
+        if (best != kNone && arc.length() >= way.length()) continue;
         best = i;
-    const Vec2 to = axis.points[best].p;
-    for (int i = 0; i <= 8; ++i)
-      if (centres_.signed_distance(here_.p + (i / 8.0) * (to - here_.p)) < -kZeroLength)
-        return kNone;
-    go({Segment::line(here_.p, to)});
-    return best;
-  }
-
-  void link_or_retract(const PassageAxis& axis, std::size_t mouth) {
-    const PassageAxis::Point& point = axis.points[mouth];
-    const Pose to{point.p, angle_of(axis.points[point.next.front()].p - point.p)};
-    const double turn = std::min(params_.roll_radius, params_.minimum_radius);
-    const double retract = 2 * (params_.safe_height - params_.levels.back()) / params_.rapid_feed;
-    const std::vector<Segment> link = shortest_link({ground_, ground_.size()}, centres_, here_, to,
-                                                    turn, retract * params_.link_feed);
-    if (!link.empty()) {
-      add(MoveKind::kLink, link);
-      ++result_.links;
-      return;
-    }
-    retract_to(point.p);
-  }
-
-  void retract_to(Vec2 p) {
-    result_.runs.push_back({{DescentKind::kPlunge, p, {}, 0, {}, true}, {}, false});
-    here_ = {p, 0};
-  }
-
-  // ---- moves ----
-
-  void add(MoveKind kind, const std::vector<Segment>& moves) {
-    for (const Segment& move : moves) {
-      PlanarMove planar;
-      planar.kind = kind;
-      planar.segment = move;
-      if (kind == MoveKind::kCut) planar.passage = number_;
-      result_.runs.back().moves.push_back(planar);
-      ground_.add(move);
-    }
-    if (!moves.empty()) here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
-  }
-
-  // Every move as a link where it meets nothing, else as a cut.
-  void go(const std::vector<Segment>& moves) {
-    for (const Segment& move : moves) {
-      if (move.length() < kZeroLength) continue;
-      const int n = std::max(1, static_cast<int>(move.length() / (kLook * ground_.tool_radius())));
-      const auto part = [&](int from, int to) {
-        return move.part(static_cast<double>(from) / n, static_cast<double>(to) / n);
-      };
-      std::vector<char> free;
-      free.reserve(static_cast<std::size_t>(n));
-      for (int i = 0; i < n; ++i)
-        free.push_back(
-            is_free({ground_, ground_.size()}, centres_, {part(i, i + 1)}, move.length()) ? 1 : 0);
-      for (int first = 0, last = 0; first < n; first = last) {
-        const char kind = free[static_cast<std::size_t>(first)];
-        while (last < n && free[static_cast<std::size_t>(last)] == kind) ++last;
-        add(kind ? MoveKind::kLink : MoveKind::kCut, {part(first, last)});
+        way = arc;
       }
     }
+    if (norm(axis.points[nearest].p - hole) < kZeroLength) return nearest;
+    if (best == kNone) {
+      way = Segment::line(hole, axis.points[nearest].p);
+      if (!is_inside(way)) return kNone;
+      best = nearest;
+    }
+    path_.follow({way}, number);
+    return best;
+  }
+
+  bool is_inside(const Segment& move) const {
+    for (int i = 0; i <= 8; ++i)
+      if (path_.centres().signed_distance(move.point(i / 8.0)) < -kZeroLength) return false;
+    return true;
   }
 
   // ---- the middle ----
 
-  // A stretch of the middle between forks, ends and the root.
-  struct Chain {
-    std::size_t to = 0;
-    std::vector<Segment> moves;
-  };
+  using Used = std::vector<std::vector<char>>;  // which ways out of a point are cut
 
-  // Cuts every branch once, from forks that are reached already, and comes back on what is cut.
-  // Returns the point where it ends.
-  std::size_t follow_middle(const PassageAxis& axis, std::size_t root) {
-    std::vector<std::vector<char>> used(axis.points.size());
+  // Cuts every branch once, from forks that are reached already.
+  void follow_middle(const PassageAxis& axis, std::size_t root, int number) {
+    Used used(axis.points.size());
     for (std::size_t i = 0; i < axis.points.size(); ++i)
       used[i].assign(axis.points[i].next.size(), 0);
-    std::vector<Chain> way;  // from the root to here
-    std::size_t at = root;
-    while (!progress_.cancelled()) {
-      const auto free = std::find(used[at].begin(), used[at].end(), 0);
-      if (free != used[at].end()) {
-        Chain chain =
-            follow(axis, at, static_cast<std::size_t>(free - used[at].begin()), root, used);
-        const std::size_t from = at;
-        at = chain.to;
-        go(chain.moves);
-        ++result_.passes;
-        chain.to = from;
-        way.push_back(std::move(chain));
+    std::vector<std::size_t> reached{root};  // points with ways out, the newest last
+    while (!reached.empty() && !progress_.cancelled()) {
+      const std::size_t at = reached.back(), out = next_way(axis, at, used);
+      if (out == kNone) {
+        reached.pop_back();
         continue;
       }
-      if (std::none_of(used.begin(), used.end(), [](const std::vector<char>& flags) {
-            return std::find(flags.begin(), flags.end(), 0) != flags.end();
-          }))
-        return at;
-      if (way.empty()) return at;
-      add(MoveKind::kLink, reversed(way.back().moves));
-      at = way.back().to;
-      way.pop_back();
+      std::size_t end = at;
+      path_.follow(chain(axis, &end, out, root, used), number);
+      reached.push_back(end);
     }
-    return at;
   }
 
-  static Chain follow(const PassageAxis& axis, std::size_t from, std::size_t branch,
-                      std::size_t root, std::vector<std::vector<char>>& used) {
-    std::vector<Vec2> points{axis.points[from].p};
-    std::size_t at = from, out = branch;
+  // Straight on where the tool stands there, else the first that is not cut.
+  std::size_t next_way(const PassageAxis& axis, std::size_t at, const Used& used) const {
+    std::size_t best = kNone;
+    double least = std::numeric_limits<double>::infinity();
+    const bool stands_there = distance(path_.here().p, axis.points[at].p) < kFit;
+    for (std::size_t i = 0; i < used[at].size(); ++i) {
+      if (used[at][i]) continue;
+      const double heading = pose_at(axis, at, axis.points[at].next[i]).heading;
+      const double turn = stands_there ? std::abs(wrap_signed(heading - path_.here().heading)) : 0;
+      if (turn >= least) continue;
+      best = i;
+      least = turn;
+    }
+    return best;
+  }
+
+  // The stretch of the middle from `*at` on to the next fork, end, or the root; `*at`: that point.
+  static std::vector<Segment> chain(const PassageAxis& axis, std::size_t* at, std::size_t out,
+                                    std::size_t root, Used& used) {
+    std::vector<Vec2> points{axis.points[*at].p};
     for (;;) {
-      const std::size_t next = axis.points[at].next[out];
-      used[at][out] = 1;
+      const std::size_t next = axis.points[*at].next[out];
+      used[*at][out] = 1;
       const std::vector<std::size_t>& neighbours = axis.points[next].next;
       for (std::size_t i = 0; i < neighbours.size(); ++i)
-        if (neighbours[i] == at && !used[next][i]) {
+        if (neighbours[i] == *at && !used[next][i]) {
           used[next][i] = 1;
           break;
         }
       points.push_back(axis.points[next].p);
-      at = next;
-      if (neighbours.size() != 2 || at == root) break;
-      const auto free = std::find(used[at].begin(), used[at].end(), 0);
-      if (free == used[at].end()) break;
-      out = static_cast<std::size_t>(free - used[at].begin());
+      *at = next;
+      if (neighbours.size() != 2 || *at == root) break;
+      const auto free = std::find(used[*at].begin(), used[*at].end(), 0);
+      if (free == used[*at].end()) break;
+      out = static_cast<std::size_t>(free - used[*at].begin());
     }
-    return {at, fit_arcs(points, kFit).segments()};
-  }
-
-  // ---- the walls ----
-
-  // Along every loop of the passage's border, mouths straight across. The walls lie to the right.
-  void follow_walls(const PassageAxis& axis, const Passage& passage, std::size_t at) {
-    for (const std::vector<PassageBorder>& loop : passage.loops) {
-      if (progress_.cancelled()) return;
-      const std::vector<Segment> moves = straight_over_mouths(loop);
-      std::size_t from = at;
-      double best = excess(axis, at, moves);
-      for (std::size_t i = 0; best > kTouched && i < axis.points.size(); ++i) {
-        const double value = excess(axis, i, moves);
-        if (value < best) {
-          best = value;
-          from = i;
-        }
-      }
-      if (from != at) retract_to(axis.points[from].p);
-      at = from;
-      follow_loop(moves, axis.points[at].p);
-      ++result_.passes;
-    }
-  }
-
-  static std::vector<Segment> straight_over_mouths(const std::vector<PassageBorder>& loop) {
-    std::vector<Segment> moves;
-    moves.reserve(loop.size());
-    for (const PassageBorder& piece : loop)
-      moves.push_back(piece.is_mouth ? Segment::line(piece.segment.a, piece.segment.b)
-                                     : piece.segment);
-    return moves;
-  }
-
-  // mm: how much further than the nearest wall the loop is from a point of the middle.
-  static double excess(const PassageAxis& axis, std::size_t point,
-                       const std::vector<Segment>& loop) {
-    double nearest = std::numeric_limits<double>::infinity();
-    for (const Segment& piece : loop)
-      nearest = std::min(nearest, piece.distance_to(axis.points[point].p));
-    return nearest - axis.points[point].radius;
-  }
-
-  // From `middle` to the nearest place of the loop, all round, and back.
-  void follow_loop(const std::vector<Segment>& loop, Vec2 middle) {
-    std::size_t first = 0;
-    for (std::size_t i = 1; i < loop.size(); ++i)
-      if (loop[i].distance_to(middle) < loop[first].distance_to(middle) - 1e-9) first = i;
-    const double t = loop[first].nearest(middle);
-    const Vec2 start = loop[first].point(t);
-    std::vector<Segment> moves{Segment::line(middle, start)};
-    if (t < 1) add_with_ends(moves, loop[first].part(t, 1));
-    for (std::size_t i = 1; i < loop.size(); ++i)
-      add_with_ends(moves, loop[(first + i) % loop.size()]);
-    if (t > 0) add_with_ends(moves, loop[first].part(0, t));
-    moves.push_back(Segment::line(start, middle));
-    go(moves);
-  }
-
-  // In corners the tool meets more than between them: the ends get feeds of their own.
-  void add_with_ends(std::vector<Segment>& moves, const Segment& wall) const {
-    const double share = ground_.tool_radius() / wall.length();
-    if (share > kShortWall) {
-      moves.push_back(wall);
-      return;
-    }
-    moves.push_back(wall.part(0, share));
-    moves.push_back(wall.part(share, 1 - share));
-    moves.push_back(wall.part(1 - share, 1));
+    return fit_arcs(points, kFit).segments();
   }
 
   const RegionTask& task_;
@@ -417,12 +321,9 @@ class PassageClearing {
   int first_number_;
   const ClearingParams& params_;
   Progress& progress_;
-  Area centres_;
-  ClearedGround ground_;
+  PassagePath path_;
   std::vector<char> room_done_, passage_done_;
   RegionResult result_;
-  Pose here_;
-  int number_ = 0;
 };
 
 }  // namespace

@@ -13,7 +13,8 @@ namespace {
 
 // mm: a passage whose free width is twice the minimum radius to within this is not narrow.
 constexpr double kJustWide = 0.002;
-// Of the widest free width: between points of a passage's middle.
+// Of the widest free width, or of the tool's radius where that is tiny: between points of a
+// passage's middle.
 constexpr double kAxisSpacing = 0.125;
 
 Curve without_cusps(const std::vector<PassageBorder>& loop) {
@@ -34,7 +35,25 @@ double left_in(const PassageReport& passage, const ClearedGround& ground) {
 
 }  // namespace
 
+namespace {
+
+DividedRegion without_room_for_trochoids(const Region& centres, const ClearingParams& params) {
+  const double tool_radius = 0.5 * params.tool_diameter;
+  const double radius = std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
+  // Corners, however sharp, are the wall pass's.
+  DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};
+  region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
+  const bool is_long =
+      std::any_of(region.axes.begin(), region.axes.end(),
+                  [&](const PassageAxis& axis) { return axis.length() > tool_radius; });
+  return is_long || region.places.rooms.empty() ? region : DividedRegion{{{centres}, {}}, {}};
+}
+
+}  // namespace
+
 DividedRegion divide(const Region& centres, const ClearingParams& params) {
+  if (params.narrow_passages == NarrowPassages::kTrochoid)
+    return without_room_for_trochoids(centres, params);
   double radius = params.minimum_radius - 0.5 * kJustWide;
   if (params.narrow_passages == NarrowPassages::kReducedFeed)
     radius = std::min(radius, kWidestPassage * 0.5 * params.tool_diameter);
@@ -57,9 +76,15 @@ std::vector<PassageReport> reports_of(const DividedRegion& region, const Clearin
     report.at = axis.points.empty() ? report.centres.outer.vertices().front().p
                                     : axis.points[axis.points.size() / 2].p;
     report.width = params.tool_diameter + 2 * (params.stock_to_leave + kWallGap) + axis.narrowest();
+    report.no_turns = params.narrow_passages == NarrowPassages::kTrochoid;
     reports.push_back(std::move(report));
   }
   return reports;
+}
+
+bool is_in_passage(Vec2 p, const std::vector<PassageReport>& passages) {
+  return std::any_of(passages.begin(), passages.end(),
+                     [&](const PassageReport& passage) { return passage.centres.contains(p); });
 }
 
 void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
@@ -88,7 +113,8 @@ void tell(const std::vector<PassageReport>& passages, const ClearedGround& groun
     if (left == 0 && passage.feed == 0) continue;  // the tool has reached it from a room
     std::ostringstream note;
     note << std::fixed << std::setprecision(2);
-    note << (passage.feed > 0 ? "Cut at reduced feed: " : "Skipped: ") << "the passage near ("
+    note << (passage.feed > 0 ? "Cut at reduced feed" : "Skipped")
+         << (passage.no_turns ? ", too narrow for trochoids" : "") << ": the passage near ("
          << (mirror ? -passage.at.x : passage.at.x) << ", " << passage.at.y << "), "
          << passage.width << " mm wide at its narrowest";
     if (passage.feed > 0)

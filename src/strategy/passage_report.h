@@ -20,6 +20,7 @@ struct PassageReport {
   double width = 0;       // mm: of the pocket, where the passage is narrowest
   double engagement = 0;  // rad, the most that a cut in it meets
   double feed = 0;        // mm/min, the lowest in it; 0: it is not cut
+  bool no_turns = false;  // it was to be cut by trochoids, but is too narrow for them
 };
 
 struct DividedRegion {
@@ -28,13 +29,21 @@ struct DividedRegion {
 };
 
 // The rooms and passages of a region of tool centres for the set minimum radius. With
-// NarrowPassages::kReducedFeed passages are no wider than kWidestPassage allows.
+// NarrowPassages::kReducedFeed passages are no wider than kWidestPassage allows; with kTrochoid
+// they are those where trochoids are no way to cut: too narrow for turns of kTightestTrochoid, and
+// one of them longer than the tool's radius, or without a room beside it.
 DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.
 inline constexpr double kWidestPassage = 0.9;
+// mm, or the share of the tool's radius where that is less: programs are posted with lines instead
+// of arcs that turn more tightly, and passes take away hundredths of a millimetre each.
+inline constexpr double kTightestTrochoid = 0.08;
+inline constexpr double kTightestTrochoidShare = 0.03;
 
 std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params);
+
+bool is_in_passage(Vec2 p, const std::vector<PassageReport>& passages);
 
 // Notes the engagement in each passage. `profile`: of these very runs.
 void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,

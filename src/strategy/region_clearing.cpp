@@ -42,13 +42,8 @@ constexpr double kSamePlace = 1e-4;
 constexpr double kFirstTurn = 0.5;
 // Rooms less wide than this share of the tool's radius get no entry of their own.
 constexpr double kNarrowestRoom = 0.02;
-// s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
-// staying down is gentler.
-constexpr double kRetractPrice = 0.3;
 // Tool radii at link feed: what it costs to leave a front unfinished.
 constexpr double kLeavingPrice = 1;
-// A way along a wall, which is less gentle, counts so many times its length.
-constexpr double kGrazingPrice = 1.5;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
@@ -103,14 +98,8 @@ class RegionClearing {
                    : "for the turned-off WallPass, or where the tool has too little room to turn.");
       result_.notes.push_back(note.str());
     }
-    const double wish = limits().widest;
-    if (tightest_ < wish * (1 - 1e-9)) {
-      std::ostringstream note;
-      note << std::fixed << std::setprecision(3) << "Turned more tightly than the wished " << wish
-           << " mm in corners and narrow places, down to " << tightest_ << " mm near ("
-           << std::setprecision(2) << shown(tightest_at_).x << ", " << tightest_at_.y << ").";
-      result_.notes.push_back(note.str());
-    }
+    if (tightest_ < limits().widest * (1 - 1e-9))
+      result_.tight_turns = {1, tightest_, shown(tightest_at_)};
   }
 
   StageLimits limits() const {
@@ -352,8 +341,8 @@ class RegionClearing {
     if (result_.runs.empty()) return false;
     if (distance(here_.p, to.p) < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6)
       return true;
-    double cost = 0;
-    const std::vector<Segment> link = cheapest_link(to, before, &cost);
+    const std::vector<Segment> link =
+        quicker_link({ground_, before}, around_, here_, to, link_turn(), params_);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
@@ -576,28 +565,6 @@ class RegionClearing {
     return false;
   }
 
-  // mm at link feed that take as long as to go up, to `to` and down again.
-  double retract_to(Vec2 to) const {
-    const double rise =
-        params_.safe_height - 0.5 * (params_.levels.front() + params_.levels.back());
-    const double time = (2 * rise + distance(here_.p, to)) / params_.rapid_feed;
-    return (time + kRetractPrice / 60) * params_.link_feed;
-  }
-
-  // The cheapest link to `to` over ground that was cleared before the move numbered `before`, and
-  // what it costs: mm at link feed. Empty where to go up and down is as quick.
-  std::vector<Segment> cheapest_link(const Pose& to, std::size_t before, double* cost) const {
-    const double retract = retract_to(to.p);
-    std::vector<Segment> link =
-        shortest_link({ground_, before}, around_, here_, to, link_turn(), retract);
-    *cost = link.empty() ? retract : length_of(link);
-    if (!link.empty()) return link;
-    link = shortest_link({ground_, before}, around_, here_, to, link_turn(),
-                         retract / kGrazingPrice, LinkSpace::kGrazing);
-    if (!link.empty()) *cost = kGrazingPrice * length_of(link);
-    return link;
-  }
-
   // The start that is reached soonest. The front that the last pass was cut from has an advantage:
   // to leave it means to come back.
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
@@ -620,7 +587,8 @@ class RegionClearing {
     for (const Candidate& candidate : candidates) {
       if (candidate.least >= least) break;
       double cost = 0;
-      cheapest_link(candidate.start->pose, ground_.size(), &cost);
+      quicker_link({ground_, ground_.size()}, around_, here_, candidate.start->pose, link_turn(),
+                   params_, &cost);
       cost += candidate.extra;
       if (cost >= least) continue;
       least = cost;

@@ -8,6 +8,7 @@
 
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/turn_report.h"
 #include "support/progress.h"
 #include "toolpath/planar.h"
 
@@ -31,6 +32,7 @@ struct RegionResult {
   double uncut_area = 0;  // mm^2
   int passes = 0;
   int links = 0;
+  TightTurns tight_turns;
   std::vector<std::string> notes;
 };
 

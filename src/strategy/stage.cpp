@@ -20,14 +20,14 @@ constexpr double kSpareRatio = 0.5;
 // channel of its stage still has room between its roll-in and its roll-out.
 constexpr double kOpeningRatio = 1.25;
 
-// mm: how far the exact border's corners lie beyond the border of a stage.
+// mm: how far the exact border lies beyond the border of a stage, in corners or along the walls of
+// necks that the stage does not enter.
 double deepest_rest(const Region& exact, const Area& stage) {
   double deepest = 0;
   for (const Curve& curve : exact.curves())
-    for (const Segment& segment : curve.segments()) {
-      deepest = std::max(deepest, -stage.signed_distance(segment.a));
-      if (segment.is_arc()) deepest = std::max(deepest, -stage.signed_distance(segment.point(0.5)));
-    }
+    for (const Segment& segment : curve.segments())
+      for (const double t : {0.0, 0.5})
+        deepest = std::max(deepest, -stage.signed_distance(segment.point(t)));
   return deepest;
 }
 

@@ -45,7 +45,7 @@ constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of st
 constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 // The engagement that the last step is taken to have ended with, from the limit.
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
-constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
+constexpr double kMeanLength = 0.1;   // mm of path over which engagement is a mean
 constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
@@ -635,9 +635,9 @@ void Steering::reset(const Pose& start) {
   rises_ = false;
 }
 
-// Where a pass along the exact border ended in the middle of a front the next one would begin there,
-// and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far back as
-// the tool is clear, unless nothing is met at once.
+// Where a pass along the exact border ended in the middle of a front the next one would begin
+// there, and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far
+// back as the tool is clear, unless nothing is met at once.
 WallPlace Steering::run_up(const WallPlace& start) const {
   const Curve& curve = stage_.centres.curves()[start.curve];
   const std::size_t n = curve.segment_count();

@@ -32,8 +32,9 @@ struct Report {
   double ideal_time = 0;      // s: area / (r (1 - cos theta) feed), all levels
   double removed_volume = 0;  // mm^3
   double uncut_area = 0;      // mm^2, within reach and left, all levels taken once
-  double cut_length = 0;      // mm
-  double link_length = 0;     // mm
+  // Over all levels:
+  double cut_length = 0;   // mm
+  double link_length = 0;  // mm
   int passes = 0;
   int links = 0;
   int retracts = 0;

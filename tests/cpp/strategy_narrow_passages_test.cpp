@@ -126,6 +126,22 @@ TEST(NarrowPlaces, NameARoomTwiceThatAPassageLeavesAndComesBackTo) {
   EXPECT_NEAR(area_of(places), 600 - 90, 1e-4);
 }
 
+// No user's MinimumRadius is too small or fits too exactly.
+TEST(NarrowPlaces, AreFoundForDiscsOfAnySize) {
+  for (double radius = 1e-7; radius < 10; radius *= 3) {
+    SCOPED_TRACE(radius);
+    EXPECT_NEAR(area_of(find_narrow_places(two_rooms(1), radius)), 206, 1e-3);
+  }
+  for (double off = 1e-9; off < 1e-3; off *= 10)
+    for (const double radius : {0.5 - off, 0.5, 0.5 + off}) {
+      SCOPED_TRACE(off);
+      EXPECT_NEAR(area_of(find_narrow_places(two_rooms(1), radius)), 206, 1e-3);
+    }
+  const NarrowPlaces all = find_narrow_places(two_rooms(1), kShallow);
+  EXPECT_EQ(all.rooms.size(), 1u);
+  EXPECT_TRUE(all.passages.empty());
+}
+
 // Whatever the region: nothing is lost, and walls stay walls.
 TEST(NarrowPlaces, DivideEveryRegionOfTheCorpus) {
   for (const std::string& name : corpus::names()) {

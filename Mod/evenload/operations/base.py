@@ -370,7 +370,7 @@ class Operation(host.operation_base()):
         obj.IdealTime = report.ideal_time
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
-        obj.Retracts = report.retracts
+        obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
         obj.Report = "\n".join([*notes, *report.notes])
 
     def _clear_results(self, obj):

@@ -193,6 +193,8 @@ RESULT_SETTINGS = (
         "Area that the tool could reach and did not clear",
         RESULTS,
     ),
+    Setting("Passes", "App::PropertyInteger", 0, "Cuts without a break, at all levels", RESULTS),
+    Setting("Links", "App::PropertyInteger", 0, "Ways at depth from cut to cut", RESULTS),
     Setting(
         "Retracts",
         "App::PropertyInteger",
