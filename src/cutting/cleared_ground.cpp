@@ -67,16 +67,14 @@ void cut(std::vector<AngularInterval>& set, double low, double high) {
   if (has_extra) set.insert(set.begin() + static_cast<std::ptrdiff_t>(extra_at), extra);
 }
 
-// Removes the arc [low, high], given in any turn, from a set that lies within [set_low, set_low + 2
-// pi].
-void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
-  if (set.empty()) return;
+// Removes the arc [low, high], given in any turn, from a set that lies within [base, base + 2 pi].
+// `base` is that of the whole look: what is left does not depend on the order of the cuts, not even
+// in its last bit.
+void cut_wrapped(std::vector<AngularInterval>& set, double base, double low, double high) {
   const double width = high - low;
-  const double base = set.front().low;
   const double start = base + wrap_positive(low - base);
   cut(set, start, start + width);
-  if (!set.empty() && start + width > base + 2 * kPi)
-    cut(set, start - 2 * kPi, start - 2 * kPi + width);
+  if (start + width > base + 2 * kPi) cut(set, start - 2 * kPi, start - 2 * kPi + width);
 }
 
 // The least interval that holds what `set` has within [low, high]; of no width where that is
@@ -257,8 +255,10 @@ double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
 }
 
-bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
+bool ClearedGround::subtract(const Primitive& primitive, const Look& look,
                              std::vector<AngularInterval>& set) const {
+  const Vec2 p = look.p;
+  const double radius = look.radius;
   const Segment& s = primitive.segment;
   const double reach = primitive.radius;
   // The border consists of circles about the ends, where an end is the nearest point of the move,
@@ -332,18 +332,18 @@ bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
     if (high - from.angle < 1e-12) continue;
     const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
     if (distance(primitive, p + radius * middle) > reach) continue;
-    cut_wrapped(set, from.angle, high);
+    cut_wrapped(set, look.base, from.angle, high);
     covers = true;
   }
   return covers;
 }
 
 // Takes from `set` what the moves swept that matter within `window`. `seen`: moves taken already.
-void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, std::size_t last,
-                                  Seen& seen, std::vector<AngularInterval>& set) const {
+void ClearedGround::subtract_near(const Window& window, const Look& look, Seen& seen,
+                                  std::vector<AngularInterval>& set) const {
   const Cell& cell = cell_at(window.middle);
-  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
-    subtract(primitives_[static_cast<std::size_t>(cell.covered_by)], p, radius, set);
+  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
+    subtract(primitives_[static_cast<std::size_t>(cell.covered_by)], look, set);
     return;
   }
   if (cell.newest < 0) return;
@@ -354,19 +354,19 @@ void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, s
   const auto measure = [&] {
     part = part_within(set, window.low, window.high);
     const double aside = 0.5 * (part.low + part.high - window.low - window.high);
-    middle = p + rotated_little(window.middle - p, aside);
-    half = 0.5 * part.width() * radius + kDiscMargin * radius;
+    middle = look.p + rotated_little(window.middle - look.p, aside);
+    half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
   };
   measure();
   for (std::int32_t at = cell.newest; at >= 0 && part.width() > 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     at = entry.before;
     const auto index = static_cast<std::size_t>(entry.move);
-    if (index >= last || seen.moves[index] == seen.look) continue;
+    if (index >= look.last || seen.moves[index] == seen.look) continue;
     const Primitive& primitive = primitives_[index];
     if (distance(primitive, middle) >= primitive.radius + half) continue;
     seen.moves[index] = seen.look;
-    if (subtract(primitive, p, radius, set)) measure();
+    if (subtract(primitive, look, set)) measure();
   }
 }
 
@@ -378,6 +378,7 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   ++seen.look;
   if (seen.moves.size() < primitives_.size()) seen.moves.resize(2 * primitives_.size(), 0);
   const double radius = tool_radius_ - shrink;
+  const Look look{p, radius, low, last};
   set.clear();
   set.push_back({low, high});
   const int n =
@@ -389,7 +390,7 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
                         low + (k + 1) * step + kWindowMargin};
     if (!overlaps(set, window.low, window.high)) continue;
-    subtract_near(window, p, radius, last, seen, set);
+    subtract_near(window, look, seen, set);
     if (!go_on(window)) return;
   }
 }
@@ -397,10 +398,10 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
                               double shrink, std::size_t last) const {
   look_round(p, low, high, shrink, last, out, [](const Window&) { return true; });
-  if (limited_ && !out.empty()) remove_outside_material(p, tool_radius_ - shrink, out);
+  if (limited_ && !out.empty()) remove_outside_material(p, low, tool_radius_ - shrink, out);
 }
 
-void ClearedGround::remove_outside_material(Vec2 p, double radius,
+void ClearedGround::remove_outside_material(Vec2 p, double base, double radius,
                                             std::vector<AngularInterval>& set) const {
   std::vector<double> breaks;
   edge_boxes_.visit({p - Vec2{radius, radius}, p + Vec2{radius, radius}}, [&](std::uint32_t edge) {
@@ -435,7 +436,7 @@ void ClearedGround::remove_outside_material(Vec2 p, double radius,
     const double low = breaks[i];
     const double high = i + 1 < breaks.size() ? breaks[i + 1] : breaks[0] + 2 * kPi;
     if (high - low > 1e-12 && !material_.contains(p + radius * unit(0.5 * (low + high))))
-      cut_wrapped(set, low, high);
+      cut_wrapped(set, base, low, high);
   }
 }
 
@@ -446,7 +447,7 @@ bool ClearedGround::is_clear(Vec2 p, double shrink) const {
     return limited_ || !overlaps(scratch, window.low, window.high);
   };
   look_round(p, 0, 2 * kPi, shrink, primitives_.size(), scratch, go_on);
-  if (limited_ && !scratch.empty()) remove_outside_material(p, tool_radius_ - shrink, scratch);
+  if (limited_ && !scratch.empty()) remove_outside_material(p, 0, tool_radius_ - shrink, scratch);
   return scratch.empty();
 }
 

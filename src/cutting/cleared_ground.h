@@ -82,7 +82,14 @@ class ClearedGround {
   struct Entry {
     std::int32_t move = 0, before = -1;
   };
-  // The part of the circle that one look decides.
+  // One question about a circle.
+  struct Look {
+    Vec2 p;
+    double radius = 0;
+    double base = 0;       // rad: its arcs lie within a turn from here
+    std::size_t last = 0;  // moves from this one on do not count
+  };
+  // The part of the circle that is decided at once.
   struct Window {
     Vec2 middle;
     double low = 0, high = 0;
@@ -94,15 +101,16 @@ class ClearedGround {
   };
   // Takes what the move covers from the circle's arcs in `set`; false where it covers nothing of
   // the circle.
-  bool subtract(const Primitive& primitive, Vec2 p, double radius,
+  bool subtract(const Primitive& primitive, const Look& look,
                 std::vector<AngularInterval>& set) const;
-  void subtract_near(const Window& window, Vec2 p, double radius, std::size_t last, Seen& seen,
+  void subtract_near(const Window& window, const Look& look, Seen& seen,
                      std::vector<AngularInterval>& set) const;
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;
   double distance(const Primitive& primitive, Vec2 x) const;
-  void remove_outside_material(Vec2 p, double radius, std::vector<AngularInterval>& set) const;
+  void remove_outside_material(Vec2 p, double base, double radius,
+                               std::vector<AngularInterval>& set) const;
   const Cell& cell_at(Vec2 x) const;
   template <typename Visit>
   void visit_cells(const Primitive& primitive, Visit visit);
