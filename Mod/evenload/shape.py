@@ -27,6 +27,7 @@ CURVE_SHARE = 0.25
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
 MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
+UPRIGHT = 1e-9  # of unit vectors: what rises in a right angle
 ACROSS = 10  # rows of points on the ground up to there
 FAN = (-80, -50, -25, 0, 25, 50, 80)  # degrees from an edge's normal, at its ends
 
@@ -40,6 +41,7 @@ class Floor:
     outer: list  # of (x, y, bulge, open)
     islands: list
     is_face: bool  # a floor of the model; else an outline drawn at any height
+    enclosed: bool = False  # by upright walls of the model, all round
     slack: float = 0.0  # mm, by which the chains may leave the geometry, to either side
     notes: list = field(default_factory=list)
 
@@ -66,7 +68,11 @@ def floors(base, models, stock, tool_diameter, tolerance):
     """
     found = []
     for item in _items(base):
-        found += _read(item, tolerance)
+        read = _read(item, tolerance)
+        if item.is_face and _enclosed(item.shape, models):
+            for floor in read:
+                floor.enclosed = True
+        found += read
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     walls = _Walls(models, stock)
@@ -210,7 +216,7 @@ def _read(item, tolerance):
     exact = all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in item.shape.Edges)
     slack = 0.0 if exact else within
     return [
-        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face, slack)
+        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face, slack=slack)
         for z, outer, islands in found
     ]
 
@@ -224,6 +230,37 @@ def _sentence(item, error):
 
 
 # ---- open edges ----
+
+
+def _enclosed(floor, models):
+    """Whether `floor` is a face of a solid with its upright walls along every edge. That is what
+    `_judge_edges` would find, too, but sections of the model take much longer.
+    """
+    bare = {edge.hashCode(): edge for edge in floor.Edges}
+    if floor.ShapeType != "Face" or len(bare) < len(floor.Edges) or floor.normalAt(0, 0).z < 0:
+        return False
+    z = floor.BoundBox.ZMax
+    for face in [f for model in models for solid in model.Solids for f in solid.Faces]:
+        shared = [e for e in face.Edges if e.hashCode() in bare]
+        if shared and _rises(face, z):
+            for edge in shared:
+                if bare.get(edge.hashCode(), floor).isSame(edge):
+                    del bare[edge.hashCode()]
+    return not bare
+
+
+def _rises(face, z):
+    """Whether a face stands upright on the height z."""
+    surface = face.Surface
+    if isinstance(surface, Part.Plane):
+        upright = abs(surface.Axis.z) < UPRIGHT
+    elif isinstance(surface, Part.Cylinder):
+        upright = abs(surface.Axis.z) > 1 - UPRIGHT
+    else:
+        extruded = isinstance(surface, Part.SurfaceOfExtrusion)
+        upright = extruded and abs(surface.Direction.z) > 1 - UPRIGHT
+    box = face.BoundBox
+    return upright and box.ZMin > z - SAME_HEIGHT and box.ZMax > z + 2 * ABOVE_FLOOR
 
 
 class _Walls:
@@ -275,10 +312,13 @@ def _judge_edges(floor, walls, tool_diameter, tolerance):
     """Marks the open edges of a floor; drops islands that are holes in the floor with the stock
     still in them.
     """
+    outer = floor.outer = _oriented(floor.outer, counter_clockwise=True)
+    floor.islands = [_oriented(island, counter_clockwise=False) for island in floor.islands]
+    if floor.enclosed:
+        return
     z = floor.z + ABOVE_FLOOR
     kept = []
     for island in floor.islands:
-        island = _oriented(island, counter_clockwise=False)
         if not any(_walled(island, i, walls, z, 0.0) for i in range(len(island))):
             within = numpy.vstack([_beside(island, i) for i in range(len(island))])
             if walls.any_inside(within, walls.stock_at(z)).any():
@@ -287,7 +327,6 @@ def _judge_edges(floor, walls, tool_diameter, tolerance):
     floor.islands = kept
 
     reach = REACH * tool_diameter
-    outer = floor.outer = _oriented(floor.outer, counter_clockwise=True)
     free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
     if all(free):
         _open_all_round(floor, walls, z, tolerance)

@@ -23,62 +23,6 @@ constexpr double kWindowMargin = 1e-9;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
 
-// A place where the border of a swept area crosses the circle: unit vector from the circle's
-// centre.
-struct Crossing {
-  Vec2 direction;
-  double angle = 0;
-};
-
-// A few arise per move at most: four circles or two circles and two lines, two crossings each.
-struct Crossings {
-  std::array<Crossing, 8> at;
-  int count = 0;
-  void push(Vec2 direction) { at[static_cast<std::size_t>(count++)].direction = direction; }
-};
-
-// Removes [low, high] from the ordered set.
-void cut(std::vector<AngularInterval>& set, double low, double high) {
-  std::size_t keep = 0;
-  const std::size_t n = set.size();
-  AngularInterval extra;
-  bool has_extra = false;
-  std::size_t extra_at = 0;
-  for (std::size_t i = 0; i < n; ++i) {
-    const AngularInterval piece = set[i];
-    if (high <= piece.low || low >= piece.high) {
-      set[keep++] = piece;
-    } else {
-      const bool left = low > piece.low, right = high < piece.high;
-      if (left) set[keep++] = {piece.low, low};
-      if (right) {
-        if (left) {
-          extra = {high, piece.high};
-          extra_at = keep;
-          has_extra = true;
-          for (std::size_t j = i + 1; j < n; ++j) set[keep++] = set[j];
-          break;
-        }
-        set[keep++] = {high, piece.high};
-      }
-    }
-  }
-  set.resize(keep);
-  if (has_extra) set.insert(set.begin() + static_cast<std::ptrdiff_t>(extra_at), extra);
-}
-
-// Removes the arc [low, high], given in any turn, from a set that lies within [set_low, set_low + 2
-// pi].
-void cut_wrapped(std::vector<AngularInterval>& set, double low, double high) {
-  if (set.empty()) return;
-  const double width = high - low;
-  const double base = set.front().low;
-  const double start = base + wrap_positive(low - base);
-  cut(set, start, start + width);
-  if (!set.empty() && start + width > base + 2 * kPi)
-    cut(set, start - 2 * kPi, start - 2 * kPi + width);
-}
-
 // The least interval that holds what `set` has within [low, high]; of no width where that is
 // nothing.
 AngularInterval part_within(const std::vector<AngularInterval>& set, double low, double high) {
@@ -105,13 +49,6 @@ Vec2 rotated_little(Vec2 v, double angle) {
   const double square = angle * angle;
   const double c = 1 - square / 2 * (1 - square / 12), s = angle * (1 - square / 6);
   return rotated(v, {c, s});
-}
-
-// The middle of the arc that runs counter-clockwise from unit vector `from` to unit vector `to`.
-Vec2 between(Vec2 from, Vec2 to) {
-  const Vec2 chord = to - from;
-  const double length = norm(chord);
-  return length > 1e-12 ? Vec2{chord.y / length, -chord.x / length} : from;
 }
 
 }  // namespace
@@ -148,9 +85,9 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
 }
 
 template <typename Visit>
-void ClearedGround::visit_cells(const Primitive& primitive, Visit visit) {
-  const double reach = primitive.radius + reach_;
-  const Segment& s = primitive.segment;
+void ClearedGround::visit_cells(const SweptMove& swept, Visit visit) {
+  const double reach = swept.swept_radius() + reach_;
+  const Segment& s = swept.segment();
   Vec2 low{std::min(s.a.x, s.b.x), std::min(s.a.y, s.b.y)};
   Vec2 high{std::max(s.a.x, s.b.x), std::max(s.a.y, s.b.y)};
   if (s.is_arc()) {
@@ -193,24 +130,12 @@ void ClearedGround::visit_cells(const Primitive& primitive, Visit visit) {
 
 void ClearedGround::add(const Segment& move, double swept_radius) {
   EVENLOAD_ASSERT(std::isfinite(move.a.x + move.a.y + move.b.x + move.b.y));
-  Primitive primitive;
-  primitive.segment = move;
-  primitive.radius = swept_radius;
-  if (move.is_arc()) {
-    const Vec2 start = (move.a - move.centre) / move.radius,
-               end = (move.b - move.centre) / move.radius;
-    primitive.first = move.sweep > 0 ? start : end;
-    primitive.last = move.sweep > 0 ? end : start;
-    primitive.reflex = std::abs(move.sweep) > kPi;
-  } else {
-    primitive.length = evenload::distance(move.a, move.b);
-    primitive.direction = primitive.length > 0 ? (move.b - move.a) / primitive.length : Vec2{1, 0};
-  }
-  const auto id = static_cast<std::int32_t>(primitives_.size());
-  primitives_.push_back(primitive);
-  visit_cells(primitive, [&](Cell& cell, Vec2 centre) {
+  const SweptMove swept(move, swept_radius);
+  const auto id = static_cast<std::int32_t>(moves_.size());
+  moves_.push_back(swept);
+  visit_cells(swept, [&](Cell& cell, Vec2 centre) {
     if (cell.covered_by >= 0) return;
-    const double far = distance(primitive, centre);
+    const double far = swept.distance(centre);
     if (far + reach_ <= swept_radius) {
       cell.covered_by = id;
     } else if (far - reach_ < swept_radius) {
@@ -221,11 +146,11 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
 }
 
 void ClearedGround::remove_last() {
-  EVENLOAD_ASSERT(!primitives_.empty());
-  const Primitive primitive = primitives_.back();
-  primitives_.pop_back();
-  const auto id = static_cast<std::int32_t>(primitives_.size());
-  visit_cells(primitive, [&](Cell& cell, Vec2) {
+  EVENLOAD_ASSERT(!moves_.empty());
+  const SweptMove swept = moves_.back();
+  moves_.pop_back();
+  const auto id = static_cast<std::int32_t>(moves_.size());
+  visit_cells(swept, [&](Cell& cell, Vec2) {
     if (cell.covered_by == id) cell.covered_by = -1;
     if (cell.newest >= 0 && entries_[static_cast<std::size_t>(cell.newest)].move == id)
       cell.newest = entries_[static_cast<std::size_t>(cell.newest)].before;
@@ -240,110 +165,12 @@ const ClearedGround::Cell& ClearedGround::cell_at(Vec2 x) const {
   return cells_[static_cast<std::size_t>(j) * columns_ + i];
 }
 
-double ClearedGround::distance(const Primitive& primitive, Vec2 x) const {
-  const Segment& s = primitive.segment;
-  if (!s.is_arc()) {
-    const Vec2 v = x - s.a;
-    const double along = dot(v, primitive.direction);
-    if (along <= 0) return norm(v);
-    if (along >= primitive.length) return evenload::distance(x, s.b);
-    return std::abs(cross(primitive.direction, v));
-  }
-  const Vec2 v = x - s.centre;
-  const bool after_first = cross(primitive.first, v) >= 0,
-             before_last = cross(v, primitive.last) >= 0;
-  if (primitive.reflex ? after_first || before_last : after_first && before_last)
-    return std::abs(norm(v) - s.radius);
-  return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
-}
-
-bool ClearedGround::subtract(const Primitive& primitive, Vec2 p, double radius,
-                             std::vector<AngularInterval>& set) const {
-  const Segment& s = primitive.segment;
-  const double reach = primitive.radius;
-  // The border consists of circles about the ends, where an end is the nearest point of the move,
-  // and of lines or circles beside it elsewhere. Crossings with the parts that are not border are
-  // dropped.
-  Crossings crossings;
-  const auto cross_circle = [&](Vec2 centre, double r, const auto& on_border) {
-    const Vec2 v = centre - p;
-    const double d = norm(v);
-    if (d < 1e-12) return;
-    const double c = (d * d + radius * radius - r * r) / (2 * d * radius);
-    if (c <= -1 || c >= 1) return;
-    const double h = std::sqrt(1 - c * c);
-    const Vec2 towards = v / d, aside = left_normal(towards);
-    for (const Vec2 direction : {c * towards - h * aside, c * towards + h * aside})
-      if (on_border(p + radius * direction)) crossings.push(direction);
-  };
-  constexpr double kJoint = 1e-9;  // mm: about the joints of the border's parts both count
-  if (s.is_arc()) {
-    const auto beside = [&](Vec2 x, double margin) {
-      const Vec2 v = x - s.centre;
-      const bool after_first = cross(primitive.first, v) >= -margin;
-      const bool before_last = cross(v, primitive.last) >= -margin;
-      return primitive.reflex ? after_first || before_last : after_first && before_last;
-    };
-    const auto along = [&](Vec2 x) { return beside(x, kJoint); };
-    cross_circle(s.centre, s.radius + reach, along);
-    if (s.radius > reach) cross_circle(s.centre, s.radius - reach, along);
-    const auto at_end = [&](Vec2 x, Vec2 end, Vec2 other) {
-      return !beside(x, -kJoint) && squared_norm(x - end) <= squared_norm(x - other) + kJoint;
-    };
-    cross_circle(s.a, reach, [&](Vec2 x) { return at_end(x, s.a, s.b); });
-    cross_circle(s.b, reach, [&](Vec2 x) { return at_end(x, s.b, s.a); });
-  } else if (primitive.length > 0) {
-    const auto along = [&](Vec2 x) { return dot(x - s.a, primitive.direction); };
-    cross_circle(s.a, reach, [&](Vec2 x) { return along(x) <= kJoint; });
-    cross_circle(s.b, reach, [&](Vec2 x) { return along(x) >= primitive.length - kJoint; });
-    const double aside = cross(primitive.direction, p - s.a);
-    const Vec2 normal = left_normal(primitive.direction);
-    for (const double side : {reach, -reach}) {
-      const double v = (side - aside) / radius;
-      if (v <= -1 || v >= 1) continue;
-      const double h = std::sqrt(1 - v * v);
-      for (const Vec2 direction :
-           {v * normal + h * primitive.direction, v * normal - h * primitive.direction}) {
-        const double t = along(p + radius * direction);
-        if (t >= -kJoint && t <= primitive.length + kJoint) crossings.push(direction);
-      }
-    }
-  } else {
-    cross_circle(s.a, reach, [](Vec2) { return true; });
-  }
-  const int count = crossings.count;
-  if (count == 0) {
-    if (distance(primitive, p + Vec2{radius, 0}) > reach) return false;
-    set.clear();
-    return true;
-  }
-  for (int i = 0; i < count; ++i)
-    crossings.at[static_cast<std::size_t>(i)].angle =
-        wrap_positive(angle_of(crossings.at[static_cast<std::size_t>(i)].direction));
-  // At most eight: sorted by insertion.
-  for (std::size_t i = 1; i < static_cast<std::size_t>(count); ++i)
-    for (std::size_t k = i; k > 0 && crossings.at[k].angle < crossings.at[k - 1].angle; --k)
-      std::swap(crossings.at[k], crossings.at[k - 1]);
-  bool covers = false;
-  for (int i = 0; i < count; ++i) {
-    const Crossing& from = crossings.at[static_cast<std::size_t>(i)];
-    const Crossing& to = crossings.at[static_cast<std::size_t>((i + 1) % count)];
-    const double high = i + 1 < count ? to.angle : to.angle + 2 * kPi;
-    if (high - from.angle < 1e-12) continue;
-    const Vec2 middle = count > 1 ? between(from.direction, to.direction) : -from.direction;
-    if (distance(primitive, p + radius * middle) > reach) continue;
-    cut_wrapped(set, from.angle, high);
-    covers = true;
-  }
-  return covers;
-}
-
 // Takes from `set` what the moves swept that matter within `window`. `seen`: moves taken already.
-void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, std::size_t last,
-                                  Seen& seen, std::vector<AngularInterval>& set) const {
+void ClearedGround::subtract_near(const Window& window, const CircleLook& look, Seen& seen,
+                                  std::vector<AngularInterval>& set) const {
   const Cell& cell = cell_at(window.middle);
-  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
-    subtract(primitives_[static_cast<std::size_t>(cell.covered_by)], p, radius, set);
+  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
+    moves_[static_cast<std::size_t>(cell.covered_by)].subtract(look, set);
     return;
   }
   if (cell.newest < 0) return;
@@ -354,19 +181,19 @@ void ClearedGround::subtract_near(const Window& window, Vec2 p, double radius, s
   const auto measure = [&] {
     part = part_within(set, window.low, window.high);
     const double aside = 0.5 * (part.low + part.high - window.low - window.high);
-    middle = p + rotated_little(window.middle - p, aside);
-    half = 0.5 * part.width() * radius + kDiscMargin * radius;
+    middle = look.p + rotated_little(window.middle - look.p, aside);
+    half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
   };
   measure();
   for (std::int32_t at = cell.newest; at >= 0 && part.width() > 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     at = entry.before;
     const auto index = static_cast<std::size_t>(entry.move);
-    if (index >= last || seen.moves[index] == seen.look) continue;
-    const Primitive& primitive = primitives_[index];
-    if (distance(primitive, middle) >= primitive.radius + half) continue;
+    if (index >= look.last || seen.moves[index] == seen.look) continue;
+    const SweptMove& swept = moves_[index];
+    if (swept.distance(middle) >= swept.swept_radius() + half) continue;
     seen.moves[index] = seen.look;
-    if (subtract(primitive, p, radius, set)) measure();
+    if (swept.subtract(look, set)) measure();
   }
 }
 
@@ -376,8 +203,9 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
                                std::vector<AngularInterval>& set, Continue go_on) const {
   thread_local Seen seen;
   ++seen.look;
-  if (seen.moves.size() < primitives_.size()) seen.moves.resize(2 * primitives_.size(), 0);
+  if (seen.moves.size() < moves_.size()) seen.moves.resize(2 * moves_.size(), 0);
   const double radius = tool_radius_ - shrink;
+  const CircleLook look{p, radius, low, last};
   set.clear();
   set.push_back({low, high});
   const int n =
@@ -389,7 +217,7 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
                         low + (k + 1) * step + kWindowMargin};
     if (!overlaps(set, window.low, window.high)) continue;
-    subtract_near(window, p, radius, last, seen, set);
+    subtract_near(window, look, seen, set);
     if (!go_on(window)) return;
   }
 }
@@ -397,10 +225,10 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
                               double shrink, std::size_t last) const {
   look_round(p, low, high, shrink, last, out, [](const Window&) { return true; });
-  if (limited_ && !out.empty()) remove_outside_material(p, tool_radius_ - shrink, out);
+  if (limited_ && !out.empty()) remove_outside_material(p, low, tool_radius_ - shrink, out);
 }
 
-void ClearedGround::remove_outside_material(Vec2 p, double radius,
+void ClearedGround::remove_outside_material(Vec2 p, double base, double radius,
                                             std::vector<AngularInterval>& set) const {
   std::vector<double> breaks;
   edge_boxes_.visit({p - Vec2{radius, radius}, p + Vec2{radius, radius}}, [&](std::uint32_t edge) {
@@ -435,7 +263,7 @@ void ClearedGround::remove_outside_material(Vec2 p, double radius,
     const double low = breaks[i];
     const double high = i + 1 < breaks.size() ? breaks[i + 1] : breaks[0] + 2 * kPi;
     if (high - low > 1e-12 && !material_.contains(p + radius * unit(0.5 * (low + high))))
-      cut_wrapped(set, low, high);
+      cut_wrapped(set, base, low, high);
   }
 }
 
@@ -445,8 +273,8 @@ bool ClearedGround::is_clear(Vec2 p, double shrink) const {
   const auto go_on = [&](const Window& window) {
     return limited_ || !overlaps(scratch, window.low, window.high);
   };
-  look_round(p, 0, 2 * kPi, shrink, primitives_.size(), scratch, go_on);
-  if (limited_ && !scratch.empty()) remove_outside_material(p, tool_radius_ - shrink, scratch);
+  look_round(p, 0, 2 * kPi, shrink, moves_.size(), scratch, go_on);
+  if (limited_ && !scratch.empty()) remove_outside_material(p, 0, tool_radius_ - shrink, scratch);
   return scratch.empty();
 }
 
@@ -456,8 +284,8 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
   for (std::int32_t at = cell.newest; at >= 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     if (static_cast<std::size_t>(entry.move) < first) return false;
-    const Primitive& primitive = primitives_[static_cast<std::size_t>(entry.move)];
-    if (distance(primitive, x) <= primitive.radius) return true;
+    const SweptMove& swept = moves_[static_cast<std::size_t>(entry.move)];
+    if (swept.distance(x) <= swept.swept_radius()) return true;
     at = entry.before;
   }
   return false;

@@ -16,6 +16,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "cutting/swept_move.h"
 #include "geometry/boundary_index.h"
 #include "geometry/box_tree.h"
 #include "geometry/region.h"
@@ -24,12 +25,6 @@ namespace evenload {
 
 // mm: material thinner than this does not count as material; above the tolerance of offsets.
 inline constexpr double kCoverTolerance = 2e-5;
-
-// Angles [low, high], rad, counter-clockwise, not wrapped.
-struct AngularInterval {
-  double low = 0, high = 0;
-  double width() const { return high - low; }
-};
 
 class ClearedGround {
  public:
@@ -46,13 +41,13 @@ class ClearedGround {
   void add_disc(Vec2 centre, double radius) { add(Segment::line(centre, centre), radius); }
   // Takes back the newest move.
   void remove_last();
-  std::size_t size() const { return primitives_.size(); }
+  std::size_t size() const { return moves_.size(); }
 
   // The arcs of the tool's circle about `p` within [low, high] (high - low <= 2 pi) that touch
   // material, in order. `shrink` mm: the circle's radius is the tool's less this.
   void uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
                  double shrink = kCoverTolerance) const {
-    uncovered(p, low, high, out, shrink, primitives_.size());
+    uncovered(p, low, high, out, shrink, moves_.size());
   }
   // The same, as it was before the move numbered `last`.
   void uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out, double shrink,
@@ -65,14 +60,6 @@ class ClearedGround {
   bool is_cleared_since(Vec2 x, std::size_t first) const;
 
  private:
-  struct Primitive {
-    Segment segment;
-    Vec2 direction;       // lines
-    double length = 0;    // lines
-    double radius = 0;    // mm, swept
-    Vec2 first, last;     // arcs: unit vectors from the centre to the ends, counter-clockwise
-    bool reflex = false;  // arcs: the sector is wider than half a turn
-  };
   // Lists of moves are linked backwards through `entries_`, the newest first: what was added last
   // is taken back first.
   struct Cell {
@@ -82,7 +69,7 @@ class ClearedGround {
   struct Entry {
     std::int32_t move = 0, before = -1;
   };
-  // The part of the circle that one look decides.
+  // The part of the circle that is decided at once.
   struct Window {
     Vec2 middle;
     double low = 0, high = 0;
@@ -92,20 +79,16 @@ class ClearedGround {
     std::vector<std::uint64_t> moves;  // the last look that did
     std::uint64_t look = 0;
   };
-  // Takes what the move covers from the circle's arcs in `set`; false where it covers nothing of
-  // the circle.
-  bool subtract(const Primitive& primitive, Vec2 p, double radius,
-                std::vector<AngularInterval>& set) const;
-  void subtract_near(const Window& window, Vec2 p, double radius, std::size_t last, Seen& seen,
+  void subtract_near(const Window& window, const CircleLook& look, Seen& seen,
                      std::vector<AngularInterval>& set) const;
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;
-  double distance(const Primitive& primitive, Vec2 x) const;
-  void remove_outside_material(Vec2 p, double radius, std::vector<AngularInterval>& set) const;
+  void remove_outside_material(Vec2 p, double base, double radius,
+                               std::vector<AngularInterval>& set) const;
   const Cell& cell_at(Vec2 x) const;
   template <typename Visit>
-  void visit_cells(const Primitive& primitive, Visit visit);
+  void visit_cells(const SweptMove& move, Visit visit);
 
   double tool_radius_;
   double cell_;
@@ -116,7 +99,7 @@ class ClearedGround {
   std::vector<Cell> cells_;
   Cell untouched_;
   std::vector<Entry> entries_;
-  std::vector<Primitive> primitives_;
+  std::vector<SweptMove> moves_;
   std::vector<Segment> material_edges_;
   BoxTree edge_boxes_;
   BoundaryIndex material_{std::vector<Curve>{}};

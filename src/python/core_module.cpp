@@ -15,6 +15,7 @@
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
+#include "python/path_commands_module.h"
 #include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/rest_levels.h"
@@ -240,6 +241,7 @@ PYBIND11_MODULE(_core, m) {
       .def_property_readonly(
           "moves", &moves_of,
           "(kind, x, y, z, sweep, cx, cy, feed); kind 0 rapid, 1 link, 2 entry, 3 cut")
+      .def("__len__", [](const Toolpath& toolpath) { return toolpath.moves.size(); })
       .def_readonly("report", &Toolpath::report);
 
   m.def("offset", &offset, py::arg("regions"), py::arg("distance"),
@@ -273,4 +275,5 @@ PYBIND11_MODULE(_core, m) {
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
   bind_simulate(m);
   bind_gcode(m);
+  bind_path_commands(m);
 }

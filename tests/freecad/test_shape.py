@@ -101,3 +101,53 @@ def test_points_of_a_chain_stay_near_its_arcs():
 def _area(points):
     pairs = zip(points, [*points[1:], points[0]])
     return sum(a[0] * b[1] - b[0] * a[1] for a, b in pairs) / 2
+
+
+def judged(solid, name, found=None):
+    """The one floor of a solid's face: as it is, or with what _enclosed says set to `found`."""
+    with pytest.MonkeyPatch.context() as patch:
+        if found is not None:
+            patch.setattr(shape, "_enclosed", lambda *_: found)
+        made = shape.floors([(solid, (name,))], [solid.Shape], solid.Shape, 6.0, 0.005)
+    return made[0]
+
+
+def solid_of(doc, made):
+    obj = doc.addObject("Part::Feature", "Solid")
+    obj.Shape = made
+    return obj
+
+
+def name_of_floor(solid, z):
+    levels = [face.BoundBox for face in solid.Shape.Faces]
+    (number,) = [k for k, b in enumerate(levels, 1) if max(abs(b.ZMin - z), abs(b.ZMax - z)) < 1e-6]
+    return "Face%d" % number
+
+
+@pytest.mark.parametrize(
+    "cut_away",
+    [rectangle(10, 10, 40, 30), circle(25, 20, 12), rectangle(-5, 10, 40, 30)],
+    ids=["closed", "round", "open on the left"],
+)
+def test_walls_that_stand_on_a_floors_edges_count_as_sections_of_the_model_do(doc, cut_away):
+    pocket = face_of(cut_away).extrude(Vector(0, 0, 10)).translated(Vector(0, 0, 6))
+    post = Part.makeCylinder(2, 4, Vector(25, 20, 6))
+    solid = solid_of(doc, Part.makeBox(50, 40, 10).cut(pocket.cut(post)))
+    name = name_of_floor(solid, 6)
+    quick, slow = judged(solid, name), judged(solid, name, found=False)
+    assert (quick.outer, quick.islands, quick.notes) == (slow.outer, slow.islands, slow.notes)
+    assert len(quick.islands) == 1
+    assert quick.enclosed == all(not piece[3] for piece in slow.outer)
+
+
+def test_the_underside_of_a_block_is_not_enclosed_by_the_blocks_own_sides(doc):
+    block = solid_of(doc, Part.makeBox(50, 40, 10))
+    assert not judged(block, name_of_floor(block, 0)).enclosed
+
+
+def test_a_floor_with_sloping_or_shallow_walls_is_left_to_the_sections(doc):
+    sloping = Part.makeBox(50, 40, 10).cut(Part.makeCone(8, 10, 4, Vector(25, 20, 6)))
+    shallow = Part.makeBox(50, 40, 10).cut(Part.makeCylinder(8, 0.015, Vector(25, 20, 9.985)))
+    for made, z in ((sloping, 6), (shallow, 9.985)):
+        solid = solid_of(doc, made)
+        assert not judged(solid, name_of_floor(solid, z)).enclosed

@@ -229,7 +229,7 @@ class Operation(host.operation_base()):
             else:
                 self._clear_results(obj)
             result = super().execute(obj)
-            if self.last is not None and not self.last.toolpath.moves:
+            if self.last is not None and not len(self.last.toolpath):
                 obj.Path = Path.Path()  # without the rapid at its end
             return result
         except Exception as error:
@@ -265,10 +265,9 @@ class Operation(host.operation_base()):
                 parameters["stock"] = stock
             toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
         self._check_entries(obj, tool, toolpath)
-        moves = toolpath.moves
-        while moves and moves[-1][0] == planar.RAPID and moves[-1][3] >= obj.ClearanceHeight.Value:
-            moves.pop()  # FreeCAD itself ends every operation there
-        self.commandlist.extend(commands.from_moves(moves))
+        # FreeCAD itself ends every operation at the clearance height.
+        last = obj.ClearanceHeight.Value
+        self.commandlist.extend(commands.from_moves(toolpath, left_out_from=last))
         material = regions if stock is None else next(filter(None, reversed(stock)), [])
         self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
         notes += self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
