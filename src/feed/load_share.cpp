@@ -94,8 +94,12 @@ class ForceLimit {
 
 }  // namespace
 
+double rate_margin(double angle) {
+  return kMostRate * side_step(angle, 1) / side_step(angle + kEngagementDoubt, 1);
+}
+
 LoadShare removal_rate_share(double angle, double radius) {
-  const double most = kRateMargin * side_step(angle, radius);
+  const double most = rate_margin(angle) * side_step(angle, radius);
   return [most](const Load& load, const auto&) { return load.width / most; };
 }
 

@@ -2,7 +2,7 @@
 // angle has at the nominal feed; a share says how many times as much a place of the path has at
 // that feed, so that feed / share is the feed allowed there.
 //
-// Laws: the straight cut itself has the share 1 in chip thickness and force, 1 / kRateMargin in
+// Laws: the straight cut itself has the share 1 in chip thickness and force, 1 / rate_margin in
 // removal rate; at feed / share the measure is not above nominal (removal rate: not by more than
 // that margin); more material never has a smaller share in chip thickness and removal rate.
 // Conditions: 0 < angle < pi, all sizes positive.
@@ -16,9 +16,13 @@
 
 namespace evenload {
 
-// Above the nominal removal rate by this share at the single place that decides; the mean over 0.1
-// mm stays about there.
-inline constexpr double kRateMargin = 1.025;
+// Above the nominal removal rate by this share at most, as a mean over 0.1 mm.
+inline constexpr double kMostRate = 1.043;
+// rad: how well the engagement along a path is known that posts round to 0.001 mm.
+inline constexpr double kEngagementDoubt = 0.3 * kPi / 180;
+// So much of the nominal removal rate is allowed where engagement is as looked at: kMostRate is
+// kept were it larger by kEngagementDoubt, which at small engagement angles is a larger part of it.
+double rate_margin(double angle);
 // rad: how well the ends of an arc are known. Engagement is held to about a degree, and the
 // simulator's dexels of 0.05 mm see a tool of 6 mm no better. In short arcs that is a large part of
 // chip and force; so these are also compared with all arcs, the straight cut's among them, longer
@@ -28,7 +32,7 @@ inline constexpr double kArcDoubt = 1.5 * kPi / 180;
 // rub instead of cutting.
 inline constexpr double kLeastForceFeed = 0.1;
 
-// Of r (1 - cos theta) removed per mm of path, with kRateMargin.
+// Of r (1 - cos theta) removed per mm of path, with rate_margin.
 LoadShare removal_rate_share(double angle, double radius);
 
 // Of the largest chip thickness: sin theta of the feed per tooth up to 90 degrees, then all of it.

@@ -62,8 +62,8 @@ double peak(const ForceTask& task, const Arcs& arcs, double feed, double depth) 
 
 TEST(LoadShare, OfAStraightCutAtTheEngagementAngleIsOne) {
   for (double angle = 15 * kDegree; angle < 170 * kDegree; angle += 5 * kDegree) {
-    EXPECT_NEAR(share_of(removal_rate_share(angle, kRadius), straight(angle)), 1 / kRateMargin,
-                1e-12);
+    EXPECT_NEAR(share_of(removal_rate_share(angle, kRadius), straight(angle)),
+                1 / rate_margin(angle), 1e-12);
     EXPECT_NEAR(share_of(chip_thickness_share(angle), straight(angle)), 1, 1e-9);
     ForceTask task;
     task.coefficients = kMaterials[2];
