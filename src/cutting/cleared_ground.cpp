@@ -11,12 +11,14 @@ namespace evenload {
 namespace {
 
 // Share of the tool's radius: the side of a cell.
-constexpr double kCell = 0.12;
+constexpr double kCell = 0.18;
 // Share of a cell's side: the length along the circle that one look decides.
-constexpr double kWindow = 0.4;
+constexpr double kWindow = 0.8;
 // Cells are not made finer than this many in all, so that memory stays bounded for large, sparse
 // work.
 constexpr double kMaximumCells = 6e6;
+// Moves: shorter lists are not worth thinning.
+constexpr std::int32_t kLongList = 20;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
@@ -133,16 +135,52 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
   const SweptMove swept(move, swept_radius);
   const auto id = static_cast<std::int32_t>(moves_.size());
   moves_.push_back(swept);
+  marks_.push_back({entries_.size(), thinnings_.size()});
   visit_cells(swept, [&](Cell& cell, Vec2 centre) {
     if (cell.covered_by >= 0) return;
     const double far = swept.distance(centre);
     if (far + reach_ <= swept_radius) {
       cell.covered_by = id;
     } else if (far - reach_ < swept_radius) {
-      entries_.push_back({id, cell.newest});
-      cell.newest = static_cast<std::int32_t>(entries_.size()) - 1;
+      list(cell, id);
+      if (is_long(cell)) thin(cell, centre);
     }
   });
+}
+
+void ClearedGround::list(Cell& cell, std::int32_t move) {
+  const std::int32_t length =
+      cell.newest >= 0 ? entries_[static_cast<std::size_t>(cell.newest)].length : 0;
+  entries_.push_back({move, cell.newest, length + 1});
+  cell.newest = static_cast<std::int32_t>(entries_.size()) - 1;
+}
+
+bool ClearedGround::is_long(const Cell& cell) const {
+  const std::int32_t length = entries_[static_cast<std::size_t>(cell.newest)].length;
+  if (length < kLongList) return false;
+  return cell.thinning < 0 ||
+         length >= 2 * thinnings_[static_cast<std::size_t>(cell.thinning)].length;
+}
+
+void ClearedGround::thin(Cell& cell, Vec2 centre) {
+  struct Kept {
+    std::int32_t move;
+    BorderView view;
+  };
+  thread_local std::vector<Kept> kept;
+  kept.clear();
+  for (std::int32_t at = cell.newest; at >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    at = entry.before;
+    const BorderView view = moves_[static_cast<std::size_t>(entry.move)].seen_from(centre);
+    const auto hides_it = [&](const Kept& newer) { return hides(newer.view, view, reach_); };
+    if (std::none_of(kept.begin(), kept.end(), hides_it)) kept.push_back({entry.move, view});
+  }
+  thinnings_.push_back(
+      {kept.front().move, cell.newest, static_cast<std::int32_t>(kept.size()), cell.thinning});
+  cell.thinning = static_cast<std::int32_t>(thinnings_.size()) - 1;
+  cell.newest = -1;
+  for (auto k = kept.rbegin(); k != kept.rend(); ++k) list(cell, k->move);
 }
 
 void ClearedGround::remove_last() {
@@ -152,40 +190,60 @@ void ClearedGround::remove_last() {
   const auto id = static_cast<std::int32_t>(moves_.size());
   visit_cells(swept, [&](Cell& cell, Vec2) {
     if (cell.covered_by == id) cell.covered_by = -1;
+    if (cell.thinning >= 0 && thinnings_[static_cast<std::size_t>(cell.thinning)].move == id) {
+      const Thinning& thinning = thinnings_[static_cast<std::size_t>(cell.thinning)];
+      cell.newest = thinning.newest;
+      cell.thinning = thinning.earlier;
+    }
     if (cell.newest >= 0 && entries_[static_cast<std::size_t>(cell.newest)].move == id)
       cell.newest = entries_[static_cast<std::size_t>(cell.newest)].before;
   });
-  while (!entries_.empty() && entries_.back().move == id) entries_.pop_back();
+  entries_.resize(marks_.back().entries);
+  thinnings_.resize(marks_.back().thinnings);
+  marks_.pop_back();
 }
 
 const ClearedGround::Cell& ClearedGround::cell_at(Vec2 x) const {
-  const int i = static_cast<int>(std::floor((x.x - origin_.x) / cell_));
-  const int j = static_cast<int>(std::floor((x.y - origin_.y) / cell_));
-  if (i < 0 || j < 0 || i >= columns_ || j >= rows_) return untouched_;
-  return cells_[static_cast<std::size_t>(j) * columns_ + i];
+  const Vec2 at = (x - origin_) / cell_;
+  if (!(at.x >= 0 && at.y >= 0 && at.x < columns_ && at.y < rows_)) return untouched_;
+  const auto i = static_cast<std::size_t>(at.x), j = static_cast<std::size_t>(at.y);
+  return cells_[j * static_cast<std::size_t>(columns_) + i];
 }
 
-// Takes from `set` what the moves swept that matter within `window`. `seen`: moves taken already.
-void ClearedGround::subtract_near(const Window& window, const CircleLook& look, Seen& seen,
+// Where a list begins that holds what counts of the moves before `last`.
+std::int32_t ClearedGround::newest_before(const Cell& cell, std::size_t last) const {
+  std::int32_t newest = cell.newest;
+  for (std::int32_t at = cell.thinning; at >= 0;) {
+    const Thinning& thinning = thinnings_[static_cast<std::size_t>(at)];
+    if (static_cast<std::size_t>(thinning.move) < last) break;
+    newest = thinning.newest;
+    at = thinning.earlier;
+  }
+  return newest;
+}
+
+// Takes from `set` what the moves swept that matter within `window`, of which `part` is left.
+// `seen`: moves taken already.
+void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
+                                  AngularInterval part, Seen& seen,
                                   std::vector<AngularInterval>& set) const {
   const Cell& cell = cell_at(window.middle);
   if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
     moves_[static_cast<std::size_t>(cell.covered_by)].subtract(look, set);
     return;
   }
-  if (cell.newest < 0) return;
+  const std::int32_t newest = newest_before(cell, look.last);
+  if (newest < 0) return;
   // A disc that holds what is left of the window.
-  AngularInterval part;
   Vec2 middle;
   double half = 0;
   const auto measure = [&] {
-    part = part_within(set, window.low, window.high);
     const double aside = 0.5 * (part.low + part.high - window.low - window.high);
     middle = look.p + rotated_little(window.middle - look.p, aside);
     half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
   };
   measure();
-  for (std::int32_t at = cell.newest; at >= 0 && part.width() > 0;) {
+  for (std::int32_t at = newest; at >= 0 && part.width() > 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     at = entry.before;
     const auto index = static_cast<std::size_t>(entry.move);
@@ -193,7 +251,9 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look, 
     const SweptMove& swept = moves_[index];
     if (swept.distance(middle) >= swept.swept_radius() + half) continue;
     seen.moves[index] = seen.look;
-    if (swept.subtract(look, set)) measure();
+    if (!swept.subtract(look, set)) continue;
+    part = part_within(set, window.low, window.high);
+    measure();
   }
 }
 
@@ -216,8 +276,9 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
                         low + (k + 1) * step + kWindowMargin};
-    if (!overlaps(set, window.low, window.high)) continue;
-    subtract_near(window, look, seen, set);
+    const AngularInterval part = part_within(set, window.low, window.high);
+    if (part.width() <= 0) continue;
+    subtract_near(window, look, part, seen, set);
     if (!go_on(window)) return;
   }
 }

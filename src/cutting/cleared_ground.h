@@ -61,13 +61,26 @@ class ClearedGround {
 
  private:
   // Lists of moves are linked backwards through `entries_`, the newest first: what was added last
-  // is taken back first.
+  // is taken back first. Long lists are thinned: moves hidden by a newer one are left out. What was
+  // before is kept, for looks at the ground as it was and for moves that are taken back.
   struct Cell {
     std::int32_t covered_by = -1;  // the move that sweeps the whole cell
     std::int32_t newest = -1;      // in entries_
+    std::int32_t thinning = -1;    // in thinnings_, the last one
   };
   struct Entry {
     std::int32_t move = 0, before = -1;
+    std::int32_t length = 1;  // of the list from here
+  };
+  struct Thinning {
+    std::int32_t move = 0;     // the newest when it was made
+    std::int32_t newest = -1;  // the list before it
+    std::int32_t length = 0;   // of the list after it
+    std::int32_t earlier = -1;
+  };
+  // How long the lists of all cells were before a move was added.
+  struct Mark {
+    std::size_t entries = 0, thinnings = 0;
   };
   // The part of the circle that is decided at once.
   struct Window {
@@ -79,7 +92,7 @@ class ClearedGround {
     std::vector<std::uint64_t> moves;  // the last look that did
     std::uint64_t look = 0;
   };
-  void subtract_near(const Window& window, const CircleLook& look, Seen& seen,
+  void subtract_near(const Window& window, const CircleLook& look, AngularInterval part, Seen& seen,
                      std::vector<AngularInterval>& set) const;
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
@@ -87,6 +100,10 @@ class ClearedGround {
   void remove_outside_material(Vec2 p, double base, double radius,
                                std::vector<AngularInterval>& set) const;
   const Cell& cell_at(Vec2 x) const;
+  void list(Cell& cell, std::int32_t move);
+  bool is_long(const Cell& cell) const;
+  void thin(Cell& cell, Vec2 centre);
+  std::int32_t newest_before(const Cell& cell, std::size_t last) const;
   template <typename Visit>
   void visit_cells(const SweptMove& move, Visit visit);
 
@@ -99,6 +116,8 @@ class ClearedGround {
   std::vector<Cell> cells_;
   Cell untouched_;
   std::vector<Entry> entries_;
+  std::vector<Thinning> thinnings_;
+  std::vector<Mark> marks_;  // one for each move
   std::vector<SweptMove> moves_;
   std::vector<Segment> material_edges_;
   BoxTree edge_boxes_;

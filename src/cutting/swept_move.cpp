@@ -90,6 +90,26 @@ Vec2 SweptMove::nearest(Vec2 x) const {
   return squared_norm(x - s.a) < squared_norm(x - s.b) ? s.a : s.b;
 }
 
+BorderView SweptMove::seen_from(Vec2 x) const {
+  const Segment& s = segment_;
+  const Vec2 foot = nearest(x);
+  BorderView view;
+  view.distance = evenload::distance(foot, x);
+  view.beyond = view.distance - swept_radius_;
+  view.away = view.distance > 0 ? (x - foot) / view.distance : Vec2{1, 0};
+  if (!s.is_arc() && view.distance > 0) return view;
+  view.bulge = std::max(dot(s.a - foot, view.away), dot(s.b - foot, view.away));
+  if (s.is_arc() && is_beside(view.away, 0))
+    view.bulge = std::max(view.bulge, dot(s.centre - foot, view.away) + s.radius);
+  return view;
+}
+
+bool hides(const BorderView& hiding, const BorderView& hidden, double reach) {
+  return hiding.beyond + reach * reach / (2 * hiding.distance) +
+             reach * norm(hiding.away - hidden.away) + kHidingMargin <=
+         hidden.beyond - hidden.bulge;
+}
+
 bool SweptMove::subtract(const CircleLook& look, std::vector<AngularInterval>& set) const {
   const Vec2 p = look.p;
   const double radius = look.radius;

@@ -32,6 +32,22 @@ struct CircleLook {
   std::size_t last = 0;  // moves from this one on do not count
 };
 
+// The border of swept ground as it is seen from a point.
+struct BorderView {
+  double beyond = 0;    // mm from the border to the point; negative for a point on the ground
+  double distance = 0;  // mm from the move to the point
+  Vec2 away;            // unit vector from the move's nearest point to the point
+  double bulge = 0;     // mm: how far the move reaches from its nearest point in that direction
+};
+
+// True only when, within `reach` of the point that both are seen from, the one move clears all that
+// the other does, and kHidingMargin more. Distances from a move grow no faster than those from its
+// nearest point, and no slower than those from the straight line that bounds it.
+bool hides(const BorderView& hiding, const BorderView& hidden, double reach);
+
+// mm: far above rounding.
+inline constexpr double kHidingMargin = 1e-6;
+
 class SweptMove {
  public:
   // `swept_radius` mm: of the disc.
@@ -42,6 +58,7 @@ class SweptMove {
   // From `x` to the nearest point of the move.
   double distance(Vec2 x) const;
   Vec2 nearest(Vec2 x) const;
+  BorderView seen_from(Vec2 x) const;
   // Takes what the move covers of the circle from its arcs in `set`; false where that is nothing.
   bool subtract(const CircleLook& look, std::vector<AngularInterval>& set) const;
 

@@ -279,5 +279,74 @@ TEST(ClearedGround, HoldsMaterialOnlyWhereThereIsStock) {
   EXPECT_NEAR(arcs[0].width(), 2 * std::acos(2.0 / 3), 1e-4);
 }
 
+TEST(ClearedGround, WhatAMoveHidesTheOtherClearsToo) {
+  std::mt19937 random(71);
+  int hidden = 0;
+  for (int round = 0; round < 60000; ++round) {
+    const Vec2 x{uniform(random, -10, 10), uniform(random, -10, 10)};
+    const Swept a = random_move(random), b = random_move(random);
+    const SweptMove older(a.move, a.radius), newer(b.move, b.radius);
+    const double reach = uniform(random, 0.1, 1.5);
+    if (!hides(newer.seen_from(x), older.seen_from(x), reach)) continue;
+    bool touches = false;
+    for (int i = 0; i < 30; ++i) {
+      const Vec2 q =
+          x + reach * std::sqrt(uniform(random, 0, 1)) * unit(uniform(random, -kPi, kPi));
+      if (older.distance(q) > a.radius) continue;
+      touches = true;
+      EXPECT_LE(newer.distance(q), b.radius) << round;
+    }
+    hidden += touches;
+  }
+  EXPECT_GT(hidden, 300);
+}
+
+// Arcs to and fro across a strip, each a little further: most borders come to lie under newer ones.
+std::vector<Segment> narrow_passes(int count) {
+  std::vector<Segment> moves;
+  for (int i = 0; i < count; ++i) {
+    const Segment pass = Segment::arc({0.06 * i - 8, 0}, 5, -0.6, 1.2);
+    for (int k = 0; k < 5; ++k) moves.push_back(pass.part(k / 5.0, (k + 1) / 5.0));
+  }
+  return moves;
+}
+
+// What is uncovered, to the last bit, when no move is left out.
+std::vector<AngularInterval> uncovered_by_all(const std::vector<Segment>& moves, std::size_t last,
+                                              Vec2 p, double low) {
+  std::vector<AngularInterval> set{{low, low + 2 * kPi}};
+  for (std::size_t i = 0; i < last; ++i)
+    SweptMove(moves[i], kRadius).subtract({p, kRadius - kCoverTolerance, low, last}, set);
+  return set;
+}
+
+void expect_same(const std::vector<AngularInterval>& found,
+                 const std::vector<AngularInterval>& expected) {
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].low, expected[i].low);
+    EXPECT_EQ(found[i].high, expected[i].high);
+  }
+}
+
+TEST(ClearedGround, LeavesOutOnlyWhatChangesNoBit) {
+  std::mt19937 random(72);
+  const std::vector<Segment> moves = narrow_passes(90);
+  ClearedGround ground(kField, kRadius, nullptr);
+  for (const Segment& move : moves) ground.add(move);
+  std::vector<AngularInterval> found;
+  std::size_t size = moves.size();
+  for (int round = 0; round < 400; ++round) {
+    for (int taken = 0; round % 20 == 19 && taken < 7; ++taken, --size) ground.remove_last();
+    const std::size_t last = random() % 2 ? size : 1 + random() % size;
+    const Vec2 p = moves[random() % size].point(uniform(random, 0, 1)) +
+                   Vec2{uniform(random, -1, 1), uniform(random, -1, 1)};
+    const double low = uniform(random, -kPi, kPi);
+    ground.uncovered(p, low, low + 2 * kPi, found, kCoverTolerance, last);
+    expect_same(found, uncovered_by_all(moves, last, p, low));
+  }
+  EXPECT_LT(size, moves.size());
+}
+
 }  // namespace
 }  // namespace evenload
