@@ -1,10 +1,10 @@
-"""Makes the picture of docs/rest_machining.md; called as make_pictures.py is, with its parts."""
+"""The picture of docs/rest_machining.md; see make_pictures.py."""
 
 import math
 
-from make_pictures import BLUE, CUT, ENTRY, GREY, INK, LINK, ORANGE, STOCK
-from make_pictures import built_core, canvas, lines, outline, plan, rectangle, save
 from matplotlib.patches import Polygon
+from picture_parts import BLUE, CUT, ENTRY, GREY, INK, LINK, ORANGE, STOCK
+from picture_parts import canvas, lines, outline, plan, rectangle, save
 
 DEPTH, LARGE, SMALL = 3.0, 12.0, 6.0  # mm
 BLOCK = [(-8, -8, 0), (48, -8, 0), (48, 38, 0), (-8, 38, 0)]
@@ -74,5 +74,4 @@ def draw_rest(core):
     )
 
 
-if __name__ == "__main__":
-    draw_rest(built_core())
+PICTURES = (draw_rest,)

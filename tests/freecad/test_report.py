@@ -17,6 +17,16 @@ def test_figures_name_what_the_operation_reports(square):
     assert figures["cut_length_mm"] > 100 and figures["passes"] > 0
 
 
+def test_passes_links_and_retracts_are_counted_over_all_levels(square):
+    depths = {"StartDepth": 0, "FinalDepth": -3}
+    counted = []
+    for step in (3, 1):
+        figures = report.figures(square.done(square.operation(StepDown=step, **depths)))
+        counted.append([figures[key] for key in ("passes", "links", "retracts")])
+    (passes, links, retracts), three = counted
+    assert three == [3 * passes, 3 * links, 3 * (retracts + 1) - 1]
+
+
 def test_a_table_has_a_column_per_job_and_a_line_per_failure(square):
     figures = report.figures(square.done(square.operation()))
     done = {"name": "plate", "ok": True, "figures": dict(figures, report="Left: a corner.")}
