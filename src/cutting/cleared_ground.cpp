@@ -23,6 +23,13 @@ constexpr double kWindowMargin = 1e-9;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
 
+// mm: from the border of a swept area to a place on it.
+constexpr double kOnBorder = 1e-5;
+// Of unit vectors along moves that are tangent to each other.
+constexpr double kTangent = 1e-3;
+// So many moves that follow each other are looked at for being tangent.
+constexpr std::size_t kMostInARow = 20;
+
 // A place where the border of a swept area crosses the circle: unit vector from the circle's
 // centre.
 struct Crossing {
@@ -461,6 +468,36 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
     at = entry.before;
   }
   return false;
+}
+
+std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x) const {
+  for (std::int32_t at = cell_at(x).newest; at >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    at = entry.before;
+    const auto index = static_cast<std::size_t>(entry.move);
+    if (std::abs(distance(primitives_[index], x) - primitives_[index].radius) < kOnBorder)
+      return index;
+  }
+  return std::nullopt;
+}
+
+// True when the moves from `first` to `last` are few, and each is tangent to the next.
+bool ClearedGround::runs_on(std::size_t first, std::size_t last) const {
+  if (last - first > kMostInARow) return false;
+  for (std::size_t i = first; i < last; ++i) {
+    const Segment &a = primitives_[i].segment, &b = primitives_[i + 1].segment;
+    if (evenload::distance(a.b, b.a) > kOnBorder || norm(a.tangent(1) - b.tangent(0)) > kTangent)
+      return false;
+  }
+  return true;
+}
+
+bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b) const {
+  const std::optional<std::size_t> at_a = move_bordering(a), at_b = move_bordering(b);
+  if (at_a && at_b) return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b));
+  if (at_a || at_b || !limited_) return false;
+  const BoundaryIndex::Hit edge_a = material_.nearest(a), edge_b = material_.nearest(b);
+  return edge_a.curve == edge_b.curve && edge_a.segment == edge_b.segment;
 }
 
 bool ClearedGround::is_cleared_point(Vec2 x) const {
