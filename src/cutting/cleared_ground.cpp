@@ -25,6 +25,13 @@ constexpr double kWindowMargin = 1e-9;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
 
+// mm: from the border of a swept area to a place on it.
+constexpr double kOnBorder = 1e-5;
+// Of unit vectors along moves that are tangent to each other.
+constexpr double kTangent = 1e-3;
+// So many moves that follow each other are looked at for being tangent.
+constexpr std::size_t kMostInARow = 20;
+
 // The least interval that holds what `set` has within [low, high]; of no width where that is
 // nothing.
 AngularInterval part_within(const std::vector<AngularInterval>& set, double low, double high) {
@@ -350,6 +357,36 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
     at = entry.before;
   }
   return false;
+}
+
+std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x) const {
+  for (std::int32_t at = cell_at(x).newest; at >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    at = entry.before;
+    const auto index = static_cast<std::size_t>(entry.move);
+    if (std::abs(moves_[index].distance(x) - moves_[index].swept_radius()) < kOnBorder)
+      return index;
+  }
+  return std::nullopt;
+}
+
+// True when the moves from `first` to `last` are few, and each is tangent to the next.
+bool ClearedGround::runs_on(std::size_t first, std::size_t last) const {
+  if (last - first > kMostInARow) return false;
+  for (std::size_t i = first; i < last; ++i) {
+    const Segment &a = moves_[i].segment(), &b = moves_[i + 1].segment();
+    if (evenload::distance(a.b, b.a) > kOnBorder || norm(a.tangent(1) - b.tangent(0)) > kTangent)
+      return false;
+  }
+  return true;
+}
+
+bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b) const {
+  const std::optional<std::size_t> at_a = move_bordering(a), at_b = move_bordering(b);
+  if (at_a && at_b) return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b));
+  if (at_a || at_b || !limited_) return false;
+  const BoundaryIndex::Hit edge_a = material_.nearest(a), edge_b = material_.nearest(b);
+  return edge_a.curve == edge_b.curve && edge_a.segment == edge_b.segment;
 }
 
 bool ClearedGround::is_cleared_point(Vec2 x) const {

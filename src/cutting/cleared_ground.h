@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 #include "cutting/swept_move.h"
@@ -56,6 +57,9 @@ class ClearedGround {
   bool is_clear(Vec2 p, double shrink = kCoverTolerance) const;
   // True when the point `x` holds no material.
   bool is_cleared_point(Vec2 x) const;
+  // True when the border of the cleared ground is surely smooth between two places on it: one move
+  // swept both sides, or moves that are tangent to each other, or one edge of the stock ends there.
+  bool is_smooth_between(Vec2 a, Vec2 b) const;
   // True when `x`, which held material before the move numbered `first`, was cleared since.
   bool is_cleared_since(Vec2 x, std::size_t first) const;
 
@@ -97,6 +101,9 @@ class ClearedGround {
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;
+  // The newest move on whose border `x` is.
+  std::optional<std::size_t> move_bordering(Vec2 x) const;
+  bool runs_on(std::size_t first, std::size_t last) const;
   void remove_outside_material(Vec2 p, double base, double radius,
                                std::vector<AngularInterval>& set) const;
   const Cell& cell_at(Vec2 x) const;

@@ -106,10 +106,18 @@ Steering::Contact Steering::contact(const Pose& at) const {
     if (piece.width() > widest) {
       widest = piece.width();
       result.steer = piece.high - right;
+      result.edge = at.p + (radius_ - kThin) * unit(piece.high);
     }
   }
   result.steer = std::max(result.steer, result.total);
   return result;
+}
+
+// True where the engagement cannot peak between two places beside each other: the front has no cusp
+// there, at which it would.
+bool Steering::is_smooth_between(const Contact& a, const Contact& b) const {
+  if (a.total <= kInContact || b.total <= kInContact) return true;
+  return ground_.is_smooth_between(a.edge, b.edge);
 }
 
 Pose Steering::pose() const { return pass_.moves.empty() ? start_ : end_of(pass_.moves.back()); }
@@ -314,10 +322,17 @@ void Steering::step_on_wall() {
   }
   step = std::min(step, left);
   double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
-  const auto engagement_at = [&](double t) {
-    return contact({wall.point(t), angle_of(wall.tangent(t))}).total;
+  const auto contact_at = [&](double t) {
+    return contact({wall.point(t), angle_of(wall.tangent(t))});
   };
-  double total = engagement_at(t1);
+  const auto engagement_at = [&](double t) { return contact_at(t).total; };
+  const Contact end = contact_at(t1);
+  double total = end.total;
+  if (step > kCuspLook * radius_ && !is_smooth_between(contact_at(wall_.t), end)) {
+    step = kCuspLook * radius_;
+    t1 = wall_.t + step / length;
+    total = engagement_at(t1);
+  }
   while (turn_ <= 0 && (total > theta_ || over_mean(total, step)) &&
          step > kFinestWallStep * radius_) {
     step *= 0.5;
@@ -491,10 +506,11 @@ Steering::Error Steering::error_of(const Step& step) const {
   const bool steady = step.excess > -kSolved * 2;
   const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
   const double end = target_of(length) + step.excess - theta_;
-  const double begin =
-      steady ? std::clamp(contact(pose()).steer - theta_, kLowestBegin, kHighestBegin) : 0;
-  // Where the engagement falls on the way it may have risen before, at a cusp of the front.
-  const double between = (steady ? kLookStep : kCuspLook) * radius_;
+  const Contact first = contact(pose());
+  const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
+  // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
+  const bool smooth = steady && is_smooth_between(first, contact(end_of(step.move)));
+  const double between = (smooth ? kLookStep : kCuspLook) * radius_;
   const int along = static_cast<int>(std::ceil(length / between));
   const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
   const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);

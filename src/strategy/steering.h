@@ -73,6 +73,7 @@ class Steering {
     double total = 0;  // rad engaged in the leading half circle
     double steer =
         0;  // rad from the right to the far end of the main engaged arc, or total if that is more
+    Vec2 edge;  // that far end, on the border of what is cleared
   };
 
   // A free step from where the tool stands.
@@ -94,6 +95,7 @@ class Steering {
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);
+  bool is_smooth_between(const Contact& a, const Contact& b) const;
   double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
   void step_on_wall();
   void step_free();
