@@ -12,6 +12,7 @@
 #include "geometry/medial_axis.h"
 #include "strategy/entry.h"
 #include "strategy/feeds.h"
+#include "strategy/mirror.h"
 #include "strategy/passage_clearing.h"
 #include "strategy/passage_report.h"
 #include "strategy/region_clearing.h"
@@ -80,33 +81,6 @@ void check(const ClearingParams& p) {
         "The pre-drilled hole is smaller than the tool: set HoleDiameter to at least the tool's "
         "diameter, or choose another entry.");
   }
-}
-
-Vec2 mirrored(Vec2 p) { return {-p.x, p.y}; }
-
-Curve mirrored(const Curve& curve) {
-  // Reversed as well, so that the sense of rotation stays.
-  std::vector<Vertex> vertices;
-  const std::vector<Vertex>& in = curve.vertices();
-  const std::size_t n = in.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vertex& at = in[(n - i) % n];
-    const Vertex& piece = in[(2 * n - i - 1) % n];
-    // Reversing turns a left arc into a right one, and mirroring turns it back.
-    vertices.push_back({mirrored(at.p), piece.bulge, piece.open});
-  }
-  return Curve(std::move(vertices), true);
-}
-
-std::vector<Region> mirrored(const std::vector<Region>& regions) {
-  std::vector<Region> result;
-  for (const Region& region : regions) {
-    Region r;
-    r.outer = mirrored(region.outer);
-    for (const Curve& island : region.islands) r.islands.push_back(mirrored(island));
-    result.push_back(std::move(r));
-  }
-  return result;
 }
 
 // The same with nothing but open pieces: all of its border lies against cleared ground.
@@ -426,19 +400,8 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
   path.report.ideal_time =
       levels * removed / (side_step(params.engagement_angle, radius) * params.feed) * 60;
 
-  if (mirror) {
-    for (PlanarRun& run : runs) {
-      run.descent.at = mirrored(run.descent.at);
-      run.descent.centre = mirrored(run.descent.centre);
-      run.descent.ramp_end = mirrored(run.descent.ramp_end);
-      for (PlanarMove& move : run.moves) {
-        const Segment& s = move.segment;
-        move.segment =
-            s.is_arc() ? Segment::arc(mirrored(s.centre), s.radius, kPi - s.start_angle, -s.sweep)
-                       : Segment::line(mirrored(s.a), mirrored(s.b));
-      }
-    }
-  }
+  if (mirror)
+    for (PlanarRun& run : runs) mirror_run(run);
   AssemblyParams assembly;
   assembly.top = params.top;
   assembly.levels = params.levels;
