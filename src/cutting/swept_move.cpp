@@ -104,12 +104,6 @@ BorderView SweptMove::seen_from(Vec2 x) const {
   return view;
 }
 
-bool hides(const BorderView& hiding, const BorderView& hidden, double reach) {
-  return hiding.beyond + reach * reach / (2 * hiding.distance) +
-             reach * norm(hiding.away - hidden.away) + kHidingMargin <=
-         hidden.beyond - hidden.bulge;
-}
-
 bool SweptMove::subtract(const CircleLook& look, std::vector<AngularInterval>& set) const {
   const Vec2 p = look.p;
   const double radius = look.radius;

@@ -43,7 +43,7 @@ struct BorderView {
 // True only when, within `reach` of the point that both are seen from, the one move clears all that
 // the other does, and kHidingMargin more. Distances from a move grow no faster than those from its
 // nearest point, and no slower than those from the straight line that bounds it.
-bool hides(const BorderView& hiding, const BorderView& hidden, double reach);
+inline bool hides(const BorderView& hiding, const BorderView& hidden, double reach);
 
 // mm: far above rounding.
 inline constexpr double kHidingMargin = 1e-6;
@@ -76,6 +76,12 @@ class SweptMove {
   Vec2 first_, last_;    // arcs: unit vectors from the centre to the ends, counter-clockwise
   bool reflex_ = false;  // arcs: the sector is wider than half a turn
 };
+
+inline bool hides(const BorderView& hiding, const BorderView& hidden, double reach) {
+  const double spare = hidden.beyond - hidden.bulge - hiding.beyond - kHidingMargin;
+  return spare > 0 &&
+         reach * reach / (2 * hiding.distance) + reach * norm(hiding.away - hidden.away) <= spare;
+}
 
 inline double SweptMove::distance(Vec2 x) const {
   const Segment& s = segment_;

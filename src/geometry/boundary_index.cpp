@@ -50,6 +50,9 @@ struct FastPiece {
 };
 
 constexpr std::size_t kCellsPerSide = 512;  // at most; the hints then fill a few MB
+// Of squared distances: a hint stays until a piece is a tenth nearer. In the middle of a round
+// outline nearly all pieces are equally near, and to find the nearest would take a look at each.
+constexpr double kHintSlack = 0.81;
 
 }  // namespace
 
@@ -123,7 +126,7 @@ void BoundaryIndex::Implementation::build_grid(const std::vector<Bounds>& boxes)
       const std::size_t cell = row * columns + column;
       const Vec2 centre{box.low.x + (static_cast<double>(column) + 0.5) * side,
                         box.low.y + (static_cast<double>(row) + 0.5) * side};
-      search(centre, pieces[near].squared_distance(centre), near);
+      search(centre, kHintSlack * pieces[near].squared_distance(centre), near);
       hint[cell] = static_cast<std::uint32_t>(near);
       if (passed[cell]) continue;
       const bool as_before = column > 0 && !passed[cell - 1];
