@@ -40,7 +40,7 @@ constexpr double kSmooth = 0.9 * kDegree;
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24;
 constexpr double kBias = 0.8 * kDegree, kBiasShare = 1.0 / 75;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
-constexpr double kMeanLength = 0.1;  // mm of path over which engagement is a mean
+constexpr double kMeanLength = 0.1;   // mm of path over which engagement is a mean
 constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 constexpr double kCornerShare =
     0.7;  // of the limit for that mean: rounded G-code meets more in a corner
@@ -619,9 +619,9 @@ void Steering::reset(const Pose& start) {
   rises_ = false;
 }
 
-// Where a pass along the exact border ended in the middle of a front the next one would begin there,
-// and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far back as
-// the tool is clear, unless nothing is met at once.
+// Where a pass along the exact border ended in the middle of a front the next one would begin
+// there, and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far
+// back as the tool is clear, unless nothing is met at once.
 WallPlace Steering::run_up(const WallPlace& start) const {
   const Curve& curve = stage_.centres.curves()[start.curve];
   const std::size_t n = curve.segment_count();
