@@ -109,6 +109,9 @@ def judge(case, twice):
     compute = time.process_time() - start
     if twice and choices.path_and_scene(case, resolution)[0].moves != path.moves:
         return {"wrong": "cleared twice, the moves differ"}
+    if not path.moves:
+        skipped = case.get("choices", {}).get("narrow_passages") == "skip and report"
+        return {"refused": "all of it is narrow"} if skipped else {"wrong": "no path"}
     figures = figures_of(case, path, scene)
     return {"figures": figures, "compute": compute, "notes": list(path.report.notes)}
 
