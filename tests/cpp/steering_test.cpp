@@ -140,8 +140,8 @@ TEST(Steering, HoldsTheEngagementPastCuspsOfTheFront) {
   const Region centres = make_region(rectangle(-60, -40, 60, 40));
   const std::vector<Stage> stages = make_stages(centres, {});
   const double theta = 60 * kDegree;
-  for (const double bend : {8.0, 15.0, 25.0})
-    for (double from = -16; from < -14; from += 0.25) {
+  for (const double bend : {15.0, 45.0, 90.0})
+    for (double from = -16; from < -14; from += 0.1) {
       ClearedGround ground({{-70, -50}, {70, 50}}, kRadius, nullptr);
       // The front falls away by `bend` degrees at x = 0.
       ground.add(Segment::line({-40, kRadius}, {0, kRadius}));
