@@ -32,9 +32,15 @@ void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedG
       if (centres.signed_distance(p) < -(radius - kEdge)) continue;
       points_.push_back(p);
     }
-  to_ask_ = PointGrid(bounds, kCell * radius);
-  for (std::size_t i = 0; i < points_.size(); ++i) to_ask_.add(i, points_[i]);
+  bounds_ = bounds;
   prepared_ = true;
+  ask_again(ground);
+}
+
+void Leftover::ask_again(const ClearedGround& ground) {
+  to_ask_ = PointGrid(bounds_, kCell * ground.tool_radius());
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    if (!ground.is_cleared_point(points_[i])) to_ask_.add(i, points_[i]);
 }
 
 double Leftover::area(const ClearedGround& ground) {

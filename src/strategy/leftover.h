@@ -20,6 +20,9 @@ class Leftover {
   // A pose that touches, on its right, leftover material not yet asked for; nearest to `from`
   // first. Each place is offered once.
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
+  // Every place that is still left will be offered once more: what a pass left of a piece may be
+  // reached from another side. Condition: prepared().
+  void ask_again(const ClearedGround& ground);
   // mm^2 that are still left. Condition: prepared().
   double area(const ClearedGround& ground);
   // The first point of what area() found; empty when there was nothing.
@@ -29,6 +32,7 @@ class Leftover {
   std::optional<Vec2> nearest_left(const ClearedGround& ground, Vec2 from);
 
   std::vector<Vec2> points_;
+  Bounds bounds_;
   PointGrid to_ask_;  // those of the points that may be left and were not asked for
   std::optional<Vec2> place_;
   double cell_ = 0;

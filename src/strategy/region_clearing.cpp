@@ -604,13 +604,24 @@ class RegionClearing {
   // Material that no wall leads to: approached from the nearest place where the tool has been.
   bool cut_leftover() {
     if (!leftover_.prepared()) prepare_leftover();
-    while (const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p)) {
+    while (const std::optional<Pose> start = next_leftover()) {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = pass_from_pose(*start, &turn_radius);
-      if (!pass.empty() && go_and_take(std::move(pass), turn_radius, before)) return true;
+      if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) continue;
+      cut_since_asked_ = true;
+      return true;
     }
     return false;
+  }
+
+  // Places come once, and once more after one of them came to something.
+  std::optional<Pose> next_leftover() {
+    const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p);
+    if (start || !cut_since_asked_) return start;
+    cut_since_asked_ = false;
+    leftover_.ask_again(ground_);
+    return leftover_.next_start(ground_, exact_, here_.p);
   }
 
   const RegionTask& task_;
@@ -623,6 +634,7 @@ class RegionClearing {
   std::vector<Stage> stages_;
   WallSamples samples_;
   Leftover leftover_;
+  bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
   NextRoom untouched_, touched_;    // the first rooms that may need an entry

@@ -124,6 +124,74 @@ TEST(Steering, CutsFromWallToWall) {
   }
 }
 
+// rad engaged in the leading half circle at the share `t` of the move numbered `index`, as the
+// ground was before it.
+double engagement_of(const ClearedGround& ground, const Segment& move, double t,
+                     std::size_t index) {
+  const double right = angle_of(move.tangent(t)) - kPi / 2;
+  std::vector<AngularInterval> arcs;
+  ground.uncovered(move.point(t), right, right + kPi, arcs, 1e-6, index);
+  double sum = 0;
+  for (const AngularInterval& arc : arcs) sum += arc.width();
+  return sum;
+}
+
+TEST(Steering, HoldsTheEngagementPastCuspsOfTheFront) {
+  const Region centres = make_region(rectangle(-60, -40, 60, 40));
+  const std::vector<Stage> stages = make_stages(centres, {});
+  const double theta = 60 * kDegree;
+  for (const double bend : {15.0, 45.0, 90.0})
+    for (double from = -16; from < -14; from += 0.1) {
+      ClearedGround ground({{-70, -50}, {70, 50}}, kRadius, nullptr);
+      // The front falls away by `bend` degrees at x = 0.
+      ground.add(Segment::line({-40, kRadius}, {0, kRadius}));
+      ground.add(Segment::line({0, kRadius}, Vec2{0, kRadius} + 40.0 * unit(-bend * kDegree)));
+      const std::size_t before = ground.size();
+      Steering steering(ground, stages.front(), theta);
+      const Pass pass = steering.from_pose({{from, kRadius}, 0});
+      ASSERT_FALSE(pass.empty());
+      double worst = 0;
+      for (std::size_t i = 0; i < pass.moves.size(); ++i) {
+        const Segment& move = pass.moves[i];
+        if (std::abs(move.a.x) > 8) continue;
+        const int looks = static_cast<int>(std::ceil(move.length() / 0.02));
+        for (int k = 0; k <= looks; ++k)
+          worst = std::max(worst,
+                           engagement_of(ground, move, static_cast<double>(k) / looks, before + i));
+      }
+      EXPECT_GE(worst, theta - 1 * kDegree) << bend << " degrees, from " << from;
+      EXPECT_LE(worst, theta + 1.5 * kDegree) << bend << " degrees, from " << from;
+    }
+}
+
+TEST(Steering, TakesARunUpAlongTheExactBorderWhereTheLastPassEndedInAFront) {
+  const Region centres = make_region(rectangle(0, 0, 40, 30));
+  const std::vector<Stage> stages = make_stages(centres, {});
+  const double theta = 60 * kDegree, window = 0.1;
+  ClearedGround ground({{-5, -5}, {45, 35}}, kRadius, nullptr);
+  clear_rectangle(ground, -3, -3, 15, 33);
+  Vec2 at{12, 0};
+  for (int i = 0; i < 4; ++i) {
+    const std::size_t before = ground.size();
+    Steering steering(ground, stages.back(), theta);
+    const BoundaryIndex::Hit hit = stages.back().centres.nearest(at);
+    const Pass pass = steering.bit_by_bit({hit.curve, hit.segment, hit.t});
+    ASSERT_FALSE(pass.empty()) << i;
+    EXPECT_NEAR(pass.start().p.x, at.x - window, 1e-3) << i;
+    EXPECT_GT(pass.end().p.x, at.x) << i;
+    double sum = 0;
+    for (std::size_t k = 0; k < pass.moves.size(); ++k) {
+      constexpr int kLooks = 100;
+      for (int n = 0; n < kLooks; ++n)
+        sum += engagement_of(ground, pass.moves[k], (n + 0.5) / kLooks, before + k) / kLooks *
+               pass.moves[k].length();
+    }
+    EXPECT_LE(sum, theta * window) << i;
+    EXPECT_GT(engagement_of(ground, pass.moves.back(), 1, before + pass.moves.size() - 1), theta);
+    at = pass.end().p;
+  }
+}
+
 TEST(Steering, MakesNoPassWhereThereIsNoMaterial) {
   const Region centres = make_region(rectangle(0, 0, 20, 20));
   const std::vector<Stage> stages = make_stages(centres, {});

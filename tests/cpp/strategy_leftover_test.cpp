@@ -80,5 +80,15 @@ TEST_F(TwoPosts, AreNotOfferedAfterTheyWereCut) {
   EXPECT_FALSE(leftover_.place());
 }
 
+TEST_F(TwoPosts, AreOfferedAgainWhereTheyAreStillLeft) {
+  while (leftover_.next_start(ground_, centres_, {30, 15})) {
+  }
+  clear({45, 15}, {55, 15});
+  leftover_.ask_again(ground_);
+  const std::optional<Pose> pose = leftover_.next_start(ground_, centres_, {55, 15});
+  ASSERT_TRUE(pose);
+  EXPECT_EQ(post_beside(*pose), left_);
+}
+
 }  // namespace
 }  // namespace evenload

@@ -24,8 +24,10 @@ HOLES = (6.6, 10.0)  # mm
 RADII = (0.2, 2.0)  # mm
 STOCK_TO_LEAVE = (0.05, 0.6)  # mm
 LINK_LIFT = (0.1, 1.0)  # mm
+CHORD = 2e-4  # mm: at the radius of the tool 1.3 degrees
 LARGER = (7.0, 16.0)  # mm: the tool before
 ON_HULL = 1e-9  # mm
+NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
 REST_RESOLUTION = 0.05  # mm: as the operations have it
 THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
 LEAST_PIECE = 1e-6  # mm2: less is rounding
@@ -55,7 +57,8 @@ def choose(pick, case):
     if now():
         chosen["narrow_passages"] = pick.choice(("cut at reduced feed", "skip and report"))
     if now():
-        chosen["arcs"] = False
+        # Chords turn the feed by so little that the engagement can be held.
+        chosen.update(arcs=False, tolerance=CHORD)
     if now():
         case["roll_radius"] = round(pick.uniform(*RADII), 2)
     before = pick.choice(("hole", "open", "rest")) if pick.random() < 3 * CHANCE else None
@@ -168,12 +171,14 @@ def pieces(shape):
     return [piece for piece in getattr(shape, "geoms", [shape]) if piece.area > LEAST_PIECE]
 
 
-def limits_for(case, limits):
-    """Those of the limits that apply to what was chosen."""
+def limits_for(case, notes, limits):
+    """Those of the limits that apply to what was chosen; notes: those of the report."""
     chosen = case.get("choices", {})
     without = set()
     if "feed_control" in chosen:
         without.add("rate")
     if "narrow_passages" in chosen:
         without |= {"rest"} if chosen["narrow_passages"] == "skip and report" else {"over", "rate"}
+    if any(NO_HOLE in note for note in notes):
+        without.add("rest")
     return {name: limit for name, limit in limits.items() if name not in without}

@@ -109,7 +109,11 @@ def judge(case, twice):
     compute = time.process_time() - start
     if twice and choices.path_and_scene(case, resolution)[0].moves != path.moves:
         return {"wrong": "cleared twice, the moves differ"}
-    return {"figures": figures_of(case, path, scene), "compute": compute}
+    if not path.moves:
+        skipped = case.get("choices", {}).get("narrow_passages") == "skip and report"
+        return {"refused": "all of it is narrow"} if skipped else {"wrong": "no path"}
+    figures = figures_of(case, path, scene)
+    return {"figures": figures, "compute": compute, "notes": list(path.report.notes)}
 
 
 def _wrong(error):
@@ -170,7 +174,7 @@ def faults(case, answer):
         return []
     found = [
         "%s %.4g above %g" % (name, answer["figures"][name], limit)
-        for name, limit in choices.limits_for(case, LIMITS).items()
+        for name, limit in choices.limits_for(case, answer["notes"], LIMITS).items()
         if not answer["figures"][name] <= limit
     ]
     if answer["figures"]["climb"] < LEAST_CLIMB:

@@ -7,11 +7,18 @@ from pathlib import Path
 
 import pytest
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "fuzz"))
+ROOT = Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "tests" / "fuzz"), str(ROOT / "bench")]
+import choices  # noqa: E402
 import fuzz_adaptive  # noqa: E402
 import shapes  # noqa: E402
 
-FINE = {**{name: 0.0 for name in fuzz_adaptive.LIMITS}, "ratio": 1.1}
+FINE = {**{name: 0.0 for name in fuzz_adaptive.LIMITS}, "climb": 1.0, "ratio": 1.1}
+
+
+def faults(figures, case=None, compute=1.0, notes=()):
+    answer = {"figures": {**FINE, **figures}, "compute": compute, "notes": list(notes)}
+    return fuzz_adaptive.faults(case or {}, answer)
 
 
 def first_cases(count, seed=1):
@@ -52,20 +59,78 @@ def test_a_case_is_cleared_and_judged():
     (_, case), *_ = [pair for pair in first_cases(7) if "slot" in pair[1]["name"]]
     case["engagement_deg"] = 60.0
     answer = fuzz_adaptive.judge(case, twice=True)
-    assert set(answer["figures"]) == set(fuzz_adaptive.LIMITS) | {"ratio"}
+    assert set(answer["figures"]) == set(fuzz_adaptive.LIMITS) | {"climb", "ratio"}
     assert 1.0 < answer["figures"]["ratio"] < 3 and 0 < answer["compute"] < 60
 
 
 def test_every_figure_above_its_limit_is_a_fault():
-    assert fuzz_adaptive.faults({"figures": FINE, "compute": 1.0}) == []
+    assert faults({}) == []
     for name, limit in fuzz_adaptive.LIMITS.items():
-        (fault,) = fuzz_adaptive.faults({"figures": {**FINE, name: limit + 1}, "compute": 1.0})
+        (fault,) = faults({name: limit + 1})
         assert fault.startswith(name + " ")
-        bad = {**FINE, name: float("nan")}
-        assert len(fuzz_adaptive.faults({"figures": bad, "compute": 1.0})) == 1
-    assert fuzz_adaptive.faults({"figures": FINE, "compute": 61.0}) == ["took 61 s"]
-    assert fuzz_adaptive.faults({"refused": "too narrow"}) == []
-    assert fuzz_adaptive.faults({"wrong": "crashed with code -11"}) == ["crashed with code -11"]
+        assert len(faults({name: float("nan")})) == 1
+    assert faults({"climb": 0.9}) == ["climb 0.9 below 0.995"]
+    assert faults({}, compute=61.0) == ["took 61 s"]
+    assert fuzz_adaptive.faults({}, {"refused": "too narrow"}) == []
+    crashed = {"wrong": "crashed with code -11"}
+    assert fuzz_adaptive.faults({}, crashed) == ["crashed with code -11"]
+
+
+def test_figures_that_do_not_apply_to_a_choice_are_not_judged():
+    high = {"rate": 9.0, "rest": 9.0}
+    assert len(faults(high)) == 2
+    (fault,) = faults(high, {"choices": {"feed_control": "constant force"}})
+    assert fault.startswith("rest")
+    (fault,) = faults(high, {"choices": {"narrow_passages": "skip and report"}})
+    assert fault.startswith("rate")
+    (fault,) = faults(high, {}, notes=["The region near (1, 2), which %s: do." % choices.NO_HOLE])
+    assert fault.startswith("rate")
+
+
+def test_each_second_case_has_choices_and_all_of_them_come_up():
+    cases = first_cases(400)
+    assert not any("choices" in case for number, case in cases if number % 2 == 0)
+    chosen = set().union(*(case.get("choices", {}) for _, case in cases))
+    assert chosen >= {"cut_mode", "feed_control", "entry", "stock_to_leave", "minimum_radius"}
+    assert chosen >= {"link_lift", "narrow_passages", "arcs"}
+    for key in ("hole", "open_edges", "rest_of"):
+        assert any(key in case for _, case in cases)
+
+
+def with_choices(**given):
+    """A square of 40 mm with an island."""
+    (_, case) = first_cases(1)[0]
+    corners = [[0.0, 0.0, 0.0], [40.0, 0.0, 0.0], [40.0, 40.0, 0.0], [0.0, 40.0, 0.0]]
+    island = [[25.0, 20.0, 1.0], [15.0, 20.0, 1.0]]
+    plain = {key: case[key] for key in case if key not in ("choices", "open")}
+    return {**plain, "outer": corners, "islands": [island], "engagement_deg": 60.0, **given}
+
+
+@pytest.mark.parametrize(
+    "given",
+    (
+        {"choices": {"stock_to_leave": 0.4}},
+        {"choices": {"cut_mode": "conventional", "entry": "ramp", "arcs": False}},
+        {
+            "choices": {
+                "feed_control": "constant force",
+                "force_coefficients": choices.FORCE,
+                **choices.SPINDLE,
+            }
+        },
+        {"open_edges": [1, 2]},
+        {"hole": [7.0, 7.0, 8.0]},
+        {"rest_of": 16.0},
+    ),
+    ids=lambda given: "_".join(given) + "_" + "_".join(given.get("choices", {})),
+)
+def test_what_was_chosen_is_cleared_and_judged(given):
+    case = with_choices(**given)
+    if not case.get("choices", {}).get("arcs", True):
+        case["choices"]["tolerance"] = choices.CHORD
+    answer = fuzz_adaptive.judge(case, False)
+    assert fuzz_adaptive.faults(case, answer) == []
+    assert answer["figures"]["ratio"] > 0.9
 
 
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
