@@ -278,7 +278,8 @@ class RegionClearing {
     take_back(pass);
     pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
     std::vector<Segment> way =
-        without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle);
+        without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
+                            std::min(kWidening, kWideningPerAngle * params_.engagement_angle));
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
   }

@@ -257,8 +257,9 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const Demands& d
 }  // namespace
 
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
-                                         ClearedGround& ground, double engagement) {
-  return widened(moves, {centres, centres, kWidening, 0, &ground, engagement});
+                                         ClearedGround& ground, double engagement,
+                                         double widening) {
+  return widened(moves, {centres, centres, widening, 0, &ground, engagement});
 }
 
 std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact) {

@@ -10,17 +10,20 @@
 
 namespace evenload {
 
-// mm: by which a pass may come nearer to a turn's centre. What it leaves of a wall is not more.
+// mm: by which a pass may come nearer to a turn's centre than planned. What it leaves is no more,
+// and too little to come back for; the next pass meets it.
 inline constexpr double kWidening = 0.004;
+// mm per rad of the engagement angle: at small angles less.
+inline constexpr double kWideningPerAngle = 0.005;
 
 // `moves` with each arc that becomes_corners, and others like it beside it, replaced by one arc,
 // tangent to the moves before and after, the tightest that stays an arc. It is replaced only where
-// the new arc stays within kWidening mm of the old moves, inside `centres`, and meets no more than
+// the new arc stays within `widening` mm of the old moves, inside `centres`, and meets no more than
 // `engagement` rad and a tolerance. `ground`: before the moves; it is left as it was. Laws: the
 // moves follow each other as before, without new corners; they begin and end where they did; tight
 // turns along the border of `centres` stay as they are.
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
-                                         ClearedGround& ground, double engagement);
+                                         ClearedGround& ground, double engagement, double widening);
 
 // The same for the sharp corners of regions' borders, inside the regions and however far from the
 // corner; tight turns along the border of `exact` stay as they are.
