@@ -33,7 +33,7 @@ LARGEST_SWEEP = pi * (1 + 1e-6)
 # its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
 # long enough for that to do no harm.
 SMALLEST_CROSS = 0.0052  # mm^2
-LARGEST_SMALL_SWEEP = 1.75  # rad: a hundred degrees
+LARGEST_SMALL_SWEEP = 1.6  # rad: a quarter turn is the middle of such a half circle
 SAGITTA = 0.004  # mm: largest distance of those lines from the arc, on the inner side
 
 

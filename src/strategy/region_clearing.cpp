@@ -53,7 +53,7 @@ constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
 // mm: no pass turns more tightly in a corner where a stage that does not can enter.
-constexpr double kTightInCorner = 0.1;
+constexpr double kTightInCorner = 0.08;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
@@ -279,7 +279,7 @@ class RegionClearing {
     pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
-                            std::min(kWidening, kWideningPerAngle * params_.engagement_angle));
+                            most_widening(params_.engagement_angle, radius_));
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
   }

@@ -10,6 +10,10 @@
 namespace evenload {
 namespace {
 
+// mm, and of the engagement angle: the thickest that may be left, and the longest arc on which the
+// tool meets it.
+constexpr double kThickest = 0.004;
+constexpr double kArcShare = 0.07;
 // mm along the path: where the first new arc that is tried begins before the old ones, and by how
 // much further each next one does.
 constexpr double kFirstReach = 0.002;
@@ -255,6 +259,11 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const Demands& d
 }
 
 }  // namespace
+
+double most_widening(double engagement, double tool_radius) {
+  const double arc = kArcShare * engagement;
+  return std::min(kThickest, 0.5 * tool_radius * arc * arc);
+}
 
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement,

@@ -10,11 +10,10 @@
 
 namespace evenload {
 
-// mm: by which a pass may come nearer to a turn's centre than planned. What it leaves is no more,
-// and too little to come back for; the next pass meets it.
-inline constexpr double kWidening = 0.004;
-// mm per rad of the engagement angle: at small angles less.
-inline constexpr double kWideningPerAngle = 0.005;
+// mm: by which a pass may come nearer to a turn's centre than planned, within the tolerance. What
+// it leaves is no thicker, and too little to come back for: the next pass meets it, on an arc that
+// is short beside `engagement` rad.
+double most_widening(double engagement, double tool_radius);
 
 // `moves` with each arc that becomes_corners, and others like it beside it, replaced by one arc,
 // tangent to the moves before and after, the tightest that stays an arc. It is replaced only where

@@ -9,7 +9,7 @@
 namespace evenload {
 
 inline constexpr double kLeastSpan = 0.0054;      // mm^2: radius^2 times the sine of the sweep
-inline constexpr double kSpanlessSweep = 1.76;    // rad: arcs that turn further stay arcs
+inline constexpr double kSpanlessSweep = 1.61;    // rad: arcs that turn further stay arcs
 inline constexpr double kUnseenTurn = 0.0175;     // rad: no corner of a line is as large as that
 inline constexpr double kLeastArcRadius = 0.011;  // mm
 
