@@ -31,7 +31,7 @@ MOST_TURN_CHANGE = 0.5  # rad: by which rounding may change a sweep; only the ti
 LARGEST_SWEEP = pi * (1 + 1e-6)
 # FreeCAD's simulator and dressups take an arc whose end points span an area below 0.005 mm^2 with
 # its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
-# long enough for that to do no harm.
+# long enough for that to do no harm. The core avoids them: its small_arc.h has these limits.
 SMALLEST_CROSS = 0.0052  # mm^2
 LARGEST_SMALL_SWEEP = 1.6  # rad: a quarter turn is the middle of such a half circle
 SAGITTA = 0.004  # mm: largest distance of those lines from the arc, on the inner side
