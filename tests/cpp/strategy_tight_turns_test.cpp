@@ -207,7 +207,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, APostedPocket,
                                          "lame_hex50", "large_engagement", "lshape",
                                          "neck_too_narrow", "ring", "slot875", "slot9", "square60",
                                          "star", "two_rooms", "two_rooms_closed"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& pocket) { return pocket.param; });
 
 }  // namespace
 }  // namespace evenload
