@@ -13,7 +13,7 @@ namespace {
 // mm, and of the engagement angle: the thickest that may be left, and the longest arc on which the
 // tool meets it.
 constexpr double kThickest = 0.004;
-constexpr double kArcShare = 0.07;
+constexpr double kArcShare = 0.04;
 // mm along the path: where the first new arc that is tried begins before the old ones, and by how
 // much further each next one does.
 constexpr double kFirstReach = 0.002;
