@@ -53,7 +53,7 @@ constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
 // mm: no pass turns more tightly in a corner where a stage that does not can enter.
-constexpr double kTightInCorner = 0.08;
+constexpr double kTightInCorner = 0.1;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
