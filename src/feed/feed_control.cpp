@@ -4,6 +4,8 @@
 #include <cmath>
 #include <limits>
 
+#include "toolpath/small_arc.h"
+
 namespace evenload {
 namespace {
 
@@ -27,8 +29,9 @@ struct Piece {
 };
 
 // Whether the feed may change after each of the samples [first, last): where a move ends, and so
-// far from its ends that no tiny move is split off.
-std::vector<char> places_for_change(const std::vector<LoadSample>& profile, std::size_t first,
+// far from its ends that no tiny move and no tight turn is split off.
+std::vector<char> places_for_change(const std::vector<PlanarRun>& runs,
+                                    const std::vector<LoadSample>& profile, std::size_t first,
                                     std::size_t last) {
   std::vector<char> allowed(last - first, 1);
   for (std::size_t begin = first; begin < last;) {
@@ -37,10 +40,15 @@ std::vector<char> places_for_change(const std::vector<LoadSample>& profile, std:
     for (; end < last && profile[end].move == profile[begin].move; ++end)
       left += profile[end].length;
     const std::size_t last_of_move = end - 1;
+    const Segment& move = runs[profile[begin].run].moves[profile[begin].move].segment;
+    const auto can_be = [&](double length) {
+      return length >= kShortestPart &&
+             !(move.is_arc() && becomes_corners(move.radius, length / move.radius));
+    };
     for (std::size_t k = begin; k < last_of_move; ++k) {
       done += profile[k].length;
       left -= profile[k].length;
-      allowed[k - first] = done >= kShortestPart && left >= kShortestPart;
+      allowed[k - first] = can_be(done) && can_be(left);
     }
     begin = end;
   }
@@ -48,12 +56,13 @@ std::vector<char> places_for_change(const std::vector<LoadSample>& profile, std:
 }
 
 // The best division of samples [first, last) into pieces of one feed.
-std::vector<Piece> divide(const std::vector<LoadSample>& profile, std::size_t first,
+std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
+                          const std::vector<LoadSample>& profile, std::size_t first,
                           std::size_t last, const FeedParams& params) {
   const std::size_t n = last - first;
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
-  const std::vector<char> may_change = places_for_change(profile, first, last);
+  const std::vector<char> may_change = places_for_change(runs, profile, first, last);
   cost[0] = 0;
   for (std::size_t j = 1; j <= n; ++j) {
     if (!may_change[j - 1]) continue;
@@ -115,7 +124,7 @@ std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
     }
     std::size_t end = i;
     while (end < profile.size() && profile[end].run == run && is_cut(profile[end])) ++end;
-    for (const Piece& piece : divide(profile, i, end, params)) {
+    for (const Piece& piece : divide(runs, profile, i, end, params)) {
       std::fill_n(feeds.data() + piece.first, piece.last - piece.first, piece.feed);
       // The piece's samples, move by move.
       std::size_t a = piece.first;

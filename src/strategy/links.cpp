@@ -16,8 +16,8 @@ constexpr double kLinkTolerance = 3e-5;
 constexpr double kLinkDistance = 1e-3;
 // mm: how far beyond the wall's offset a link may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
-// mm: what one more block may shorten a link by for its own sake. At 1500 mm/min that is 24 ms: less
-// is not worth another joint, at which machines slow down by as much.
+// mm: what one more block may shorten a link by for its own sake. At 1500 mm/min that is 24 ms:
+// less is not worth another joint, at which machines slow down by as much.
 constexpr double kBlockPrice = 0.6;
 // rad: of one arc of two. Back to back takes half a turn; beyond, three pieces are shorter.
 constexpr double kMostTurn = 1.1 * kPi;

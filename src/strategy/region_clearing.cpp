@@ -17,6 +17,7 @@
 #include "strategy/links.h"
 #include "strategy/short_moves.h"
 #include "strategy/steering.h"
+#include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
 #include "support/errors.h"
 
@@ -48,6 +49,8 @@ constexpr double kLeavingPrice = 1;
 constexpr double kKeptIdle = 0.03;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
+// mm: no pass turns more tightly in a corner where a stage that does not can enter.
+constexpr double kTightInCorner = 0.1;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
@@ -256,15 +259,20 @@ class RegionClearing {
     double turn_radius = 0;
     Pass pass = pass_from_pose(start, &turn_radius);
     if (pass.empty()) return false;
-    smooth(pass);
+    pass.moves = smooth(pass);
     return take(std::move(pass), turn_radius);
   }
 
-  // Rids the newest pass of its tiny moves, here and in the ground.
-  void smooth(Pass& pass) {
+  // Rids the newest pass of its tiny moves, here and in the ground. Returns the way to be posted,
+  // which has no tight turns either; what that leaves is too little to come back for.
+  std::vector<Segment> smooth(Pass& pass) {
     take_back(pass);
     pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
+    std::vector<Segment> way =
+        without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
+                            most_widening(params_.engagement_angle, radius_));
     for (const Segment& move : pass.moves) ground_.add(move);
+    return way;
   }
 
   Pass pass_from_pose(const Pose& start, double* turn_radius) {
@@ -280,18 +288,19 @@ class RegionClearing {
   // Goes to where the pass meets material, and takes it into the result. `before`: the size of the
   // ground before the pass. False when it cuts next to nothing.
   bool go_and_take(Pass pass, double turn_radius, std::size_t before) {
-    smooth(pass);
+    std::vector<Segment> way = smooth(pass);
     // Nearest to the material, or where nothing is near.
-    std::vector<Segment> shorter = pass.moves;
+    std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
     const Pose start{shorter.front().a, angle_of(shorter.front().tangent(0))};
     if (link_to(start, before)) {
-      pass.moves = std::move(shorter);
+      way = std::move(shorter);
     } else if (!link_to(pass.start(), before)) {
       take_back(pass);  // the tool comes down before the pass is cut
       if (!come_down_at(pass.start())) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
+    pass.moves = std::move(way);
     return take(std::move(pass), turn_radius);
   }
 
@@ -448,7 +457,8 @@ class RegionClearing {
       }
       return value;
     };
-    const std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
+    std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
+    while (end > start.stage + 1 && stages_[end - 1].turn_radius < kTightInCorner) --end;
     if (start.stage < end) {
       const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
       // From pass to pass in a corner the best stage hardly changes.

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "strategy/tight_turns.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -36,6 +37,7 @@ double deepest_rest(const Region& exact, const Area& stage) {
 std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits) {
   EVENLOAD_ASSERT(limits.tightest > 0 && limits.tightest <= limits.widest);
   std::vector<Stage> stages;
+  const Area exact_area({centres});
   bool spare = false;
   for (double turn = limits.widest; turn > (spare ? limits.spare : limits.tightest) * kStageRatio;
        turn *= spare ? kSpareRatio : kStageRatio) {
@@ -44,7 +46,7 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     if (eroded.empty()) continue;
     Stage stage;
     stage.turn_radius = turn;
-    const std::vector<Region> opened = offset(eroded, opening);
+    const std::vector<Region> opened = without_tight_corners(offset(eroded, opening), exact_area);
     stage.centres = Area(opened);
     stage.turns = Area(offset(opened, -turn));
     if (stage.turns.empty()) continue;

@@ -39,8 +39,8 @@ constexpr double kLargestSweep = kPi * (1 + 1e-6);
 // FreeCAD's simulator and dressups take an arc whose end points span an area below 0.005 mm^2 with
 // its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
 // long enough for that to do no harm.
-constexpr double kSmallestCross = 0.0052;    // mm^2
-constexpr double kLargestSmallSweep = 1.75;  // rad: a hundred degrees
+constexpr double kSmallestCross = 0.0052;   // mm^2
+constexpr double kLargestSmallSweep = 1.6;  // rad: just above a quarter turn
 // mm: largest distance of those lines from the arc, on the inner side.
 constexpr double kArcSagitta = 0.004;
 

@@ -83,7 +83,7 @@ def test_arcs_of_more_than_half_a_turn_are_halved(sweep):
 
 
 @pytest.mark.parametrize("radius", [0.02, 0.032, 0.052, 0.07])
-@pytest.mark.parametrize("degrees", [5, 45, 90, 95])
+@pytest.mark.parametrize("degrees", [5, 45, 90, 92, 95])
 def test_freecad_takes_every_arc_for_what_it_is(radius, degrees):
     """FreeCAD's own reading of commands, which its simulator and dressups use; it is rough."""
     for sense in (1, -1):

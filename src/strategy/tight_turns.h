@@ -1,0 +1,31 @@
+// Passes without turns so tight that a posted program would have corners in their place: arcs of
+// some hundredths of a millimetre, which roll-outs in corners leave, give way to a little wider
+// ones.
+#pragma once
+
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/area.h"
+
+namespace evenload {
+
+// mm: by which a pass may come nearer to a turn's centre than planned, within the tolerance. What
+// it leaves is no thicker, and too little to come back for: the next pass meets it, on an arc that
+// is short beside `engagement` rad.
+double most_widening(double engagement, double tool_radius);
+
+// `moves` with each arc that becomes_corners, and others like it beside it, replaced by one arc,
+// tangent to the moves before and after, the tightest that stays an arc. It is replaced only where
+// the new arc stays within `widening` mm of the old moves, inside `centres`, and meets no more than
+// `engagement` rad and a tolerance. `ground`: before the moves; it is left as it was. Laws: the
+// moves follow each other as before, without new corners; they begin and end where they did; tight
+// turns along the border of `centres` stay as they are.
+std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
+                                         ClearedGround& ground, double engagement, double widening);
+
+// The same for the sharp corners of regions' borders, inside the regions and however far from the
+// corner; tight turns along the border of `exact` stay as they are.
+std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact);
+
+}  // namespace evenload
