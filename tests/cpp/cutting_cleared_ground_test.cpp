@@ -346,43 +346,44 @@ TEST(ClearedGround, LeavesOutOnlyWhatChangesNoBit) {
     expect_same(found, uncovered_by_all(moves, last, p, low));
   }
   EXPECT_LT(size, moves.size());
+}
 
-  TEST(ClearedGround, HasASmoothBorderAlongMovesThatAreTangentToEachOther) {
-    ClearedGround ground(kField, kRadius, nullptr);
-    const Segment line = Segment::line({-8, 0}, {0, 0});
-    const Segment bend = Segment::arc({0, 20}, 20, -kPi / 2, 0.3);
-    ground.add(line);
-    ground.add(bend);
-    const Vec2 on_line{-4, -kRadius}, further{-2, -kRadius};
-    const Vec2 on_bend = Vec2{0, 20} + (20 + kRadius) * unit(-kPi / 2 + 0.2);
-    EXPECT_TRUE(ground.is_smooth_between(on_line, further));
-    EXPECT_TRUE(ground.is_smooth_between(on_line, on_bend));
-    EXPECT_TRUE(ground.is_smooth_between(on_bend, on_line));
-    // Inside, or in untouched material, there is no border.
-    EXPECT_FALSE(ground.is_smooth_between(on_line, {-3, 0}));
-    EXPECT_FALSE(ground.is_smooth_between({-4, -10}, {-3, -10}));
-  }
+TEST(ClearedGround, HasASmoothBorderAlongMovesThatAreTangentToEachOther) {
+  ClearedGround ground(kField, kRadius, nullptr);
+  const Segment line = Segment::line({-8, 0}, {0, 0});
+  const Segment bend = Segment::arc({0, 20}, 20, -kPi / 2, 0.3);
+  ground.add(line);
+  ground.add(bend);
+  const Vec2 on_line{-4, -kRadius}, further{-2, -kRadius};
+  const Vec2 on_bend = Vec2{0, 20} + (20 + kRadius) * unit(-kPi / 2 + 0.2);
+  EXPECT_TRUE(ground.is_smooth_between(on_line, further));
+  EXPECT_TRUE(ground.is_smooth_between(on_line, on_bend));
+  EXPECT_TRUE(ground.is_smooth_between(on_bend, on_line));
+  // Inside, or in untouched material, there is no border.
+  EXPECT_FALSE(ground.is_smooth_between(on_line, {-3, 0}));
+  EXPECT_FALSE(ground.is_smooth_between({-4, -10}, {-3, -10}));
+}
 
-  TEST(ClearedGround, HasNoSmoothBorderWhereSweptGroundsMeetInACusp) {
-    ClearedGround ground(kField, kRadius, nullptr);
-    const Vec2 on_first{-4, -kRadius};
-    ground.add(Segment::line({-8, 0}, {0, 0}));
-    ground.add(Segment::line({0, 0}, 8.0 * unit(-0.2)));
-    const Vec2 on_second = 4.0 * unit(-0.2) - kRadius * left_normal(unit(-0.2));
-    EXPECT_FALSE(ground.is_smooth_between(on_first, on_second));
-    ground.remove_last();
-    ground.add(Segment::line({8, 0}, {0, 0}));  // in one line, but not one after the other
-    EXPECT_FALSE(ground.is_smooth_between(on_first, {4, -kRadius}));
-  }
+TEST(ClearedGround, HasNoSmoothBorderWhereSweptGroundsMeetInACusp) {
+  ClearedGround ground(kField, kRadius, nullptr);
+  const Vec2 on_first{-4, -kRadius};
+  ground.add(Segment::line({-8, 0}, {0, 0}));
+  ground.add(Segment::line({0, 0}, 8.0 * unit(-0.2)));
+  const Vec2 on_second = 4.0 * unit(-0.2) - kRadius * left_normal(unit(-0.2));
+  EXPECT_FALSE(ground.is_smooth_between(on_first, on_second));
+  ground.remove_last();
+  ground.add(Segment::line({8, 0}, {0, 0}));  // in one line, but not one after the other
+  EXPECT_FALSE(ground.is_smooth_between(on_first, {4, -kRadius}));
+}
 
-  TEST(ClearedGround, HasASmoothBorderAlongOneEdgeOfTheStockOnly) {
-    std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
-    for (Vertex& x : v) x.open = true;
-    const std::vector<Region> stock = {make_region(Curve(v, true))};
-    const ClearedGround ground(kField, kRadius, &stock);
-    EXPECT_TRUE(ground.is_smooth_between({-4, -10}, {6, -10}));
-    EXPECT_FALSE(ground.is_smooth_between({-4, -10}, {10, 3}));
-  }
+TEST(ClearedGround, HasASmoothBorderAlongOneEdgeOfTheStockOnly) {
+  std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
+  for (Vertex& x : v) x.open = true;
+  const std::vector<Region> stock = {make_region(Curve(v, true))};
+  const ClearedGround ground(kField, kRadius, &stock);
+  EXPECT_TRUE(ground.is_smooth_between({-4, -10}, {6, -10}));
+  EXPECT_FALSE(ground.is_smooth_between({-4, -10}, {10, 3}));
+}
 
 }  // namespace
 }  // namespace evenload
