@@ -33,6 +33,10 @@ THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
 LEAST_PIECE = 1e-6  # mm2: less is rounding
 
 
+class NothingLeft(Exception):
+    """The tool before left nothing."""
+
+
 def choose(pick, case):
     """Adds choices to a case."""
     chosen = {}
@@ -130,6 +134,8 @@ def path_and_scene(case, resolution):
     stay = case.get("choices", {}).get("stock_to_leave", 0.0)
     reach = _core.reachable_ground([pocket_case.region(case)], case["tool"], stay)
     standing = run.stock.standing(-case["axial_depth"], reach)
+    if not standing:
+        raise NothingLeft
     given.update(stock=run, tool_diameter=case["tool"], earlier=[])
     return pocket_case.path_of(case, stock=[standing]), given
 

@@ -104,6 +104,8 @@ def judge(case, twice):
         path, scene = choices.path_and_scene(case, resolution)
     except _core.GeometryError as error:
         return {"refused": str(error)} if error.code == "tool too large" else _wrong(error)
+    except choices.NothingLeft:
+        return {"refused": "the tool before left nothing"}
     except (RuntimeError, ValueError) as error:
         return _wrong(error)
     compute = time.process_time() - start
