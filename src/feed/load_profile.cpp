@@ -11,14 +11,14 @@ constexpr double kLoadTolerance = 1e-6;
 // Samples whose engagements, and whose widths and shares in proportion to the larger, differ less
 // than this are alike.
 constexpr double kLikeEngagement = 2 * kPi / 180;
-constexpr double kLikeWidth = 0.03;
-constexpr double kLikeShare = 0.03;
+constexpr double kLikeWidth = 0.01;
+constexpr double kLikeShare = 0.01;
 // Share of the tool's radius: widths below are too little to be told apart.
 constexpr double kThinWidth = 0.02;
 // Shares below allow ten times the nominal feed, more than any maximum feed in use.
 constexpr double kSmallShare = 0.1;
 // mm: between looks that differ more no two are further apart,
-constexpr double kCoarseLook = 0.25;
+constexpr double kCoarseLook = 0.1;
 // and none nearer, but on moves so short that a fifth of them is less.
 constexpr double kFinestLook = 0.02;
 // Of unit vectors along the path at a joint.

@@ -17,7 +17,7 @@
 namespace evenload {
 
 // Above the nominal removal rate by this share at most, as a mean over 0.1 mm.
-inline constexpr double kMostRate = 1.043;
+inline constexpr double kMostRate = 1.048;
 // rad: how well the engagement along a path is known that posts round to 0.001 mm.
 inline constexpr double kEngagementDoubt = 0.3 * kPi / 180;
 // So much of the nominal removal rate is allowed where engagement is as looked at: kMostRate is

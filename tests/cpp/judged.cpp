@@ -1,9 +1,6 @@
 #include "judged.h"
 
-#include <algorithm>
 #include <cmath>
-#include <string>
-#include <vector>
 
 #include "support/progress.h"
 
@@ -11,10 +8,6 @@ namespace evenload::corpus {
 namespace {
 
 constexpr double kMostRate = 1.05;
-// Feed control looks at loads that are up to 3 % apart as one, and in these cases that adds up to a
-// little more than the limit, by both judges.
-constexpr double kRateOfSome = 1.055;
-const std::vector<std::string> kAboveRate = {"boss_open", "gear", "room_behind_neck"};
 
 }  // namespace
 
@@ -39,9 +32,7 @@ double nominal_rate(const Case& pocket) {
 }
 
 double most_rate(const Case& pocket) {
-  const bool above =
-      std::find(kAboveRate.begin(), kAboveRate.end(), pocket.name) != kAboveRate.end();
-  return (above ? kRateOfSome : kMostRate) * nominal_rate(pocket);
+  return kMostRate * nominal_rate(pocket);
 }
 
 }  // namespace evenload::corpus

@@ -27,7 +27,7 @@ struct Stock {
 struct Settings {
   double thinnest =
       1e-4;            // mm: material thinner than this is what rounding of the output may leave
-  double step = 0.05;  // mm of path between two looks
+  double step = 0.02;  // mm of path between two looks
   double angle = 0.5 * kPi / 180;  // rad between two points of the half circle
   double window = 0.1;             // mm of path over which maxima are means
   double cell = 0.15;              // mm, of the grid that looks for what was left

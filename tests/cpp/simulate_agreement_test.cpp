@@ -50,6 +50,7 @@ Simulation simulate_case(const Case& pocket, const Toolpath& path, double resolu
               -pocket.axial_depth);
   SimulationParams params = params_for(0.5 * pocket.tool_diameter);
   params.part = scene.part;
+  params.step = 0.05;
   Progress progress;
   return simulate(path.moves, stock, params, progress);
 }
