@@ -7,7 +7,6 @@
 #include <sstream>
 #include <utility>
 
-#include "cutting/engagement.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
@@ -15,6 +14,7 @@
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
+#include "strategy/pass_choice.h"
 #include "strategy/short_moves.h"
 #include "strategy/steering.h"
 #include "strategy/tight_turns.h"
@@ -36,8 +36,6 @@ constexpr double kShortCorner = 0.055;
 constexpr double kShortCornerPerAngle = 0.143;
 // mm: of the place of an entry.
 constexpr double kEntryTolerance = 1e-3;
-// mm: a place of one stage's wall this near to another's is the same place.
-constexpr double kSamePlace = 1e-4;
 // There is a stage that turns as tightly as this share of the entry's radius: a first pass that
 // turns less tightly than the entry's circle would run into more material than the limit allows.
 constexpr double kFirstTurn = 0.5;
@@ -47,14 +45,6 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
-// Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
-constexpr double kPassPrice = 0.3;
-// mm: no pass turns more tightly in a corner where a stage that does not can enter.
-constexpr double kTightInCorner = 0.1;
-// Passes into one corner between two searches for the best stage.
-constexpr int kTryEvery = 4;
-// The step of that search, in stages.
-constexpr std::size_t kStagesAtOnce = 3;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
@@ -71,6 +61,7 @@ class RegionClearing {
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges || task.rest ? &task.material : nullptr),
         stages_(stages()),
+        choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
         samples_(stages_, ground_) {
     for (const PlanarRun& run : task.before) {
       add_descent(run.descent, ground_);
@@ -122,22 +113,6 @@ class RegionClearing {
     std::vector<Stage> all = make_stages(task_.centres, limits());
     if (!params_.wall_pass && all.size() > 1) all.pop_back();  // the exact border
     return all;
-  }
-
-  // Right turns shrink with the stage's left turns.
-  Steering steering_at(std::size_t k) {
-    const double share = std::min(1.0, stages_[k].turn_radius / limits().widest);
-    return Steering(ground_, stages_[k], params_.engagement_angle,
-                    std::max(params_.minimum_radius * share, kTightestTurn * radius_));
-  }
-
-  std::size_t widest_stage_at(const Pose& pose) const {
-    for (std::size_t k = 0; k < stages_.size(); ++k) {
-      if (stages_[k].turn_radius <= 0) break;
-      const Vec2 q = pose.p + stages_[k].turn_radius * left_normal(unit(pose.heading));
-      if (stages_[k].turns.signed_distance(q) > -1e-6) return k;
-    }
-    return stages_.size();
   }
 
   void begin_run(const Descent& descent) {
@@ -257,7 +232,7 @@ class RegionClearing {
   // A pass from the free pose where the tool stands, with the widest turn that can be made there.
   bool cut_from(const Pose& start) {
     double turn_radius = 0;
-    Pass pass = pass_from_pose(start, &turn_radius);
+    Pass pass = choice_.from_pose(start, &turn_radius);
     if (pass.empty()) return false;
     pass.moves = smooth(pass);
     return take(std::move(pass), turn_radius);
@@ -266,23 +241,13 @@ class RegionClearing {
   // Rids the newest pass of its tiny moves, here and in the ground. Returns the way to be posted,
   // which has no tight turns either; what that leaves is too little to come back for.
   std::vector<Segment> smooth(Pass& pass) {
-    take_back(pass);
+    take_back(ground_, pass);
     pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_));
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
-  }
-
-  Pass pass_from_pose(const Pose& start, double* turn_radius) {
-    for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
-      if (stages_[k].turn_radius <= 0) break;
-      Pass pass = steering_at(k).from_pose(start);
-      *turn_radius = stages_[k].turn_radius;
-      if (!pass.empty()) return pass;
-    }
-    return {};
   }
 
   // Goes to where the pass meets material, and takes it into the result. `before`: the size of the
@@ -296,7 +261,7 @@ class RegionClearing {
     if (link_to(start, before)) {
       way = std::move(shorter);
     } else if (!link_to(pass.start(), before)) {
-      take_back(pass);  // the tool comes down before the pass is cut
+      take_back(ground_, pass);  // the tool comes down before the pass is cut
       if (!come_down_at(pass.start())) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
@@ -392,7 +357,7 @@ class RegionClearing {
       const PassStart start = choose(starts, last_start);
       const std::size_t before = ground_.size();
       double turn_radius = 0;
-      Pass pass = pass_from(start, &turn_radius);
+      Pass pass = choice_.from_wall(start, &turn_radius);
       if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         continue;
@@ -402,124 +367,6 @@ class RegionClearing {
       done = std::max(done, 1 - static_cast<double>(samples_.uncleared_count()) / all);
       progress_.report(done);
     }
-  }
-
-  // mm^2 per mm of cutting at the nominal feed: what a pass removes, by the time that it takes.
-  double worth(const Pass& pass) const {
-    const double full = pass.cut_area / side_step(params_.engagement_angle, radius_);
-    const double thin = std::max(0.0, length_of(pass.moves) - full);
-    return pass.cut_area /
-           (full + thin * params_.feed / params_.maximum_feed + kPassPrice * radius_);
-  }
-
-  // Takes the moves of a pass, the newest, back from the ground.
-  void take_back(const Pass& pass) {
-    for (std::size_t i = 0; i < pass.moves.size(); ++i) ground_.remove_last();
-  }
-
-  // Tries the stages from `start` on and before `end`, a few at a time, uphill from `first`.
-  template <typename Value>
-  static void climb_stages(std::size_t start, std::size_t first, std::size_t end, double middle,
-                           Value value_of) {
-    double last = middle;
-    for (std::size_t k = first + kStagesAtOnce; k < end; k += kStagesAtOnce) {
-      const double value = value_of(k);
-      if (value < last) break;
-      last = value;
-    }
-    if (last > middle) return;
-    for (std::size_t k = first; k >= start + kStagesAtOnce;) {
-      k -= kStagesAtOnce;
-      const double value = value_of(k);
-      if (value < last) break;
-      last = value;
-    }
-  }
-
-  // The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
-  // full engagement, and the less it is stopped by the walls. Stages are tried from the one that
-  // was best last, uphill.
-  Pass best_corner_pass(const PassStart& start, double* turn_radius) {
-    Pass best = latest_wall_pass(start, turn_radius);
-    take_back(best);
-    double most = best.empty() ? 0 : worth(best);
-    const auto value_of = [&](std::size_t k) {
-      const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-      if (hit.distance > kSamePlace) return 0.0;
-      Pass pass = steering_at(k).from_wall({hit.curve, hit.segment, hit.t});
-      take_back(pass);
-      const double value = pass.empty() ? 0 : worth(pass);
-      if (value > most) {
-        most = value;
-        best = std::move(pass);
-        *turn_radius = stages_[k].turn_radius;
-        best_in_corner_ = k;
-      }
-      return value;
-    };
-    std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
-    while (end > start.stage + 1 && stages_[end - 1].turn_radius < kTightInCorner) --end;
-    if (start.stage < end) {
-      const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
-      // From pass to pass in a corner the best stage hardly changes.
-      const bool same = distance(start.pose.p, tried_at_) < radius_ && ++since_tried_ < kTryEvery;
-      const double middle = value_of(first);
-      if (!same || middle == 0) {
-        since_tried_ = 0;
-        climb_stages(start.stage, first, end, middle, value_of);
-      }
-      tried_at_ = start.pose.p;
-    }
-    for (const Segment& move : best.moves) ground_.add(move);
-    return best;
-  }
-
-  // The pass along the wall of the latest stage, after the start's own, that can be followed within
-  // the limit all the way; found by halving, since the earlier the stage the less there is to cut.
-  Pass latest_wall_pass(const PassStart& start, double* turn_radius) {
-    Pass best;
-    std::size_t low = start.stage + 1, high = stages_.size();  // of the stages not yet decided
-    while (low < high) {
-      const std::size_t k = low + (high - low) / 2;
-      const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-      Pass pass;
-      if (hit.distance < kSamePlace)
-        pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
-      if (pass.empty()) {
-        high = k;
-        continue;
-      }
-      take_back(pass);
-      best = std::move(pass);
-      *turn_radius = stages_[k].turn_radius;
-      low = k + 1;
-    }
-    for (const Segment& move : best.moves) ground_.add(move);
-    return best;
-  }
-
-  // The pass from `start`: in a corner the one that is worth most, elsewhere the one with the
-  // widest turn, no wider than its stage's, that can enter there.
-  Pass pass_from(const PassStart& start, double* turn_radius) {
-    if (start.corner) {
-      Pass pass = best_corner_pass(start, turn_radius);
-      if (!pass.empty()) return pass;
-    }
-    for (std::size_t k = start.stage; k < stages_.size(); ++k) {
-      WallPlace place = start.place;
-      if (k != start.stage) {
-        if (stages_[k].turn_radius <= 0) break;
-        const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-        if (hit.distance > kSamePlace) break;
-        place = {hit.curve, hit.segment, hit.t};
-      }
-      *turn_radius = stages_[k].turn_radius;
-      Steering steering = steering_at(k);
-      Pass pass = steering.from_wall(place);
-      if (pass.empty() && stages_[k].turn_radius <= 0) pass = steering.bit_by_bit(place);
-      if (!pass.empty()) return pass;
-    }
-    return {};
   }
 
   // Where no wall leads into the material. The first entry beside what earlier cuts left comes
@@ -617,7 +464,7 @@ class RegionClearing {
     while (const std::optional<Pose> start = next_leftover()) {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
-      Pass pass = pass_from_pose(*start, &turn_radius);
+      Pass pass = choice_.from_pose(*start, &turn_radius);
       if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) continue;
       cut_since_asked_ = true;
       return true;
@@ -642,15 +489,13 @@ class RegionClearing {
   Circle widest_;  // among the places of the tool's centre
   ClearedGround ground_;
   std::vector<Stage> stages_;
+  PassChoice choice_;
   WallSamples samples_;
   Leftover leftover_;
   bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
-  NextRoom untouched_, touched_;    // the first rooms that may need an entry
-  std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
-  Vec2 tried_at_;                   // where it began
-  int since_tried_ = kTryEvery;     // passes
+  NextRoom untouched_, touched_;  // the first rooms that may need an entry
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;
 };

@@ -31,8 +31,6 @@ double nominal_rate(const Case& pocket) {
   return 0.5 * pocket.tool_diameter * (1 - std::cos(pocket.engagement_angle)) * pocket.feed;
 }
 
-double most_rate(const Case& pocket) {
-  return kMostRate * nominal_rate(pocket);
-}
+double most_rate(const Case& pocket) { return kMostRate * nominal_rate(pocket); }
 
 }  // namespace evenload::corpus

@@ -1,0 +1,174 @@
+#include "strategy/pass_choice.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "cutting/engagement.h"
+#include "strategy/links.h"
+
+namespace evenload {
+namespace {
+
+// mm: a place of one stage's wall this near to another's is the same place.
+constexpr double kSamePlace = 1e-4;
+// Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
+constexpr double kPassPrice = 0.3;
+// mm: no pass turns more tightly in a corner where a stage that does not can enter.
+constexpr double kTightInCorner = 0.1;
+// Passes into one corner between two searches for the best stage.
+constexpr int kTryEvery = 4;
+// The step of that search, in stages.
+constexpr std::size_t kStagesAtOnce = 3;
+
+// Tries the stages from `start` on and before `end`, a few at a time, uphill from `first`.
+template <typename Value>
+void climb_stages(std::size_t start, std::size_t first, std::size_t end, double middle,
+                  Value value_of) {
+  double last = middle;
+  for (std::size_t k = first + kStagesAtOnce; k < end; k += kStagesAtOnce) {
+    const double value = value_of(k);
+    if (value < last) break;
+    last = value;
+  }
+  if (last > middle) return;
+  for (std::size_t k = first; k >= start + kStagesAtOnce;) {
+    k -= kStagesAtOnce;
+    const double value = value_of(k);
+    if (value < last) break;
+    last = value;
+  }
+}
+
+}  // namespace
+
+PassChoice::PassChoice(ClearedGround& ground, const std::vector<Stage>& stages,
+                       const ClearingParams& params, const TurnLimits& limits)
+    : ground_(ground),
+      stages_(stages),
+      params_(params),
+      limits_(limits),
+      radius_(ground.tool_radius()),
+      since_tried_(kTryEvery) {}
+
+// Right turns shrink with the stage's left turns.
+Steering PassChoice::steering_at(std::size_t k) {
+  const double share = std::min(1.0, stages_[k].turn_radius / limits_.widest);
+  return Steering(ground_, stages_[k], params_.engagement_angle,
+                  std::max(params_.minimum_radius * share, limits_.tightest));
+}
+
+std::size_t PassChoice::widest_stage_at(const Pose& pose) const {
+  for (std::size_t k = 0; k < stages_.size(); ++k) {
+    if (stages_[k].turn_radius <= 0) break;
+    const Vec2 q = pose.p + stages_[k].turn_radius * left_normal(unit(pose.heading));
+    if (stages_[k].turns.signed_distance(q) > -1e-6) return k;
+  }
+  return stages_.size();
+}
+
+Pass PassChoice::from_pose(const Pose& start, double* turn_radius) {
+  for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
+    if (stages_[k].turn_radius <= 0) break;
+    Pass pass = steering_at(k).from_pose(start);
+    *turn_radius = stages_[k].turn_radius;
+    if (!pass.empty()) return pass;
+  }
+  return {};
+}
+
+// mm^2 per mm of cutting at the nominal feed: what a pass removes, by the time that it takes.
+double PassChoice::worth(const Pass& pass) const {
+  const double full = pass.cut_area / side_step(params_.engagement_angle, radius_);
+  const double thin = std::max(0.0, length_of(pass.moves) - full);
+  return pass.cut_area / (full + thin * params_.feed / params_.maximum_feed + kPassPrice * radius_);
+}
+
+// The pass into a corner that is worth most: the more tightly it turns the sooner it is at its
+// full engagement, and the less it is stopped by the walls. Stages are tried from the one that
+// was best last, uphill.
+Pass PassChoice::best_corner_pass(const PassStart& start, double* turn_radius) {
+  Pass best = latest_wall_pass(start, turn_radius);
+  take_back(ground_, best);
+  double most = best.empty() ? 0 : worth(best);
+  const auto value_of = [&](std::size_t k) {
+    const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+    if (hit.distance > kSamePlace) return 0.0;
+    Pass pass = steering_at(k).from_wall({hit.curve, hit.segment, hit.t});
+    take_back(ground_, pass);
+    const double value = pass.empty() ? 0 : worth(pass);
+    if (value > most) {
+      most = value;
+      best = std::move(pass);
+      *turn_radius = stages_[k].turn_radius;
+      best_in_corner_ = k;
+    }
+    return value;
+  };
+  std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
+  while (end > start.stage + 1 && stages_[end - 1].turn_radius < kTightInCorner) --end;
+  if (start.stage < end) {
+    const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
+    // From pass to pass in a corner the best stage hardly changes.
+    const bool same = distance(start.pose.p, tried_at_) < radius_ && ++since_tried_ < kTryEvery;
+    const double middle = value_of(first);
+    if (!same || middle == 0) {
+      since_tried_ = 0;
+      climb_stages(start.stage, first, end, middle, value_of);
+    }
+    tried_at_ = start.pose.p;
+  }
+  for (const Segment& move : best.moves) ground_.add(move);
+  return best;
+}
+
+// The pass along the wall of the latest stage, after the start's own, that can be followed within
+// the limit all the way; found by halving, since the earlier the stage the less there is to cut.
+Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
+  Pass best;
+  std::size_t low = start.stage + 1, high = stages_.size();  // of the stages not yet decided
+  while (low < high) {
+    const std::size_t k = low + (high - low) / 2;
+    const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+    Pass pass;
+    if (hit.distance < kSamePlace)
+      pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
+    if (pass.empty()) {
+      high = k;
+      continue;
+    }
+    take_back(ground_, pass);
+    best = std::move(pass);
+    *turn_radius = stages_[k].turn_radius;
+    low = k + 1;
+  }
+  for (const Segment& move : best.moves) ground_.add(move);
+  return best;
+}
+
+Pass PassChoice::from_wall(const PassStart& start, double* turn_radius) {
+  if (start.corner) {
+    Pass pass = best_corner_pass(start, turn_radius);
+    if (!pass.empty()) return pass;
+  }
+  for (std::size_t k = start.stage; k < stages_.size(); ++k) {
+    WallPlace place = start.place;
+    if (k != start.stage) {
+      if (stages_[k].turn_radius <= 0) break;
+      const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
+      if (hit.distance > kSamePlace) break;
+      place = {hit.curve, hit.segment, hit.t};
+    }
+    *turn_radius = stages_[k].turn_radius;
+    Steering steering = steering_at(k);
+    Pass pass = steering.from_wall(place);
+    if (pass.empty() && stages_[k].turn_radius <= 0) pass = steering.bit_by_bit(place);
+    if (!pass.empty()) return pass;
+  }
+  return {};
+}
+
+void take_back(ClearedGround& ground, const Pass& pass) {
+  for (std::size_t i = 0; i < pass.moves.size(); ++i) ground.remove_last();
+}
+
+}  // namespace evenload
