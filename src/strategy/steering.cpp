@@ -3,72 +3,29 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/steering_parts.h"
 #include "support/errors.h"
 
 namespace evenload {
+
+using namespace steering_parts;
+
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 // Lengths as shares of the tool's radius.
-constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
-constexpr double kFinestWallStep =
-    0.002;                          // the same along the exact border where the limit is passed
-constexpr double kFirstStep = 0.2;  // of free steering; adapted from there
-constexpr double kSmallestStep = 0.004;
-constexpr double kLargestStep = 4;
-constexpr double kMostTurn = 1.5;       // rad, of a step
-constexpr double kLookStep = 0.25;      // between two looks on the way
-constexpr double kCuspLook = 0.03;      // the same where the engagement cannot be held
-constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
-constexpr double kRunOut = 0.1;         // of which this much is kept
-constexpr double kContactLook = 0.1;    // between two looks for the end of contact
-constexpr double kContactEnd = 0.01;    // to which the end of contact within a step is found
-constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
-constexpr double kProgress =
-    0.01;  // less than this between two overloads: the place cannot be entered
+constexpr double kFirstStep = 0.2;    // of free steering; adapted from there
+constexpr double kRunOut = 0.1;       // kept of what comes after contact
+constexpr double kContactLook = 0.1;  // between two looks for the end of contact
+constexpr double kContactEnd = 0.01;  // to which the end of contact within a step is found
+// Less than this since the furthest overload: the place cannot be entered.
+constexpr double kProgress = 0.01;
 
-constexpr double kTurnStep = 10 * kDegree;    // between two looks along a turn
-constexpr double kRollOutStep = 3 * kDegree;  // the same where a turn is made without a second look
+constexpr double kRollOutStep = 3 * kDegree;  // between two looks along a turn made at once
 constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
 constexpr double kNearlyOut = 3 * kDegree;    // of engagement
-constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
-constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
-// Of the engagement on the way of a step: so much above the limit.
-constexpr double kSmooth = 0.9 * kDegree;
-// So much below, and so much at the ends of steps on whose way it rises: no more than a share of
-// the limit, and the less the longer the step, since it costs time over all of it; so much in a
-// step as long as the tool's radius.
-constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
-constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
-constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
-constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
-// The engagement that the last step is taken to have ended with, from the limit.
-constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
-constexpr double kMeanLength = 0.1;   // mm of path over which engagement is a mean
-constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
-constexpr double kCornerShare =
-    0.7;  // of the limit for that mean: rounded G-code meets more in a corner
-constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
-constexpr double kOverload = 0.25 * kDegree;  // accepted above the limit before the path is changed
-constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
 // mm: material thinner than this is not seen; what has been cut must not be found again by
 // rounding.
 constexpr double kThin = 1e-6;
-// mm: a pose this near to the tool's present place is that place.
-constexpr double kHere = 1e-9;
-constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
-constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
-
-Segment move_of(const Pose& from, double curvature, double length) {
-  if (std::abs(curvature) * length < 1e-9)
-    return Segment::line(from.p, from.p + length * unit(from.heading));
-  const double radius = 1 / std::abs(curvature), side = curvature > 0 ? 1 : -1;
-  const Vec2 centre = from.p + side * radius * left_normal(unit(from.heading));
-  return Segment::arc(centre, radius, from.heading - side * kPi / 2, curvature * length);
-}
-
-Pose end_of(const Segment& move) { return {move.b, angle_of(move.tangent(1))}; }
 
 bool continues(const Segment& a, const Segment& b) {
   if (a.is_arc() != b.is_arc()) return false;
@@ -309,123 +266,6 @@ void Steering::escape() {
   mode_ = Mode::kEnd;
 }
 
-void Steering::step_on_wall() {
-  const Curve& curve = stage_.centres.curves()[wall_.curve];
-  const Segment wall = curve.segment(wall_.segment);
-  const double length = wall.length();
-  double step = kWallStep * radius_;
-  if (wall.is_arc()) step = std::min(step, kTurnStep * wall.radius);
-  const double left = (1 - wall_.t) * length;
-  if (left < 1e-9) {
-    wall_ = {wall_.curve, (wall_.segment + 1) % curve.segment_count(), 0};
-    return;
-  }
-  step = std::min(step, left);
-  double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
-  const auto contact_at = [&](double t) {
-    return contact({wall.point(t), angle_of(wall.tangent(t))});
-  };
-  const auto engagement_at = [&](double t) { return contact_at(t).total; };
-  const Contact end = contact_at(t1);
-  double total = end.total;
-  if (step > kCuspLook * radius_ && !is_smooth_between(contact_at(wall_.t), end)) {
-    step = kCuspLook * radius_;
-    t1 = wall_.t + step / length;
-    total = engagement_at(t1);
-  }
-  while (turn_ <= 0 && (total > theta_ || over_mean(total, step)) &&
-         step > kFinestWallStep * radius_) {
-    step *= 0.5;
-    t1 = wall_.t + step / length;
-    total = engagement_at(t1);
-  }
-  if (turn_ > 0 && total > theta_ + 0.2 * kOverload) {
-    double low = wall_.t, high = t1;
-    while ((high - low) * length > 1e-3 * radius_) {
-      const double middle = 0.5 * (low + high);
-      (engagement_at(middle) > theta_ ? high : low) = middle;
-    }
-    if (low > wall_.t) {
-      append(wall.part(wall_.t, low));
-      note_contact(engagement_at(low), (low - wall_.t) * length);
-    }
-    wall_.t = low;
-    if (may_leave_wall_)
-      overload();
-    else
-      give_up();
-    return;
-  }
-  if (turn_ <= 0 && over_mean(total, step)) {
-    // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
-    // in the middle of a front.
-    if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
-      mode_ = Mode::kEnd;
-    else
-      give_up();
-    return;
-  }
-  make_step(wall.part(wall_.t, t1), total);
-  wall_.t = t1;
-  if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
-}
-
-// True where the wall turns sharply within kMeanLength mm of the step of `step` mm.
-bool Steering::near_corner(double step) const {
-  const Curve& curve = stage_.centres.curves()[wall_.curve];
-  const std::size_t n = curve.segment_count();
-  const Segment wall = curve.segment(wall_.segment);
-  const double done = wall_.t * wall.length(), left = wall.length() - done - step;
-  if (wall.length() < kMeanLength) return true;
-  const auto is_sharp = [&](std::size_t before, std::size_t after) {
-    return norm(curve.segment(before).tangent(1) - curve.segment(after).tangent(0)) > kSharp;
-  };
-  return (done < kMeanLength && is_sharp((wall_.segment + n - 1) % n, wall_.segment)) ||
-         (left < kMeanLength && is_sharp(wall_.segment, (wall_.segment + 1) % n));
-}
-
-// Along the exact border nothing can be steered: true where `total` rad over the next `step` mm
-// would lift the mean engagement over the last kMeanLength mm above the limit, or above
-// kCornerShare of it near a sharp corner.
-bool Steering::over_mean(double total, double step) const {
-  double sum = total * std::min(step, kMeanLength);
-  const double from = travelled_ + step - kMeanLength;
-  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
-    sum += met->total * (met->until - std::max(from, met->until - met->length));
-  return sum > (bit_by_bit_ || near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
-}
-
-// The share of `move` that can be made before the centre of the left turn meets the border of its
-// place.
-double Steering::reach_of(const Segment& move) const {
-  const double length = move.length();
-  const auto turn_centre = [&](double t) {
-    return move.point(t) + turn_ * left_normal(move.tangent(t));
-  };
-  // The centre moves at most this much faster than the tool, so that a step as long as the distance
-  // is safe.
-  const double speed = std::max(1e-9, std::abs(1 - move.curvature() * turn_));
-  const auto outside = [&](Vec2 q) { return stage_.turns.signed_distance(q) < -kOutside; };
-  double t = 0;
-  while (t < 1) {
-    const BoundaryIndex::Hit hit = stage_.turns.nearest(turn_centre(t));
-    const double next =
-        std::min(1.0, t + std::max(hit.distance - kOutside, std::min(kNearBorder, 0.3 * turn_)) /
-                              (speed * length));
-    const Vec2 q = turn_centre(next);
-    if (outside(q)) {
-      double low = t, high = next;
-      while ((high - low) * length > 1e-7) {
-        const double middle = 0.5 * (low + high);
-        (outside(turn_centre(middle)) ? high : low) = middle;
-      }
-      return low;
-    }
-    t = next;
-  }
-  return 1;
-}
-
 void Steering::overload() {
   // No way on since the furthest overload: whatever lies here is left to a tighter turn.
   if (trouble_at_ >= 0 && travelled_ - trouble_at_ < kProgress * radius_) {
@@ -438,146 +278,6 @@ void Steering::overload() {
   }
   trouble_at_ = std::max(trouble_at_, travelled_);
   if (!roll_in(troubles_ > 0 ? TurnPart::kWayOut : TurnPart::kFirstPeak)) escape();
-}
-
-// What the end of a step of `length` mm aims at.
-double Steering::target_of(double length) const {
-  if (!rises_) return theta_;
-  return theta_ - std::min({kBias, kBiasShare * theta_, kBiasPerLength * radius_ / length});
-}
-
-// The curvature of the step of `length` mm from here at whose end the engagement is that aimed at,
-// or as near to it as the bounds of the curvature allow.
-Steering::Step Steering::solve(double length) const {
-  const Pose from = pose();
-  const double target = target_of(length);
-  const auto excess = [&](double curvature) {
-    return contact(end_of(move_of(from, curvature, length))).steer - target;
-  };
-  // excess falls as the curvature grows: bracket and solve.
-  // A step turns by so much at most that its end says what happens on the way.
-  const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
-  const double least = std::max(rightmost, -kMostTurn / length),
-               most = std::min(sharpest, kMostTurn / length);
-  double low = least, high = most, curvature = std::clamp(curvature_, low, high);
-  double value = excess(curvature);
-  double low_value = 1, high_value = -1;  // signs only, until known
-  bool low_known = false, high_known = false;
-  const double slope = -(length + length * length / (2 * radius_ * std::sin(theta_)));
-  for (int i = 0; i < 40 && std::abs(value) > kSolved; ++i) {
-    if (value > 0) {
-      low = curvature;
-      low_value = value;
-      low_known = true;
-    } else {
-      high = curvature;
-      high_value = value;
-      high_known = true;
-    }
-    if ((low_known && low >= most) || (high_known && high <= least)) break;
-    if (low_known && high_known && high - low < 1e-7) break;
-    double next = curvature - value / slope;
-    if (low_known && high_known) {
-      if (i > 4)
-        next = 0.5 * (low + high);
-      else if (i > 1)
-        next = low + (high - low) * low_value / (low_value - high_value);
-    }
-    if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : most;
-    if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : least;
-    curvature = std::clamp(next, least, most);
-    value = excess(curvature);
-  }
-  if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less
-    curvature = high;
-    value = high_value;
-  }
-  Step step{move_of(from, curvature, length), curvature, value};
-  step.held_back = (curvature >= most && most < sharpest && value > kSolved) ||
-                   (curvature <= least && least > rightmost && value < -kSolved);
-  return step;
-}
-
-// The error of the engagement on the way of a step, as a share of what is allowed. Where the limit
-// can be held it is the bulge over the straight course from the step's beginning to its end; where
-// less is met, only what lies above the limit.
-Steering::Error Steering::error_of(const Step& step) const {
-  const double length = step.move.length();
-  const bool steady = step.excess > -kSolved * 2;
-  const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
-  const double end = target_of(length) + step.excess - theta_;
-  const Contact first = contact(pose());
-  const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
-  // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
-  const bool smooth = steady && is_smooth_between(first, contact(end_of(step.move)));
-  const double between = (smooth ? kLookStep : kCuspLook) * radius_;
-  const int along = static_cast<int>(std::ceil(length / between));
-  const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
-  const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
-  Error error;
-  for (int i = 1; i <= looks; ++i) {
-    const double t = static_cast<double>(i) / (looks + 1);
-    const double above = contact(end_of(step.move.part(0, t))).steer - theta_;
-    const double even = begin + t * (end - begin), bulge = above - even;
-    double share = above / kSmooth;
-    if (steady && bulge > 0) share = std::max(share, bulge / (kSmooth - even));
-    if (share > error.share) error = {share, true};
-    if (steady && -bulge / slack > error.share) error = {-bulge / slack, false};
-  }
-  return error;
-}
-
-void Steering::step_free() {
-  const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
-  bool tried_longer = false;
-  for (;;) {
-    const double length = step_;
-    const Step step = solve(length);
-    const bool smallest = length <= smallest_step * 1.001;
-    if (step.held_back && !smallest) {
-      step_ = std::max(smallest_step, 0.5 * length);
-      continue;
-    }
-    if (step.excess > kOverload) {
-      if (!smallest) {
-        step_ = std::max(smallest_step, 0.5 * length);
-        continue;
-      }
-      overload();
-      return;
-    }
-    const Error error = error_of(step);
-    // The error grows with the square of the step.
-    const double growth =
-        std::clamp(kGrowth / std::sqrt(std::max(error.share, 1e-9)), kLeastGrowth, kMostGrowth);
-    if (error.share > 1 && !smallest) {
-      step_ = std::max(smallest_step, growth * length);
-      continue;
-    }
-    // Fewer moves, where the last step was not as long as it might have been.
-    const double longest =
-        std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
-    if (!tried_longer && std::min(growth, longest / length) > kWorthLonger) {
-      tried_longer = true;
-      step_ = std::min(longest, growth * length);
-      continue;
-    }
-    const double share = reach_of(step.move);
-    if (share < 1) {
-      if (share * length > 1e-7) {
-        const Segment part = step.move.part(0, share);
-        make_step(part, contact(end_of(part)).total);
-      }
-      roll_out();
-      return;
-    }
-    make_step(step.move, contact(end_of(step.move)).total);
-    curvature_ = step.curvature;
-    rises_ = error.rises;
-    step_ = std::min(kLargestStep * radius_, growth * length);
-    if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
-    return;
-  }
 }
 
 // Turns left about the present turn centre, which stands on its border, until the tool runs along
@@ -649,31 +349,6 @@ void Steering::reset(const Pose& start) {
   step_ = kFirstStep * radius_;
   curvature_ = 0;
   rises_ = false;
-}
-
-// Where a pass along the exact border ended in the middle of a front the next one would begin
-// there, and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far
-// back as the tool is clear, unless nothing is met at once.
-WallPlace Steering::run_up(const WallPlace& start) const {
-  const Curve& curve = stage_.centres.curves()[start.curve];
-  const std::size_t n = curve.segment_count();
-  const Segment first = curve.segment(start.segment);
-  const double ahead = start.t + kFinestWallStep * radius_ / first.length();
-  if (ahead < 1 &&
-      contact({first.point(ahead), angle_of(first.tangent(ahead))}).total <= kInContact)
-    return start;
-  WallPlace place = start;
-  for (double left = kMeanLength; left > kHere;) {
-    WallPlace back = place;
-    if (back.t <= 0) back = {back.curve, (back.segment + n - 1) % n, 1};
-    const Segment wall = curve.segment(back.segment);
-    const double step = std::min({left, kRunUpStep, back.t * wall.length()});
-    back.t = std::max(0.0, back.t - std::max(step, kHere) / wall.length());
-    if (!ground_.is_clear(wall.point(back.t))) break;
-    place = back;
-    left -= std::max(step, kHere);
-  }
-  return place;
 }
 
 Pass Steering::from_wall(const WallPlace& start) {

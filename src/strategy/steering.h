@@ -14,6 +14,8 @@
 // make at once. Q stays where a full turn fits; when Q meets the border of that place the tool
 // turns about Q until it runs along the wall (roll-out) and follows the wall; where following it
 // would exceed theta the tool leaves the wall by a left turn begun just early enough (roll-in).
+//
+// Free steps are in steering_free.cpp, the following of walls in steering_wall.cpp.
 #pragma once
 
 #include <cstddef>

@@ -1,0 +1,208 @@
+// Free steps of Steering: arcs at whose ends the engagement is what it shall be.
+#include <algorithm>
+#include <cmath>
+
+#include "strategy/steering.h"
+#include "strategy/steering_parts.h"
+
+namespace evenload {
+
+using namespace steering_parts;
+
+namespace {
+
+// Lengths as shares of the tool's radius, but those in mm.
+constexpr double kSmallestStep = 0.004;
+constexpr double kLargestStep = 4;
+constexpr double kMostTurn = 1.5;           // rad, of a step
+constexpr double kLookStep = 0.25;          // between two looks on the way
+constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
+constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
+// Of the engagement on the way of a step: so much above the limit.
+constexpr double kSmooth = 0.9 * kDegree;
+// So much below, and so much at the ends of steps on whose way it rises: no more than a share of
+// the limit, and the less the longer the step, since it costs time over all of it; so much in a
+// step as long as the tool's radius.
+constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
+constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
+constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
+constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
+// The engagement that the last step is taken to have ended with, from the limit.
+constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
+constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
+constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
+
+}  // namespace
+
+// The share of `move` that can be made before the centre of the left turn meets the border of its
+// place.
+double Steering::reach_of(const Segment& move) const {
+  const double length = move.length();
+  const auto turn_centre = [&](double t) {
+    return move.point(t) + turn_ * left_normal(move.tangent(t));
+  };
+  // The centre moves at most this much faster than the tool, so that a step as long as the distance
+  // is safe.
+  const double speed = std::max(1e-9, std::abs(1 - move.curvature() * turn_));
+  const auto outside = [&](Vec2 q) { return stage_.turns.signed_distance(q) < -kOutside; };
+  double t = 0;
+  while (t < 1) {
+    const BoundaryIndex::Hit hit = stage_.turns.nearest(turn_centre(t));
+    const double next =
+        std::min(1.0, t + std::max(hit.distance - kOutside, std::min(kNearBorder, 0.3 * turn_)) /
+                              (speed * length));
+    const Vec2 q = turn_centre(next);
+    if (outside(q)) {
+      double low = t, high = next;
+      while ((high - low) * length > 1e-7) {
+        const double middle = 0.5 * (low + high);
+        (outside(turn_centre(middle)) ? high : low) = middle;
+      }
+      return low;
+    }
+    t = next;
+  }
+  return 1;
+}
+
+// What the end of a step of `length` mm aims at.
+double Steering::target_of(double length) const {
+  if (!rises_) return theta_;
+  return theta_ - std::min({kBias, kBiasShare * theta_, kBiasPerLength * radius_ / length});
+}
+
+// The curvature of the step of `length` mm from here at whose end the engagement is that aimed at,
+// or as near to it as the bounds of the curvature allow.
+Steering::Step Steering::solve(double length) const {
+  const Pose from = pose();
+  const double target = target_of(length);
+  const auto excess = [&](double curvature) {
+    return contact(end_of(move_of(from, curvature, length))).steer - target;
+  };
+  // excess falls as the curvature grows: bracket and solve.
+  // A step turns by so much at most that its end says what happens on the way.
+  const double sharpest = 1 / turn_, rightmost = -1 / right_radius_;
+  const double least = std::max(rightmost, -kMostTurn / length),
+               most = std::min(sharpest, kMostTurn / length);
+  double low = least, high = most, curvature = std::clamp(curvature_, low, high);
+  double value = excess(curvature);
+  double low_value = 1, high_value = -1;  // signs only, until known
+  bool low_known = false, high_known = false;
+  const double slope = -(length + length * length / (2 * radius_ * std::sin(theta_)));
+  for (int i = 0; i < 40 && std::abs(value) > kSolved; ++i) {
+    if (value > 0) {
+      low = curvature;
+      low_value = value;
+      low_known = true;
+    } else {
+      high = curvature;
+      high_value = value;
+      high_known = true;
+    }
+    if ((low_known && low >= most) || (high_known && high <= least)) break;
+    if (low_known && high_known && high - low < 1e-7) break;
+    double next = curvature - value / slope;
+    if (low_known && high_known) {
+      if (i > 4)
+        next = 0.5 * (low + high);
+      else if (i > 1)
+        next = low + (high - low) * low_value / (low_value - high_value);
+    }
+    if (low_known && next <= low) next = high_known ? 0.5 * (low + high) : most;
+    if (high_known && next >= high) next = low_known ? 0.5 * (low + high) : least;
+    curvature = std::clamp(next, least, most);
+    value = excess(curvature);
+  }
+  if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less
+    curvature = high;
+    value = high_value;
+  }
+  Step step{move_of(from, curvature, length), curvature, value};
+  step.held_back = (curvature >= most && most < sharpest && value > kSolved) ||
+                   (curvature <= least && least > rightmost && value < -kSolved);
+  return step;
+}
+
+// The error of the engagement on the way of a step, as a share of what is allowed. Where the limit
+// can be held it is the bulge over the straight course from the step's beginning to its end; where
+// less is met, only what lies above the limit.
+Steering::Error Steering::error_of(const Step& step) const {
+  const double length = step.move.length();
+  const bool steady = step.excess > -kSolved * 2;
+  const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
+  const double end = target_of(length) + step.excess - theta_;
+  const Contact first = contact(pose());
+  const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
+  // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
+  const bool smooth = steady && is_smooth_between(first, contact(end_of(step.move)));
+  const double between = (smooth ? kLookStep : kCuspLook) * radius_;
+  const int along = static_cast<int>(std::ceil(length / between));
+  const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
+  const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
+  Error error;
+  for (int i = 1; i <= looks; ++i) {
+    const double t = static_cast<double>(i) / (looks + 1);
+    const double above = contact(end_of(step.move.part(0, t))).steer - theta_;
+    const double even = begin + t * (end - begin), bulge = above - even;
+    double share = above / kSmooth;
+    if (steady && bulge > 0) share = std::max(share, bulge / (kSmooth - even));
+    if (share > error.share) error = {share, true};
+    if (steady && -bulge / slack > error.share) error = {-bulge / slack, false};
+  }
+  return error;
+}
+
+void Steering::step_free() {
+  const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
+  bool tried_longer = false;
+  for (;;) {
+    const double length = step_;
+    const Step step = solve(length);
+    const bool smallest = length <= smallest_step * 1.001;
+    if (step.held_back && !smallest) {
+      step_ = std::max(smallest_step, 0.5 * length);
+      continue;
+    }
+    if (step.excess > kOverload) {
+      if (!smallest) {
+        step_ = std::max(smallest_step, 0.5 * length);
+        continue;
+      }
+      overload();
+      return;
+    }
+    const Error error = error_of(step);
+    // The error grows with the square of the step.
+    const double growth =
+        std::clamp(kGrowth / std::sqrt(std::max(error.share, 1e-9)), kLeastGrowth, kMostGrowth);
+    if (error.share > 1 && !smallest) {
+      step_ = std::max(smallest_step, growth * length);
+      continue;
+    }
+    // Fewer moves, where the last step was not as long as it might have been.
+    const double longest =
+        std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
+    if (!tried_longer && std::min(growth, longest / length) > kWorthLonger) {
+      tried_longer = true;
+      step_ = std::min(longest, growth * length);
+      continue;
+    }
+    const double share = reach_of(step.move);
+    if (share < 1) {
+      if (share * length > 1e-7) {
+        const Segment part = step.move.part(0, share);
+        make_step(part, contact(end_of(part)).total);
+      }
+      roll_out();
+      return;
+    }
+    make_step(step.move, contact(end_of(step.move)).total);
+    curvature_ = step.curvature;
+    rises_ = error.rises;
+    step_ = std::min(kLargestStep * radius_, growth * length);
+    if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+    return;
+  }
+}
+
+}  // namespace evenload

@@ -1,0 +1,137 @@
+// Steering along walls, and along the exact border.
+#include <algorithm>
+#include <cmath>
+
+#include "strategy/steering.h"
+#include "strategy/steering_parts.h"
+
+namespace evenload {
+
+using namespace steering_parts;
+
+namespace {
+
+// Lengths as shares of the tool's radius.
+constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
+// The same along the exact border where the limit is passed.
+constexpr double kFinestWallStep = 0.002;
+constexpr double kMeanLength = 0.1;   // mm of path over which engagement is a mean
+constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
+// Of the limit for that mean: rounded G-code meets more in a corner.
+constexpr double kCornerShare = 0.7;
+constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
+
+}  // namespace
+
+void Steering::step_on_wall() {
+  const Curve& curve = stage_.centres.curves()[wall_.curve];
+  const Segment wall = curve.segment(wall_.segment);
+  const double length = wall.length();
+  double step = kWallStep * radius_;
+  if (wall.is_arc()) step = std::min(step, kTurnStep * wall.radius);
+  const double left = (1 - wall_.t) * length;
+  if (left < 1e-9) {
+    wall_ = {wall_.curve, (wall_.segment + 1) % curve.segment_count(), 0};
+    return;
+  }
+  step = std::min(step, left);
+  double t1 = step >= left - 1e-12 ? 1.0 : wall_.t + step / length;
+  const auto contact_at = [&](double t) {
+    return contact({wall.point(t), angle_of(wall.tangent(t))});
+  };
+  const auto engagement_at = [&](double t) { return contact_at(t).total; };
+  const Contact end = contact_at(t1);
+  double total = end.total;
+  if (step > kCuspLook * radius_ && !is_smooth_between(contact_at(wall_.t), end)) {
+    step = kCuspLook * radius_;
+    t1 = wall_.t + step / length;
+    total = engagement_at(t1);
+  }
+  while (turn_ <= 0 && (total > theta_ || over_mean(total, step)) &&
+         step > kFinestWallStep * radius_) {
+    step *= 0.5;
+    t1 = wall_.t + step / length;
+    total = engagement_at(t1);
+  }
+  if (turn_ > 0 && total > theta_ + 0.2 * kOverload) {
+    double low = wall_.t, high = t1;
+    while ((high - low) * length > 1e-3 * radius_) {
+      const double middle = 0.5 * (low + high);
+      (engagement_at(middle) > theta_ ? high : low) = middle;
+    }
+    if (low > wall_.t) {
+      append(wall.part(wall_.t, low));
+      note_contact(engagement_at(low), (low - wall_.t) * length);
+    }
+    wall_.t = low;
+    if (may_leave_wall_)
+      overload();
+    else
+      give_up();
+    return;
+  }
+  if (turn_ <= 0 && over_mean(total, step)) {
+    // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
+    // in the middle of a front.
+    if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
+      mode_ = Mode::kEnd;
+    else
+      give_up();
+    return;
+  }
+  make_step(wall.part(wall_.t, t1), total);
+  wall_.t = t1;
+  if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+}
+
+// True where the wall turns sharply within kMeanLength mm of the step of `step` mm.
+bool Steering::near_corner(double step) const {
+  const Curve& curve = stage_.centres.curves()[wall_.curve];
+  const std::size_t n = curve.segment_count();
+  const Segment wall = curve.segment(wall_.segment);
+  const double done = wall_.t * wall.length(), left = wall.length() - done - step;
+  if (wall.length() < kMeanLength) return true;
+  const auto is_sharp = [&](std::size_t before, std::size_t after) {
+    return norm(curve.segment(before).tangent(1) - curve.segment(after).tangent(0)) > kSharp;
+  };
+  return (done < kMeanLength && is_sharp((wall_.segment + n - 1) % n, wall_.segment)) ||
+         (left < kMeanLength && is_sharp(wall_.segment, (wall_.segment + 1) % n));
+}
+
+// Along the exact border nothing can be steered: true where `total` rad over the next `step` mm
+// would lift the mean engagement over the last kMeanLength mm above the limit, or above
+// kCornerShare of it near a sharp corner.
+bool Steering::over_mean(double total, double step) const {
+  double sum = total * std::min(step, kMeanLength);
+  const double from = travelled_ + step - kMeanLength;
+  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from; ++met)
+    sum += met->total * (met->until - std::max(from, met->until - met->length));
+  return sum > (bit_by_bit_ || near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
+}
+
+// Where a pass along the exact border ended in the middle of a front the next one would begin
+// there, and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far
+// back as the tool is clear, unless nothing is met at once.
+WallPlace Steering::run_up(const WallPlace& start) const {
+  const Curve& curve = stage_.centres.curves()[start.curve];
+  const std::size_t n = curve.segment_count();
+  const Segment first = curve.segment(start.segment);
+  const double ahead = start.t + kFinestWallStep * radius_ / first.length();
+  if (ahead < 1 &&
+      contact({first.point(ahead), angle_of(first.tangent(ahead))}).total <= kInContact)
+    return start;
+  WallPlace place = start;
+  for (double left = kMeanLength; left > kHere;) {
+    WallPlace back = place;
+    if (back.t <= 0) back = {back.curve, (back.segment + n - 1) % n, 1};
+    const Segment wall = curve.segment(back.segment);
+    const double step = std::min({left, kRunUpStep, back.t * wall.length()});
+    back.t = std::max(0.0, back.t - std::max(step, kHere) / wall.length());
+    if (!ground_.is_clear(wall.point(back.t))) break;
+    place = back;
+    left -= std::max(step, kHere);
+  }
+  return place;
+}
+
+}  // namespace evenload
