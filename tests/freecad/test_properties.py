@@ -365,7 +365,8 @@ def test_narrow_passages_can_be_cut_at_a_reduced_feed(pocket, control):
     assert "Cut at reduced feed: the passage near" in op.Report and op.UncutArea.Value == 0
     assert op.MaxEngagement.Value == pytest.approx(180, abs=1)
     slow = [m for m in moves_of(op) if m[0] != "G0" and m[4] < 0.3 * CUT]
-    assert slow and min(m[4] for m in slow) == pytest.approx(CUT / 4, rel=0.03)
+    # A constant removal rate may be some percent above the nominal one.
+    assert slow and min(m[4] for m in slow) == pytest.approx(CUT / 4, rel=0.045)
     for _, start, end, *_ in slow:
         assert 17 < start[0] < 35 and 17 < end[0] < 35
     assert sum(map(length_of, slow)) > 10
