@@ -57,8 +57,9 @@ class ClearedGround {
   bool is_clear(Vec2 p, double shrink = kCoverTolerance) const;
   // True when the point `x` holds no material.
   bool is_cleared_point(Vec2 x) const;
-  // True when the border of the cleared ground is surely smooth between two places on it: one move
-  // swept both sides, or moves that are tangent to each other, or one edge of the stock ends there.
+  // True when no cusp of the border of the cleared ground is known of between two places on it: one
+  // move swept both sides, or moves that are tangent to each other, or one edge of the stock ends
+  // there. A newer move that bit the border between them is not looked for.
   bool is_smooth_between(Vec2 a, Vec2 b) const;
   // True when `x`, which held material before the move numbered `first`, was cleared since.
   bool is_cleared_since(Vec2 x, std::size_t first) const;

@@ -95,7 +95,7 @@ class ForceLimit {
 }  // namespace
 
 double rate_margin(double angle) {
-  return kMostRate * side_step(angle, 1) / side_step(angle + kEngagementDoubt, 1);
+  return std::max(1.0, kMostRate * side_step(angle, 1) / side_step(angle + kEngagementDoubt, 1));
 }
 
 LoadShare removal_rate_share(double angle, double radius) {

@@ -16,13 +16,15 @@
 
 namespace evenload {
 
-// Above the nominal removal rate by this share at most, as a mean over 0.1 mm.
+// Times the nominal removal rate, as a mean over 0.1 mm: 1.05 is the limit, and 0.002 of it are for
+// means over a little less.
 inline constexpr double kMostRate = 1.048;
 // rad: how well the engagement along a path is known that posts round to 0.001 mm.
 inline constexpr double kEngagementDoubt = 0.3 * kPi / 180;
 // So much of the nominal removal rate is allowed where engagement is as looked at: kMostRate is
 // kept were it larger by kEngagementDoubt, which at small engagement angles is a larger part of it.
 double rate_margin(double angle);
+
 // rad: how well the ends of an arc are known. Engagement is held to about a degree, and the
 // simulator's dexels of 0.05 mm see a tool of 6 mm no better. In short arcs that is a large part of
 // chip and force; so these are also compared with all arcs, the straight cut's among them, longer

@@ -36,10 +36,11 @@ DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.
 inline constexpr double kWidestPassage = 0.9;
-// mm, or the share of the tool's radius where that is less: programs are posted with lines instead
-// of arcs that turn more tightly, and passes take away hundredths of a millimetre each.
-inline constexpr double kTightestTrochoid = 0.08;
-inline constexpr double kTightestTrochoidShare = 0.03;
+// mm, or the share of the tool's radius where that is less: passes that turn more tightly take away
+// hundredths of a millimetre each, so that a slot takes minutes to compute, and programs are posted
+// with lines instead of their arcs.
+inline constexpr double kTightestTrochoid = 0.04;
+inline constexpr double kTightestTrochoidShare = 0.015;
 
 std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params);
 

@@ -245,7 +245,7 @@ class RegionClearing {
     pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
-                            most_widening(params_.engagement_angle, radius_));
+                            most_widening(params_.engagement_angle, radius_, params_.tolerance));
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
   }

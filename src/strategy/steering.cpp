@@ -70,8 +70,8 @@ Steering::Contact Steering::contact(const Pose& at) const {
   return result;
 }
 
-// True where the engagement cannot peak between two places beside each other: the front has no cusp
-// there, at which it would.
+// True where the engagement does not peak between two places beside each other, as it would at a
+// cusp of the front. Where contact begins or ends on the way it is less than at the other place.
 bool Steering::is_smooth_between(const Contact& a, const Contact& b) const {
   if (a.total <= kInContact || b.total <= kInContact) return true;
   return ground_.is_smooth_between(a.edge, b.edge);

@@ -19,6 +19,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -83,6 +84,7 @@ class Steering {
     Segment move;
     double curvature = 0;    // 1/mm
     double excess = 0;       // rad engaged at its end beyond what was aimed at
+    double above = 0;        // rad engaged at its end beyond the limit
     bool held_back = false;  // a shorter step could turn enough
   };
   struct Error {
@@ -93,7 +95,11 @@ class Steering {
   Contact contact(const Pose& pose) const;
   double target_of(double length) const;
   Step solve(double length) const;
+  static bool is_steady(const Step& step);
+  static double growth_after(const Error& error);
   Error error_of(const Step& step) const;
+  std::optional<Step> try_step(Error* error);
+  Step longer_than(const Step& step, Error* error) const;
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);

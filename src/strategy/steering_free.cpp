@@ -65,6 +65,14 @@ double Steering::reach_of(const Segment& move) const {
   return 1;
 }
 
+// True where the step's end meets what it aimed at, not less.
+bool Steering::is_steady(const Step& step) { return step.excess > -kSolved * 2; }
+
+// By which a step could be longer, or must be shorter: the error grows with its square.
+double Steering::growth_after(const Error& error) {
+  return std::clamp(kGrowth / std::sqrt(std::max(error.share, 1e-9)), kLeastGrowth, kMostGrowth);
+}
+
 // What the end of a step of `length` mm aims at.
 double Steering::target_of(double length) const {
   if (!rises_) return theta_;
@@ -117,7 +125,7 @@ Steering::Step Steering::solve(double length) const {
     curvature = high;
     value = high_value;
   }
-  Step step{move_of(from, curvature, length), curvature, value};
+  Step step{move_of(from, curvature, length), curvature, value, target + value - theta_};
   step.held_back = (curvature >= most && most < sharpest && value > kSolved) ||
                    (curvature <= least && least > rightmost && value < -kSolved);
   return step;
@@ -128,9 +136,9 @@ Steering::Step Steering::solve(double length) const {
 // less is met, only what lies above the limit.
 Steering::Error Steering::error_of(const Step& step) const {
   const double length = step.move.length();
-  const bool steady = step.excess > -kSolved * 2;
+  const bool steady = is_steady(step);
   const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
-  const double end = target_of(length) + step.excess - theta_;
+  const double end = step.above;
   const Contact first = contact(pose());
   const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
@@ -152,57 +160,62 @@ Steering::Error Steering::error_of(const Step& step) const {
   return error;
 }
 
-void Steering::step_free() {
-  const double smallest_step = std::min(kSmallestStep * radius_, 0.2 * turn_);
-  bool tried_longer = false;
+// The step of step_ mm, or shorter where its end or its error asks for that. `error`: of the step.
+// Nothing where even the smallest step would exceed the limit.
+std::optional<Steering::Step> Steering::try_step(Error* error) {
+  const double smallest = std::min(kSmallestStep * radius_, 0.2 * turn_);
   for (;;) {
-    const double length = step_;
-    const Step step = solve(length);
-    const bool smallest = length <= smallest_step * 1.001;
-    if (step.held_back && !smallest) {
-      step_ = std::max(smallest_step, 0.5 * length);
+    const Step step = solve(step_);
+    const bool can_shrink = step_ > smallest * 1.001;
+    if (can_shrink && (step.held_back || step.above > kOverload)) {
+      step_ = std::max(smallest, 0.5 * step_);
       continue;
     }
-    if (step.excess > kOverload) {
-      if (!smallest) {
-        step_ = std::max(smallest_step, 0.5 * length);
-        continue;
-      }
-      overload();
-      return;
-    }
-    const Error error = error_of(step);
-    // The error grows with the square of the step.
-    const double growth =
-        std::clamp(kGrowth / std::sqrt(std::max(error.share, 1e-9)), kLeastGrowth, kMostGrowth);
-    if (error.share > 1 && !smallest) {
-      step_ = std::max(smallest_step, growth * length);
-      continue;
-    }
-    // Fewer moves, where the last step was not as long as it might have been.
-    const double longest =
-        std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
-    if (!tried_longer && std::min(growth, longest / length) > kWorthLonger) {
-      tried_longer = true;
-      step_ = std::min(longest, growth * length);
-      continue;
-    }
-    const double share = reach_of(step.move);
-    if (share < 1) {
-      if (share * length > 1e-7) {
-        const Segment part = step.move.part(0, share);
-        make_step(part, contact(end_of(part)).total);
-      }
-      roll_out();
-      return;
-    }
-    make_step(step.move, contact(end_of(step.move)).total);
-    curvature_ = step.curvature;
-    rises_ = error.rises;
-    step_ = std::min(kLargestStep * radius_, growth * length);
-    if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+    if (step.above > kOverload) return std::nullopt;
+    *error = error_of(step);
+    if (error->share <= 1 || !can_shrink) return step;
+    step_ = std::max(smallest, growth_after(*error) * step_);
+  }
+}
+
+// Fewer moves: a step as long as the error of `step` lets hope for, where that is worth it and
+// turns out well; else `step` itself.
+Steering::Step Steering::longer_than(const Step& step, Error* error) const {
+  const double length = step.move.length();
+  const double longest =
+      std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
+  const double growth = std::min(growth_after(*error), longest / length);
+  if (growth < kWorthLonger || !is_steady(step)) return step;
+  const Step longer = solve(growth * length);
+  if (longer.held_back || longer.above > kOverload || !is_steady(longer)) return step;
+  const Error its_error = error_of(longer);
+  if (its_error.share > 1) return step;
+  *error = its_error;
+  return longer;
+}
+
+void Steering::step_free() {
+  Error error;
+  const std::optional<Step> first = try_step(&error);
+  if (!first) {
+    overload();
     return;
   }
+  const Step step = longer_than(*first, &error);
+  const double length = step.move.length(), share = reach_of(step.move);
+  if (share < 1) {
+    if (share * length > 1e-7) {
+      const Segment part = step.move.part(0, share);
+      make_step(part, contact(end_of(part)).total);
+    }
+    roll_out();
+    return;
+  }
+  make_step(step.move, contact(end_of(step.move)).total);
+  curvature_ = step.curvature;
+  rises_ = error.rises;
+  step_ = std::min(kLargestStep * radius_, growth_after(error) * length);
+  if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
 }  // namespace evenload

@@ -260,9 +260,9 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const Demands& d
 
 }  // namespace
 
-double most_widening(double engagement, double tool_radius) {
+double most_widening(double engagement, double tool_radius, double tolerance) {
   const double arc = kArcShare * engagement;
-  return std::min(kThickest, 0.5 * tool_radius * arc * arc);
+  return std::min({tolerance, kThickest, 0.5 * tool_radius * arc * arc});
 }
 
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,

@@ -10,10 +10,10 @@
 
 namespace evenload {
 
-// mm: by which a pass may come nearer to a turn's centre than planned, within the tolerance. What
-// it leaves is no thicker, and too little to come back for: the next pass meets it, on an arc that
-// is short beside `engagement` rad.
-double most_widening(double engagement, double tool_radius);
+// mm: by which a pass may come nearer to a turn's centre than planned; no more than `tolerance`.
+// What it leaves is no thicker, and too little to come back for: the next pass meets it, on an arc
+// that is short beside `engagement` rad.
+double most_widening(double engagement, double tool_radius, double tolerance);
 
 // `moves` with each arc that becomes_corners, and others like it beside it, replaced by one arc,
 // tangent to the moves before and after, the tightest that stays an arc. It is replaced only where

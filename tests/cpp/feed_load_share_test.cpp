@@ -5,6 +5,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "cutting/engagement.h"
 #include "feed/load_share.h"
 
 namespace evenload {
@@ -69,6 +70,20 @@ TEST(LoadShare, OfAStraightCutAtTheEngagementAngleIsOne) {
     task.coefficients = kMaterials[2];
     EXPECT_NEAR(share_of(force_share(angle, kRadius, task), straight(angle)), 1,
                 10 * kForceTolerance);
+  }
+}
+
+// Law: were the engagement larger by 0.3 degrees, the rate would be at its limit; the nominal feed
+// is allowed in any case.
+TEST(LoadShare, KeepsTheRateAtItsLimitWithALittleMoreEngagement) {
+  for (double angle = 5 * kDegree; angle < 170 * kDegree; angle += 5 * kDegree) {
+    const double feed = 1 / share_of(removal_rate_share(angle, kRadius), straight(angle));
+    const double rate =
+        feed * side_step(angle + 0.3 * kDegree, kRadius) / side_step(angle, kRadius);
+    EXPECT_GE(feed, 1);
+    if (feed > 1) {
+      EXPECT_NEAR(rate, 1.048, 1e-9);
+    }
   }
 }
 

@@ -142,7 +142,7 @@ TEST(NarrowChoice, IsTheUsersWhereTheNeckIsWiderThanTheTool) {
 // Law: the work of a choice is bounded. Where no turn of trochoids has room, the slot is cut at a
 // reduced feed, and the report says why.
 TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
-  for (const double width : {6.01, 6.05, 6.15}) {
+  for (const double width : {6.01, 6.05, 6.07}) {
     SCOPED_TRACE(width);
     const double h = width / 2;
     const Case short_slot = pocket_of({{{-4, -h}}, {{4, -h}}, {{4, h}}, {{-4, h}}});
@@ -159,7 +159,7 @@ TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
 
 TEST(NarrowChoice, CutsByTrochoidsWithinTheLimitWhereTheyHaveRoom) {
   for (const Case& pocket :
-       {slot(6.2), two_rooms(6.17), two_rooms(6.2), corpus::load("acute_wedge")}) {
+       {slot(6.2), two_rooms(6.1), two_rooms(6.2), corpus::load("acute_wedge")}) {
     const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
     EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0) << pocket.name;
     EXPECT_LE(judge(pocket, path).cut_engagement, pocket.engagement_angle + 2 * kDegree);

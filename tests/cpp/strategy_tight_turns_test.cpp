@@ -96,10 +96,11 @@ TEST(TightTurns, StayWhereAWiderArcWouldMeetMoreThanTheLimit) {
 }
 
 TEST(TightTurns, LeaveLessWhereTheEngagementIsSmall) {
-  EXPECT_EQ(most_widening(2 * kTheta, kToolRadius), 0.004);
+  EXPECT_EQ(most_widening(2 * kTheta, kToolRadius, 0.005), 0.004);
+  EXPECT_EQ(most_widening(2 * kTheta, kToolRadius, 0.001), 0.001);
   for (const double theta : {0.1, 0.2, 0.4}) {
     // The tool meets what is left, of this thickness at the most, on an arc this long.
-    const double met = std::acos(1 - most_widening(theta, kToolRadius) / kToolRadius);
+    const double met = std::acos(1 - most_widening(theta, kToolRadius, 0.005) / kToolRadius);
     EXPECT_NEAR(met, 0.04 * theta, 1e-3 * theta);
   }
 }

@@ -27,6 +27,7 @@ LINK_LIFT = (0.1, 1.0)  # mm
 CHORD = 2e-4  # mm: at the radius of the tool 1.3 degrees
 LARGER = (7.0, 16.0)  # mm: the tool before
 ON_HULL = 1e-9  # mm
+REDUCED_FEED = "Cut at reduced feed"
 NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
 REST_RESOLUTION = 0.05  # mm: as the operations have it
 THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
@@ -183,8 +184,10 @@ def limits_for(case, notes, limits):
     without = set()
     if "feed_control" in chosen:
         without.add("rate")
-    if "narrow_passages" in chosen:
-        without |= {"rest"} if chosen["narrow_passages"] == "skip and report" else {"over", "rate"}
+    if chosen.get("narrow_passages") == "skip and report":
+        without.add("rest")
+    if any(note.startswith(REDUCED_FEED) for note in notes):
+        without.add("over")
     if any(NO_HOLE in note for note in notes):
         without.add("rest")
     return {name: limit for name, limit in limits.items() if name not in without}
