@@ -133,6 +133,13 @@ def test_what_was_chosen_is_cleared_and_judged(given):
     assert answer["figures"]["ratio"] > 0.9
 
 
+def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
+    limits = {"over": 2, "rate": 1.05, "rest": 0.05}
+    note = "Cut at reduced feed, too narrow for trochoids: the passage near (1, 2)."
+    assert choices.limits_for({}, [note], limits) == {"rate": 1.05, "rest": 0.05}
+    assert choices.limits_for({}, ["Turned more tightly."], limits) == limits
+
+
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
     _, case = first_cases(1)[0]
     assert "wrong" in fuzz_adaptive.judge({**case, "feed": -1.0}, False)
