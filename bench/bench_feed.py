@@ -50,7 +50,7 @@ def figures():
     for control in CONTROLS:
         path = pocket_case.path_of(
             case,
-            control,
+            feed_control=control,
             force_coefficients=coefficients(),
             teeth=TEETH,
             tool_helix_angle=math.radians(HELIX_ANGLE_DEG),

@@ -57,7 +57,7 @@ ROUND = face_of(circle(0, 0, 20))  # nothing in it asks for a radius tighter tha
 @pytest.mark.parametrize("step, angle", [(0.6, 36.87), (1.5, 60), (3.0, 90)])
 def test_the_side_step_sets_the_engagement_and_the_length_of_the_path(pocket, step, angle):
     op = cleared(pocket(ROUND), SideStep=step)
-    assert angle - 3 < op.MaxEngagement.Value < angle + 1
+    assert angle - 3 < op.MaxEngagement.Value < angle + 1.3
     # What the helix has left, in strips one side step wide. Only the first time round and the
     # last, along the wall, can be narrower.
     area = math.pi * (20**2 - (2.7 + 3) ** 2)
