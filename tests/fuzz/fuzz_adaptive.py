@@ -23,9 +23,8 @@ from pathlib import Path
 import shapes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
-from path_laws import beyond_rounding, entry_share, wrong_side  # noqa: E402
-
 sys.dont_write_bytecode = True
+from path_laws import beyond_rounding, entry_share, wrong_side  # noqa: E402
 
 # Figure -> the most that is allowed.
 LIMITS = {
