@@ -9,6 +9,7 @@ from pathlib import Path
 
 import FreeCAD
 import judged_path
+from adaptive_goals import PUBLIC, TOO_SMALL, table  # noqa: F401: run.py prints the table
 from evenload import commands, host
 from evenload.operations import adaptive
 from FreeCAD import Vector
@@ -16,26 +17,6 @@ from FreeCAD import Vector
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "freecad"))
 from models import case_model, corpus_case, floors_of  # noqa: E402
 
-PUBLIC = (
-    "boss_open",
-    "circle12",
-    "comb",
-    "inch_slot",
-    "lame_hex50",
-    "lame_square35",
-    "lshape",
-    "ring",
-    "slot875",
-    "slot9",
-    "square60",
-    "square_island",
-    "star",
-    "too_small",
-    "two_rooms",
-    "two_rooms_closed",
-)
-TOO_SMALL = ("too_small",)  # no path: both only have to find that out
-CLEARABLE = len(PUBLIC) - len(TOO_SMALL)
 SPINDLE_SPEED = 6366  # rev/min
 
 
@@ -117,7 +98,18 @@ def figures():
 
 
 MEDIANS = ("time_ratio", "band3", "rate_held", "blocks_per_metre")
-WORST = ("time_ratio", "over", "link_engagement", "rate_worst", "gouge", "rest_share")
+LARGEST = (
+    "time_ratio",
+    "over",
+    "link_engagement",
+    "rate_worst",
+    "gouge",
+    "rest_share",
+    "kinks_beyond",
+    "entry",
+    "plunge",
+)
+LEAST = ("rate_least", "climb")
 
 
 def totals(compute, found):
@@ -129,81 +121,7 @@ def totals(compute, found):
         for figure in MEDIANS:
             median = statistics.median(found[which + figure])
             yield "adaptive.median.%s%s" % (which, figure), median, ""
-        for figure in WORST:
+        for figure in LARGEST:
             yield "adaptive.worst.%s%s" % (which, figure), max(found[which + figure]), ""
-        yield "adaptive.worst.%srate_least" % which, min(found[which + "rate_least"]), ""
-
-
-# ---- the table ----
-
-COLUMNS = (
-    ("time_ratio", "time", "%7.3f"),
-    ("over", "over", "%7.2f"),
-    ("link_engagement", "linkE", "%7.2f"),
-    ("band3", "band3", "%7.2f"),
-    ("rate_worst", "rate+", "%7.3f"),
-    ("rate_least", "rate-", "%7.3f"),
-    ("rate_held", "held", "%7.2f"),
-    ("gouge", "gouge", "%7.3f"),
-    ("blocks_per_metre", "blk/m", "%7.0f"),
-    ("compute", "comp s", "%7.3f"),
-)
-
-
-SUMMARIES = ("median", "worst", "sum")  # rows below those of the cases
-# (what, its key; FreeCAD's after "freecad_", whether it is to be at least or at most what follows:
-# required, wished) of the second table
-GOALS = (
-    ("star: time / ideal", "star.%stime_ratio", "<=", 1.18, 1.10),
-    ("time / ideal, median", "median.%stime_ratio", "<=", 1.15, 1.08),
-    ("over the angle, degrees", "worst.%sover", "<=", 2, 0.5),
-    ("star: cut within 3 degrees", "star.%sband3", ">=", 0.70, 0.85),
-    ("removal rate, largest", "worst.%srate_worst", "<=", 1.05, 1.02),
-    ("removal rate where F < max", "worst.%srate_least", ">=", 0.85, 0.98),
-    ("engagement of links, degrees", "worst.%slink_engagement", "<=", 1, 1),
-    ("gouge, mm", "worst.%sgouge", "<=", 0.005, 0.005),
-    ("area left / cleared", "worst.%srest_share", "<=", 0.0005, 0.0005),
-    ("cases with a path", "sum.%spaths", ">=", CLEARABLE, CLEARABLE),
-    ("star: blocks per metre", "star.%sblocks_per_metre", "<=", 700, 400),
-    ("compute / FreeCAD's", "sum.%scompute_ratio", "<=", 0.5, 0.1),
-)
-
-
-def table(values):
-    """The figures side by side, a line for each case and operation, then those of all cases, and
-    what is required and wished beside them; values: {name: value}.
-
-    time: over the ideal; linkE: engagement of links in degrees; rate+, rate-: the largest removal
-    rate and, where F < MaximumFeed, the least, over the nominal; held: the share of the length with
-    such a feed on which it is 0.85 or more.
-    """
-    yield "%-17s %-8s" % ("case", "path") + "".join("%8s" % title for _, title, _ in COLUMNS)
-    for name in (*PUBLIC, *SUMMARIES):
-        for which, maker in (("", "EvenLoad"), ("freecad_", "FreeCAD")):
-            line = "%-17s %-8s" % (name, maker)
-            for figure, _, form in COLUMNS:
-                value = values.get("adaptive.%s.%s%s" % (name, which, figure))
-                line += " " + ("%7s" % "-" if value is None else form % value)
-            yield line
-    yield ""
-    yield "%-30s" % "of all cases" + "%10s%10s%12s%10s" % (
-        "FreeCAD",
-        "EvenLoad",
-        "required",
-        "wished",
-    )
-    for title, key, sign, required, wished in GOALS:
-        yield goal_line(values, title, "adaptive." + key, sign, required, wished)
-
-
-def goal_line(values, title, key, sign, required, wished):
-    """One line: FreeCAD's figure, ours, and how far ours is as it should be."""
-    theirs, value = values.get(key % "freecad_"), values.get(key % "")
-    line = "%-30s" % title
-    for number in (theirs, value):
-        line += "%10s" % ("-" if number is None else "%.4g" % number)
-    line += "%12s%10s" % ("%s %g" % (sign, required), "%s %g" % (sign, wished))
-    if value is None:
-        return line
-    kept = [value <= goal if sign == "<=" else value >= goal for goal in (required, wished)]
-    return line + "  " + ("as wished" if kept[1] else "as required" if kept[0] else "MISSED")
+        for figure in LEAST:
+            yield "adaptive.worst.%s%s" % (which, figure), min(found[which + figure]), ""

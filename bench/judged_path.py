@@ -3,6 +3,7 @@ import math
 
 import evenload
 import numpy
+import path_laws
 import pocket_case
 
 RAPID, LINK, ENTRY, CUT = range(4)
@@ -59,6 +60,7 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
     middle = 0.5 * (run.engagement_deg + numpy.roll(run.engagement_deg, 1))
     near = cuts & (abs(middle - case["engagement_deg"]) <= BAND)
     blocks = sum(1 for move in moves if move[0] != RAPID)
+    kinks = path_laws.kinks(run, moves)
     least, held = held_rates(run, nominal, case["max_feed"])
     return {
         "time_ratio": (run.time_total_s / ideal_time, ""),
@@ -70,5 +72,10 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
         "rate_held": (held, ""),
         "gouge": (run.gouge_mm, "mm"),
         "rest_share": (run.rest_area / run.removed_area, ""),
+        "kinks": (kinks, ""),
+        "kinks_beyond": (kinks - path_laws.sharp_corners(case), ""),
+        "climb": (1 - path_laws.wrong_side(run, False), ""),
+        "entry": (path_laws.entry_share(run, case), ""),
+        "plunge": (path_laws.beyond_rounding(run.plunge_in_material_mm), "mm"),
         "blocks_per_metre": (1000 * blocks / (run.cut_mm + run.link_mm), "1/m"),
     }

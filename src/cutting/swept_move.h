@@ -40,13 +40,13 @@ struct BorderView {
   double bulge = 0;     // mm: how far the move reaches from its nearest point in that direction
 };
 
+// mm: far above rounding.
+inline constexpr double kHidingMargin = 1e-6;
+
 // True only when, within `reach` of the point that both are seen from, the one move clears all that
 // the other does, and kHidingMargin more. Distances from a move grow no faster than those from its
 // nearest point, and no slower than those from the straight line that bounds it.
 inline bool hides(const BorderView& hiding, const BorderView& hidden, double reach);
-
-// mm: far above rounding.
-inline constexpr double kHidingMargin = 1e-6;
 
 class SweptMove {
  public:

@@ -13,6 +13,7 @@
 #include "strategy/entry.h"
 #include "strategy/feeds.h"
 #include "strategy/mirror.h"
+#include "strategy/move_checks.h"
 #include "strategy/passage_clearing.h"
 #include "strategy/passage_report.h"
 #include "strategy/region_clearing.h"
@@ -26,8 +27,6 @@ namespace {
 // is a larger part of a smaller angle.
 constexpr double kLoadSpacing = 0.3;
 constexpr double kEvenAngle = kPi / 3;
-// mm of path over which the reported engagement is a mean.
-constexpr double kEngagementWindow = 0.1;
 // Outside open edges the tool may go this many of its diameters from the stock.
 constexpr double kOutsideRoom = 1.5;
 
@@ -369,7 +368,7 @@ Toolpath clear_pocket(const std::vector<Region>& input, const ClearingParams& gi
     profile = load_profile(runs, ground,
                            kLoadSpacing * std::min(1.0, params.engagement_angle / kEvenAngle),
                            share_of_nominal);
-  path.report.max_engagement = worst_engagement(runs, profile, kEngagementWindow);
+  path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
   for (const LoadSample& sample : profile) removed += sample.width * sample.length;
 

@@ -7,8 +7,8 @@
 #include <utility>
 
 #include "geometry/arc_fit.h"
-#include "geometry/box_tree.h"
 #include "strategy/entry.h"
+#include "strategy/move_checks.h"
 #include "strategy/passage_path.h"
 #include "strategy/passage_walls.h"
 
@@ -232,7 +232,7 @@ class PassageClearing {
         const double turn =
             2 * wrap_signed(pose_at(axis, i, next).heading - (norm(to) > 0 ? angle_of(to) : 0));
         const Segment arc = Segment::from_bulge(hole, axis.points[i].p, std::tan(turn / 4));
-        if (norm(to) < kZeroLength || std::abs(turn) > kMostTurn || !is_inside(arc)) continue;
+        if (norm(to) < kZeroLength || std::abs(turn) > kMostTurn || !stays_inside(arc)) continue;
         if (best != kNone && arc.length() >= way.length()) continue;
         best = i;
         way = arc;
@@ -241,17 +241,15 @@ class PassageClearing {
     if (norm(axis.points[nearest].p - hole) < kZeroLength) return nearest;
     if (best == kNone) {
       way = Segment::line(hole, axis.points[nearest].p);
-      if (!is_inside(way)) return kNone;
+      if (!stays_inside(way)) return kNone;
       best = nearest;
     }
     path_.follow({way}, number);
     return best;
   }
 
-  bool is_inside(const Segment& move) const {
-    for (int i = 0; i <= 8; ++i)
-      if (path_.centres().signed_distance(move.point(i / 8.0)) < -kZeroLength) return false;
-    return true;
+  bool stays_inside(const Segment& move) const {
+    return is_inside(move, path_.centres(), kZeroLength);
   }
 
   // ---- the middle ----

@@ -33,10 +33,6 @@ double left_in(const PassageReport& passage, const ClearedGround& ground) {
   return leftover.area(ground);
 }
 
-}  // namespace
-
-namespace {
-
 DividedRegion without_room_for_trochoids(const Region& centres, const ClearingParams& params) {
   const double tool_radius = 0.5 * params.tool_diameter;
   const double radius = std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/bi_arc.h"
+#include "strategy/move_checks.h"
 
 namespace evenload {
 namespace {
@@ -22,7 +23,7 @@ constexpr double kRollLengths[] = {1, 2, 4, 8, 16, 32};
 constexpr double kMostTurn = 0.6 * kPi;
 // mm: how far beyond the wall's offset a roll may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
-constexpr int kLooks = 16;  // for walls along an arc
+constexpr int kWallLooks = 16;  // for walls along an arc
 
 // In corners the tool meets more than between them: the ends get feeds of their own.
 void add_with_ends(std::vector<Segment>& moves, const Segment& wall, double tool_radius) {
@@ -183,10 +184,7 @@ class Walls {
     roll.radius = 2 * params_.minimum_radius;
     for (const Segment& arc : {pair->first, pair->second}) {
       if (arc.length() < kZeroLength) continue;
-      for (int i = 0; i <= kLooks; ++i)
-        if (path_.centres().signed_distance(arc.point(static_cast<double>(i) / kLooks)) <
-            -kWallTolerance)
-          return false;
+      if (!is_inside(arc, path_.centres(), kWallTolerance, kWallLooks)) return false;
       if (arc.is_arc()) roll.radius = std::min(roll.radius, arc.radius);
       roll.arcs.push_back(arc);
       roll.length += arc.length();

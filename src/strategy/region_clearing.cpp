@@ -427,8 +427,8 @@ class RegionClearing {
   PassStart choose(const std::vector<PassStart>& starts, std::optional<Vec2> last_start) const {
     struct Candidate {
       const PassStart* start;
-      double extra,
-          least;  // mm at link feed: beyond the way, and with the shortest way that may be
+      double extra;  // mm at link feed: the price besides the way to it
+      double least;  // mm at link feed: with the shortest way that may be
     };
     std::vector<Candidate> candidates;
     for (const PassStart& start : starts) {

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "geometry/bi_arc.h"
+#include "strategy/move_checks.h"
 
 namespace evenload {
 namespace {
@@ -14,27 +15,13 @@ constexpr double kSameDirection = 1e-6;
 constexpr double kOneArcDirection = 2e-4;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
-// mm: this near to the border a move follows it, and this far beyond a move counts as inside.
-constexpr double kOnBorder = 1e-6;
-// Looks along each move.
-constexpr int kLooks = 8;
-
-bool is_tangent(const Segment& a, const Segment& b) {
-  return norm(a.tangent(1) - b.tangent(0)) < kSameDirection;
-}
-
-bool follows_border(const Segment& move, const Area& centres) {
-  for (const double t : {0.25, 0.5, 0.75})
-    if (std::abs(centres.signed_distance(move.point(t))) > kOnBorder) return false;
-  return true;
-}
 
 // True when every look along `way` is within `smoothing` mm of one of `others`.
 bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others,
              double smoothing) {
   for (const Segment& move : way)
-    for (int i = 1; i < kLooks; ++i) {
-      const Vec2 p = move.point(static_cast<double>(i) / kLooks);
+    for (int i = 1; i < kMoveLooks; ++i) {
+      const Vec2 p = move.point(static_cast<double>(i) / kMoveLooks);
       if (std::none_of(others.begin(), others.end(),
                        [&](const Segment& s) { return s.distance_to(p) <= smoothing; }))
         return false;
@@ -42,22 +29,16 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others
   return true;
 }
 
-bool is_inside(const std::vector<Segment>& way, const Area& centres) {
-  for (const Segment& move : way)
-    for (int i = 0; i <= kLooks; ++i)
-      if (centres.signed_distance(move.point(static_cast<double>(i) / kLooks)) < -kOnBorder)
-        return false;
-  return true;
-}
-
 // What can come in place of `a` and `b`; empty where nothing can.
 std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres,
                                 double smoothing) {
-  if (!is_tangent(a, b) || follows_border(a, centres) || follows_border(b, centres)) return {};
+  if (!is_tangent(a, b, kSameDirection) || follows_border(a, centres) || follows_border(b, centres))
+    return {};
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
   const auto serves = [&](const std::vector<Segment>& way) {
     return is_near(way, {a, b}, smoothing) && is_near({a, b}, way, smoothing) &&
-           is_inside(way, centres);
+           std::all_of(way.begin(), way.end(),
+                       [&](const Segment& move) { return is_inside(move, centres, kOnBorder); });
   };
   const Vec2 chord = to.p - from.p;
   const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/move_checks.h"
 #include "strategy/steering.h"
 #include "strategy/steering_parts.h"
 
@@ -18,11 +19,10 @@ constexpr double kMostTurn = 1.5;           // rad, of a step
 constexpr double kLookStep = 0.25;          // between two looks on the way
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
-// Of the engagement on the way of a step: so much above the limit.
-constexpr double kSmooth = 0.9 * kDegree;
-// So much below, and so much at the ends of steps on whose way it rises: no more than a share of
-// the limit, and the less the longer the step, since it costs time over all of it; so much in a
-// step as long as the tool's radius.
+// Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so
+// much at the ends of steps on whose way it rises: no more than a share of the limit, and the less
+// the longer the step, since it costs time over all of it; so much in a step as long as the tool's
+// radius.
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
 constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
@@ -152,8 +152,8 @@ Steering::Error Steering::error_of(const Step& step) const {
     const double t = static_cast<double>(i) / (looks + 1);
     const double above = contact(end_of(step.move.part(0, t))).steer - theta_;
     const double even = begin + t * (end - begin), bulge = above - even;
-    double share = above / kSmooth;
-    if (steady && bulge > 0) share = std::max(share, bulge / (kSmooth - even));
+    double share = above / kSmoothOverload;
+    if (steady && bulge > 0) share = std::max(share, bulge / (kSmoothOverload - even));
     if (share > error.share) error = {share, true};
     if (steady && -bulge / slack > error.share) error = {-bulge / slack, false};
   }

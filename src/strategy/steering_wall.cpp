@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/move_checks.h"
 #include "strategy/steering.h"
 #include "strategy/steering_parts.h"
 
@@ -15,7 +16,6 @@ namespace {
 constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
 // The same along the exact border where the limit is passed.
 constexpr double kFinestWallStep = 0.002;
-constexpr double kMeanLength = 0.1;   // mm of path over which engagement is a mean
 constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 // Of the limit for that mean: rounded G-code meets more in a corner.
 constexpr double kCornerShare = 0.7;

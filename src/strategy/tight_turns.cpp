@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "strategy/move_checks.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
@@ -24,21 +25,14 @@ constexpr double kFurthestReach = 0.3;
 constexpr double kShortestRest = 0.01;
 // Of unit vectors along moves that are tangent to each other.
 constexpr double kSameDirection = 1e-5;
-// mm: this near to the border a move follows it, and this far beyond a move counts as inside.
-constexpr double kOnBorder = 1e-6;
-// Looks along each move.
-constexpr int kLooks = 8;
 // Of the reach before: the least behind, and by how much further each next one is that is tried.
 constexpr double kLeastShare = 0.1;
 constexpr double kShareGrowth = 1.5;
 // mm: to which the reach behind is found.
 constexpr double kSameReach = 1e-10;
 
-// mm of path over which engagement is a mean, and between two looks at it.
-constexpr double kMeanLength = 0.1;
-constexpr double kLookStep = 0.005;
-// rad: accepted above the limit.
-constexpr double kOverload = 0.9 * kPi / 180;
+// mm of path between two looks at the engagement.
+constexpr double kEngagementSpacing = 0.005;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
 // rad: corners of a wall that turn by less are followed as they are; a pass widens them by next to
@@ -55,18 +49,8 @@ struct Demands {
   double engagement;      // rad, the most that is met
 };
 
-bool follows_border(const Segment& move, const Area& centres) {
-  for (const double t : {0.25, 0.5, 0.75})
-    if (std::abs(centres.signed_distance(move.point(t))) > kOnBorder) return false;
-  return true;
-}
-
 bool is_tight(const Segment& move) {
   return move.is_arc() && becomes_corners(move.radius, move.sweep);
-}
-
-bool is_tangent(const Segment& a, const Segment& b) {
-  return norm(a.tangent(1) - b.tangent(0)) < kSameDirection;
 }
 
 // A place `reach` mm before the end of the moves [0, n), or after the start of the moves from n on.
@@ -77,7 +61,7 @@ struct Cut {
 
 std::optional<Cut> cut_before(const std::vector<Segment>& moves, std::size_t n, double reach) {
   for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n && !is_tangent(moves[i], moves[i + 1])) return std::nullopt;
+    if (i + 1 < n && !is_tangent(moves[i], moves[i + 1], kSameDirection)) return std::nullopt;
     const double length = moves[i].length();
     if (reach <= length) return Cut{i, 1 - reach / length};
     reach -= length;
@@ -87,7 +71,7 @@ std::optional<Cut> cut_before(const std::vector<Segment>& moves, std::size_t n, 
 
 std::optional<Cut> cut_after(const std::vector<Segment>& moves, std::size_t n, double reach) {
   for (std::size_t i = n; i < moves.size(); ++i) {
-    if (i > n && !is_tangent(moves[i - 1], moves[i])) return std::nullopt;
+    if (i > n && !is_tangent(moves[i - 1], moves[i], kSameDirection)) return std::nullopt;
     const double length = moves[i].length();
     if (reach <= length) return Cut{i, reach / length};
     reach -= length;
@@ -162,7 +146,7 @@ class Widening {
     const Segment arc = Segment::from_bulge(a, b, std::tan(half / 2));
     if (is_tight(arc) || norm(arc.tangent(1) - after.tangent(to.t)) > kSameDirection) return {};
     too_far_ = !is_near(arc, from, to);
-    if (too_far_ || !is_inside(arc)) return {};
+    if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     std::vector<Segment> result(moves_.begin(),
                                 moves_.begin() + static_cast<std::ptrdiff_t>(from.move));
     result.push_back(before.part(0, from.t));
@@ -178,18 +162,11 @@ class Widening {
   // No look along what is replaced is further than what is allowed from the arc.
   bool is_near(const Segment& arc, const Cut& from, const Cut& to) const {
     for (std::size_t k = from.move; k <= to.move; ++k)
-      for (int i = 0; i <= kLooks; ++i) {
+      for (int i = 0; i <= kMoveLooks; ++i) {
         const double t0 = k == from.move ? from.t : 0, t1 = k == to.move ? to.t : 1;
-        if (arc.distance_to(moves_[k].point(t0 + (t1 - t0) * i / kLooks)) > demands_.widening)
+        if (arc.distance_to(moves_[k].point(t0 + (t1 - t0) * i / kMoveLooks)) > demands_.widening)
           return false;
       }
-    return true;
-  }
-
-  bool is_inside(const Segment& arc) const {
-    for (int i = 0; i <= kLooks; ++i)
-      if (demands_.centres.signed_distance(arc.point(static_cast<double>(i) / kLooks)) < -kOnBorder)
-        return false;
     return true;
   }
 
@@ -198,7 +175,7 @@ class Widening {
     if (!demands_.ground) return false;
     for (const Segment& move : before) demands_.ground->add(move);
     const double length = arc.length(), window = std::min(kMeanLength, length);
-    const int n = static_cast<int>(std::ceil(length / kLookStep));
+    const int n = static_cast<int>(std::ceil(length / kEngagementSpacing));
     const int in_window = std::max(1, static_cast<int>(std::lround(n * window / length)));
     std::vector<double> met;
     std::vector<AngularInterval> pieces;
@@ -214,7 +191,7 @@ class Widening {
       most = std::max(most, sum / in_window);
     }
     for (std::size_t i = 0; i < before.size(); ++i) demands_.ground->remove_last();
-    return most > demands_.engagement + kOverload;
+    return most > demands_.engagement + kSmoothOverload;
   }
 
   const std::vector<Segment>& moves_;
@@ -243,7 +220,7 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const Demands& d
     while (end < result.size() && is_tight(result[end]) &&
            std::abs(result[end].sweep) >= demands.least_turn &&
            !follows_border(result[end], demands.exact) &&
-           (end == i || is_tangent(result[end - 1], result[end])))
+           (end == i || is_tangent(result[end - 1], result[end], kSameDirection)))
       ++end;
     if (end == i) {
       ++i;

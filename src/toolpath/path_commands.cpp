@@ -8,6 +8,7 @@
 #include <string>
 
 #include "geometry/vec2.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -26,21 +27,11 @@ constexpr double kShortestLine = 0.0005;
 constexpr double kShortestArc = 0.005;
 // mm: flatter arcs become lines; at 50 mm of length they bend by 0.03 um.
 constexpr double kLargestRadius = 1e4;
-// mm: tighter arcs become lines, which leave them by less than twice this.
-constexpr double kSmallestRadius = 0.01;
 // mm: a centre on the grid is found for every arc within twice this. Controllers refuse arcs whose
 // radii at start and end differ by more than about 0.005 mm; rounding to 0.001 mm adds up to 0.003.
 constexpr double kRadiusMismatch = 0.00005;
 // rad: by which rounding may change a sweep; only the tiniest arcs get there.
 constexpr double kMostTurnChange = 0.5;
-// rad: FreeCAD's simulator and dressups take the wrong side of longer arcs; the margin keeps
-// halves.
-constexpr double kLargestSweep = kPi * (1 + 1e-6);
-// FreeCAD's simulator and dressups take an arc whose end points span an area below 0.005 mm^2 with
-// its centre for half a circle, and fall down over some. Such arcs become lines, unless they are
-// long enough for that to do no harm.
-constexpr double kSmallestCross = 0.0052;   // mm^2
-constexpr double kLargestSmallSweep = 1.6;  // rad: just above a quarter turn
 // mm: largest distance of those lines from the arc, on the inner side.
 constexpr double kArcSagitta = 0.004;
 
@@ -134,10 +125,7 @@ class Writer {
 
   // An arc, or a helix when z changes. It may go round more than once.
   void arc(const Move& move) {
-    const double turns = std::abs(move.sweep) / (2 * kPi);
-    // Full turns as halves.
-    const int pieces = static_cast<int>(std::max(
-        {1.0, std::ceil(std::abs(move.sweep) / kLargestSweep), 2 * std::nearbyint(turns)}));
+    const int pieces = pieces_of_arc(move.sweep);
     const Circle circle{{move.cx, move.cy},
                         std::hypot(move.x - move.cx, move.y - move.cy),
                         std::atan2(move.y - move.cy, move.x - move.cx) - move.sweep,
@@ -173,12 +161,11 @@ class Writer {
   // An arc of less than half a turn, which starts at a share of a circle.
   void piece(const Position& exact, double sweep, const Circle& circle, double share, double feed) {
     const double radius = circle.radius;
-    if (radius < kSmallestRadius || radius > kLargestRadius) {
+    if (radius < kLeastArcRadius || radius > kLargestRadius) {
       line(exact, feed);
       return;
     }
-    if (radius * radius * std::abs(std::sin(sweep)) < kSmallestCross &&
-        std::abs(sweep) < kLargestSmallSweep) {
+    if (spans_next_to_nothing(radius, sweep, kLeastSpan, kSpanlessSweep)) {
       const double bent = 2 * std::acos(1 - std::min(1.0, kArcSagitta / radius));
       const int lines = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / bent)));
       for (int k = 1; k < lines; ++k)

@@ -1,24 +1,56 @@
-// Which arcs can stay arcs in a posted program. Of an arc whose ends span next to no area with its
-// centre FreeCAD's simulator and dressups read half a circle, so path_commands writes lines in its
-// place, at which the path has corners. The limits here are its own, with a margin for its
-// rounding.
+// Which arcs can stay arcs in a posted program. FreeCAD's simulator and dressups take an arc whose
+// end points span an area below 0.005 mm^2 with its centre for half a circle, and fall down over
+// some; path_commands writes lines in its place, at which the path has corners. Law: what is not
+// becomes_corners here and turns by kUnseenTurn or more stays arcs there.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+
+#include "geometry/vec2.h"
 
 namespace evenload {
 
-inline constexpr double kLeastSpan = 0.0054;      // mm^2: radius^2 times the sine of the sweep
-inline constexpr double kSpanlessSweep = 1.61;    // rad: arcs that turn further stay arcs
-inline constexpr double kUnseenTurn = 0.0175;     // rad: no corner of a line is as large as that
-inline constexpr double kLeastArcRadius = 0.011;  // mm
+// The limits of path_commands, below which an arc of at most half a turn becomes lines.
+inline constexpr double kLeastSpan = 0.0052;   // mm^2: radius^2 times the sine of the sweep
+inline constexpr double kSpanlessSweep = 1.6;  // rad, above a quarter turn: longer ones do no harm
+// mm: lines leave tighter arcs by less than twice this.
+inline constexpr double kLeastArcRadius = 0.01;
 
-// True for an arc of `radius` mm and `sweep` rad that becomes lines with corners above one degree.
+// By how much the strategy and feed control keep away from them, so that no rounding of radius and
+// sweep matters.
+inline constexpr double kSpanMargin = 0.0002;   // mm^2
+inline constexpr double kSweepMargin = 0.01;    // rad
+inline constexpr double kRadiusMargin = 0.001;  // mm
+
+inline constexpr double kUnseenTurn = 0.0175;  // rad: no corner of a line is as large as that
+// rad: FreeCAD's simulator and dressups take the wrong side of longer arcs; the margin keeps
+// halves.
+inline constexpr double kLargestSweep = kPi * (1 + 1e-6);
+
+// Into how many arcs of the same length one is cut: none of more than half a turn, full turns as
+// halves.
+inline int pieces_of_arc(double sweep) {
+  const double turn = std::abs(sweep);
+  return static_cast<int>(
+      std::max({1.0, std::ceil(turn / kLargestSweep), 2 * std::nearbyint(turn / (2 * kPi))}));
+}
+
+// For arcs of at most half a turn.
+inline bool spans_next_to_nothing(double radius, double sweep, double least_span,
+                                  double spanless_sweep) {
+  return radius * radius * std::abs(std::sin(sweep)) < least_span &&
+         std::abs(sweep) < spanless_sweep;
+}
+
+// True for an arc of `radius` mm and `sweep` rad that becomes lines with corners above one degree,
+// or comes near to that by the margins.
 inline bool becomes_corners(double radius, double sweep) {
   const double turn = std::abs(sweep);
   if (turn < kUnseenTurn) return false;
-  if (radius < kLeastArcRadius) return true;
-  return turn < kSpanlessSweep && radius * radius * std::sin(turn) < kLeastSpan;
+  if (radius < kLeastArcRadius + kRadiusMargin) return true;
+  return spans_next_to_nothing(radius, turn / pieces_of_arc(turn), kLeastSpan + kSpanMargin,
+                               kSpanlessSweep + kSweepMargin);
 }
 
 }  // namespace evenload

@@ -7,9 +7,8 @@
 #include <cstdio>
 #include <string>
 
-#include "corpus.h"
 #include "cutting/engagement.h"
-#include "path_check.h"
+#include "judged.h"
 #include "simulate_paths.h"
 
 namespace evenload {
@@ -69,18 +68,10 @@ class EverySimulatedPocket : public testing::TestWithParam<std::string> {};
 
 TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
   const Case pocket = corpus::load(GetParam());
-  Progress progress;
-  const Toolpath path = clear_pocket({pocket.region}, pocket.params(), progress);
-  path_check::Stock checked;
-  checked.regions = {pocket.region};
-  if (pocket.hole) {
-    checked.hole = pocket.hole->centre;
-    checked.hole_radius = 0.5 * pocket.hole->diameter;
-  }
+  const Toolpath path = corpus::clear(pocket, pocket.params());
   path_check::Settings settings;
   settings.thinnest = 1e-6;  // as thin as the simulator sees
-  const path_check::Findings seen =
-      path_check::check_path(checked, 0.5 * pocket.tool_diameter, path.moves, settings);
+  const path_check::Findings seen = corpus::judge(pocket, path, settings);
   // Side steps of a few rows only are told less exactly.
   const double step = side_step(pocket.engagement_angle, 0.5 * pocket.tool_diameter);
   const Simulation felt = simulate_case(pocket, path, std::min(kFine, step / 8));

@@ -2,13 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <random>
+#include <set>
+#include <string>
 
-#include "corpus.h"
 #include "geometry_shapes.h"
-#include "path_check.h"
-#include "strategy/constant_engagement.h"
+#include "judged.h"
 #include "strategy/tight_turns.h"
+#include "toolpath/path_commands.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
@@ -134,39 +136,40 @@ TEST(TightTurns, AreNotInTheCornersOfAStage) {
   EXPECT_NEAR(wide.front().area(), exact.area() - 0.0735 * 0.0735 * (4 - kPi), 1e-3);
 }
 
-// As commands.py writes it: ends on its grid, lines in place of arcs that become corners.
+// One command's move from where the tool is.
+Move move_of(const PathCommand& command, MoveKind kind, const Position& at) {
+  Move move{command.code == 0 ? MoveKind::kRapid : kind,
+            command.x.value_or(at.x),
+            command.y.value_or(at.y),
+            command.z.value_or(at.z),
+            0,
+            0,
+            0,
+            command.feed.value_or(0)};
+  if (command.code < 2) return move;
+  const Vec2 from{-*command.i, -*command.j}, to{move.x - at.x + from.x, move.y - at.y + from.y};
+  const double turned = std::atan2(cross(from, to), dot(from, to));
+  move.sweep = command.code == 3 ? wrap_positive(turned) : -wrap_positive(-turned);
+  move.cx = at.x + *command.i;
+  move.cy = at.y + *command.j;
+  return move;
+}
+
+// The moves of the program that is posted. Commands do not say what a move is for: moves for one
+// purpose are written together.
 std::vector<Move> posted(const std::vector<Move>& moves) {
-  constexpr double kGrid = 1e-4;
-  const auto rounded = [](double value) { return std::round(value / kGrid) * kGrid; };
   std::vector<Move> result;
-  Vec2 at;
-  for (Move move : moves) {
-    const Vec2 end{move.x, move.y}, centre{move.cx, move.cy};
-    const double radius = distance(end, centre);
-    const int lines = move.sweep != 0 && becomes_corners(radius, move.sweep)
-                          ? static_cast<int>(std::ceil(std::abs(move.sweep) /
-                                                       (2 * std::acos(1 - 0.004 / radius))))
-                          : 0;
-    for (int i = 1; i < lines; ++i) {
-      Move line = move;
-      const double angle = angle_of(end - centre) - move.sweep * (lines - i) / lines;
-      line.x = rounded(centre.x + radius * std::cos(angle));
-      line.y = rounded(centre.y + radius * std::sin(angle));
-      line.sweep = 0;
-      result.push_back(line);
-      at = {line.x, line.y};
+  std::optional<Position> at;
+  // The first command only rises: anywhere will do, and far away the judge would look all the way.
+  const Position above{moves.front().x, moves.front().y, moves.front().z};
+  for (auto first = moves.begin(); first != moves.end();) {
+    const auto last = std::find_if(first, moves.end(),
+                                   [&](const Move& move) { return move.kind != first->kind; });
+    for (const PathCommand& command : path_commands({first, last}, at)) {
+      result.push_back(move_of(command, first->kind, at.value_or(above)));
+      at = {result.back().x, result.back().y, result.back().z};
     }
-    move.x = rounded(end.x);
-    move.y = rounded(end.y);
-    const Vec2 chord = Vec2{move.x, move.y} - at;
-    if (lines > 0 || norm(chord) < 0.005) move.sweep = 0;
-    if (move.sweep != 0) {
-      const Vec2 middle = at + 0.5 * chord + 0.5 / std::tan(0.5 * move.sweep) * left_normal(chord);
-      move.cx = middle.x;
-      move.cy = middle.y;
-    }
-    result.push_back(move);
-    at = {move.x, move.y};
+    first = last;
   }
   return result;
 }
@@ -188,26 +191,40 @@ class APostedPocket : public testing::TestWithParam<std::string> {};
 
 TEST_P(APostedPocket, TurnsByMoreThanADegreeAtSharpCornersOnly) {
   const corpus::Case pocket = corpus::load(GetParam());
-  Progress progress;
-  const Toolpath path = clear_pocket({pocket.region}, pocket.params(), progress);
-  path_check::Stock stock;
-  stock.regions = {pocket.region};
-  if (pocket.hole) {
-    stock.hole = pocket.hole->centre;
-    stock.hole_radius = 0.5 * pocket.hole->diameter;
-  }
-  const path_check::Findings found =
-      check_path(stock, 0.5 * pocket.tool_diameter, posted(path.moves));
+  Toolpath path = corpus::clear(pocket, pocket.params());
+  path.moves = posted(path.moves);
+  const path_check::Findings found = corpus::judge(pocket, path);
   EXPECT_LE(found.kinks, sharp_corners(pocket.region))
       << "the worst by " << found.worst_kink * 180 / kPi << " degrees at " << found.worst_kink_at.x
       << ", " << found.worst_kink_at.y;
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, APostedPocket,
-                         testing::Values("comb", "corridor_beside_island", "far_away", "inch_slot",
-                                         "lame_hex50", "large_engagement", "lshape",
-                                         "neck_too_narrow", "ring", "slot875", "slot9", "square60",
-                                         "star", "two_rooms", "two_rooms_closed"),
+// Cases without a path, and those that still turn elsewhere; the moves themselves are tangent.
+const std::set<std::string> kLeftOut{
+    "too_small",  // the tool does not fit
+    // Where two walls leave next to no width, the tool turns at less than 0.1 mm: no wider arc has
+    // room.
+    "acute_wedge",
+    "gear_gap_met_head_on",
+    "neck62",
+    "room_behind_neck",
+    "slot62",
+    // At 20 degrees a pass may leave next to nothing: roll-outs in corners stay as tight as they
+    // are.
+    "small_engagement",
+    // Steering leaves arcs of some micrometres along the cusp, where none can be left out: rounded,
+    // they are turned by up to 1.7 degrees.
+    "cusp_between_two_fronts",
+    // Pieces of some micrometres of the outline's corners, which rounding turns by some degrees.
+    "tiny_edges",
+};
+
+INSTANTIATE_TEST_SUITE_P(Corpus, APostedPocket, testing::ValuesIn([] {
+                           std::vector<std::string> names;
+                           for (const std::string& name : corpus::names())
+                             if (!kLeftOut.count(name)) names.push_back(name);
+                           return names;
+                         }()),
                          [](const auto& pocket) { return pocket.param; });
 
 }  // namespace

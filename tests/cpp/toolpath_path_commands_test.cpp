@@ -6,6 +6,7 @@
 
 #include "geometry/vec2.h"
 #include "toolpath/path_commands.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -52,6 +53,66 @@ TEST(PathCommands, AFullTurnIsTwoHalvesWithOneCentre) {
   EXPECT_EQ(made[0].x, 8);
   EXPECT_EQ(made[0].i, 4);
   EXPECT_EQ(made[1].i, -4);
+}
+
+// An arc of any radius, sweep and place, from a start on the grid.
+struct RandomArc {
+  explicit RandomArc(std::mt19937& source) {
+    const auto uniform = [&](double low, double high) {
+      return std::uniform_real_distribution<double>(low, high)(source);
+    };
+    radius = std::exp(uniform(std::log(0.002), std::log(100)));
+    const double turn =
+        uniform(0, 1) < 0.7 ? std::exp(uniform(std::log(0.002), std::log(2))) : uniform(0, 4 * kPi);
+    sweep = uniform(0, 1) < 0.5 ? turn : -turn;
+    start = {rounded(uniform(-100, 100), 4), rounded(uniform(-100, 100), 4), -3};
+    const double angle = uniform(-kPi, kPi);
+    centre = Vec2{start.x, start.y} - radius * unit(angle);
+    const Vec2 end = centre + radius * unit(angle + sweep);
+    move = {MoveKind::kCut, end.x, end.y, -3, sweep, centre.x, centre.y, 300};
+  }
+
+  double radius, sweep;
+  Position start;
+  Vec2 centre;
+  Move move;
+};
+
+TEST(PathCommands, AnArcThatDoesNotBecomeCornersStaysArcs) {
+  std::mt19937 source(31);
+  int tight = 0;
+  for (int round = 0; round < 50'000; ++round) {
+    const RandomArc arc(source);
+    if (std::abs(arc.sweep) < kUnseenTurn || becomes_corners(arc.radius, arc.sweep)) continue;
+    if (arc.radius < 0.1) ++tight;
+    const auto made = path_commands({arc.move}, arc.start);
+    EXPECT_EQ(made.size(), static_cast<std::size_t>(pieces_of_arc(arc.sweep)));
+    for (const PathCommand& command : made)
+      EXPECT_EQ(command.code, arc.sweep > 0 ? 3 : 2) << arc.radius << " mm, " << arc.sweep;
+  }
+  EXPECT_GT(tight, 1000);
+}
+
+TEST(PathCommands, LinesLeaveTheArcThatTheyReplaceByNoMoreThanTheSagitta) {
+  constexpr double kSagitta = 0.004, kGrid = 1e-4;
+  std::mt19937 source(32);
+  int lines = 0;
+  for (int round = 0; round < 50'000; ++round) {
+    const RandomArc arc(source);
+    Vec2 at{arc.start.x, arc.start.y};
+    for (const PathCommand& command : path_commands({arc.move}, arc.start)) {
+      const Vec2 to{*command.x, *command.y};
+      // Nearer to the centre than so the middle of a line of the tightest arcs cannot be.
+      const double most = arc.radius < kLeastArcRadius ? 2 * arc.radius : kSagitta;
+      for (int i = 0; command.code == 1 && i <= 10; ++i) {
+        const double off = distance(at + 0.1 * i * (to - at), arc.centre) - arc.radius;
+        EXPECT_LE(std::abs(off), most + kGrid) << arc.radius << " mm, " << arc.sweep;
+      }
+      lines += command.code == 1;
+      at = to;
+    }
+  }
+  EXPECT_GT(lines, 1000);
 }
 
 TEST(PathCommands, ACutBeforeThePlaceIsKnownIsRefused) {

@@ -20,11 +20,11 @@ import sys
 import time
 from pathlib import Path
 
-import numpy
 import shapes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 sys.dont_write_bytecode = True
+from path_laws import beyond_rounding, entry_share, wrong_side  # noqa: E402
 
 # Figure -> the most that is allowed.
 LIMITS = {
@@ -41,13 +41,10 @@ LEAST_CLIMB = 0.995  # share of the cutting length on the side asked for
 SECONDS = 60  # for one path
 MEMORY = 4 << 30  # bytes, of the process that clears and judges
 AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
-OUTLIERS = 0.02  # mm of path: rapids and plunges shorter than this touch by rounding
 # Of the simulator: rows at most so far apart, and so many in a cut's width, or what is engaged at
 # small angles is lost between them.
 RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
-IN_MATERIAL = 1.0  # degrees of engagement
-ENTRY, CUT = 2, 3  # kinds of moves
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 
 
@@ -57,8 +54,6 @@ def figures_of(case, path, scene):
 
     run = evenload.simulate(path, **scene, step=STEP)
     nominal = cut_width(case) * case["axial_depth"] * case["feed"]
-    entry = run.kind == ENTRY
-    entered = float(numpy.diff(run.removed_volume, prepend=0.0)[entry].sum()) / case["axial_depth"]
     regions = 1 + sum(1 for move in path.moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
     return {
         "over": run.max_engagement_deg - case["engagement_deg"],
@@ -66,9 +61,9 @@ def figures_of(case, path, scene):
         "gouge": run.gouge_mm,
         "rest": run.rest_area / max(run.removed_area + run.rest_area, 1e-9),
         "rate": run.removal_rate_peak / nominal,
-        "rapid": _beyond(run.rapid_in_material_mm),
-        "plunge": _beyond(run.plunge_in_material_mm),
-        "entry": entered / (math.pi * case["tool"] ** 2) / regions,
+        "rapid": beyond_rounding(run.rapid_in_material_mm),
+        "plunge": beyond_rounding(run.plunge_in_material_mm),
+        "entry": entry_share(run, case) / regions,
         "climb": 1 - wrong_side(run, case.get("choices", {}).get("cut_mode") == "conventional"),
         "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
     }
@@ -77,20 +72,6 @@ def figures_of(case, path, scene):
 def cut_width(case):
     """mm2 per mm of path at the engagement angle."""
     return 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
-
-
-def wrong_side(run, conventional):
-    """Share of the length in material on which most of it lies on the side not asked for."""
-    left, right = numpy.radians(run.arcs[:, 1]), numpy.radians(run.arcs[:, 0])
-    sides = numpy.concatenate([[0.0], numpy.cumsum(numpy.cos(right) - numpy.cos(left))])
-    side = numpy.diff(sides[run.first_arc])  # the left counts positive
-    cut = (run.kind == CUT) & (run.engagement_deg > IN_MATERIAL)
-    wrong = cut & ((side < 0) if conventional else (side > 0))
-    return float(run.length[wrong].sum() / max(run.length[cut].sum(), 1e-9))
-
-
-def _beyond(length):
-    return length if length > OUTLIERS else 0.0
 
 
 def judge(case, twice):

@@ -1,0 +1,28 @@
+// What the files that change or join moves ask of them, and the figures that more than one file of
+// the strategy measures engagement by.
+#pragma once
+
+#include "geometry/curve.h"
+#include "strategy/area.h"
+
+namespace evenload {
+
+// mm of path over which engagement is a mean, in the report and wherever it is held to the limit.
+inline constexpr double kMeanLength = 0.1;
+// rad: accepted above the limit between the ends of a step, or as that mean, for a smooth path.
+inline constexpr double kSmoothOverload = 0.9 * (kPi / 180);
+// mm: this near to the border a move follows it, and this far beyond a move counts as inside.
+inline constexpr double kOnBorder = 1e-6;
+// Into how many parts a move is divided by looks along it.
+inline constexpr int kMoveLooks = 8;
+
+// True where `b` goes on as `a` ends; their unit tangents differ by less than `difference`.
+bool is_tangent(const Segment& a, const Segment& b, double difference);
+
+// True where `move`, looked at after each quarter, lies on the border of `centres`.
+bool follows_border(const Segment& move, const Area& centres);
+
+// True where no look along `move`, its ends included, is more than `tolerance` mm outside.
+bool is_inside(const Segment& move, const Area& centres, double tolerance, int looks = kMoveLooks);
+
+}  // namespace evenload
