@@ -63,6 +63,8 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
   const std::vector<char> may_change = places_for_change(runs, profile, first, last);
+  std::vector<double> allowed(n);
+  for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(profile[first + i], params);
   cost[0] = 0;
   for (std::size_t j = 1; j <= n; ++j) {
     if (!may_change[j - 1]) continue;
@@ -70,7 +72,7 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
     const double price = move_ends ? kChangePrice : kBlockPrice;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
-      slowest = std::min(slowest, allowed_feed(profile[first + i], params));
+      slowest = std::min(slowest, allowed[i]);
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < kShortestPiece && !(move_begins && move_ends)) continue;

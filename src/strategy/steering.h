@@ -82,6 +82,7 @@ class Steering {
   // A free step from where the tool stands.
   struct Step {
     Segment move;
+    Contact end;
     double curvature = 0;    // 1/mm
     double excess = 0;       // rad engaged at its end beyond what was aimed at
     double above = 0;        // rad engaged at its end beyond the limit
@@ -97,9 +98,9 @@ class Steering {
   Step solve(double length) const;
   static bool is_steady(const Step& step);
   static double growth_after(const Error& error);
-  Error error_of(const Step& step) const;
-  std::optional<Step> try_step(Error* error);
-  Step longer_than(const Step& step, Error* error) const;
+  Error error_of(const Step& step, const Contact& first) const;
+  std::optional<Step> try_step(const Contact& first, Error* error);
+  Step longer_than(const Step& step, const Contact& first, Error* error) const;
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);

@@ -84,8 +84,10 @@ double Steering::target_of(double length) const {
 Steering::Step Steering::solve(double length) const {
   const Pose from = pose();
   const double target = target_of(length);
+  Contact end, end_at_high;
   const auto excess = [&](double curvature) {
-    return contact(end_of(move_of(from, curvature, length))).steer - target;
+    end = contact(end_of(move_of(from, curvature, length)));
+    return end.steer - target;
   };
   // excess falls as the curvature grows: bracket and solve.
   // A step turns by so much at most that its end says what happens on the way.
@@ -106,6 +108,7 @@ Steering::Step Steering::solve(double length) const {
       high = curvature;
       high_value = value;
       high_known = true;
+      end_at_high = end;
     }
     if ((low_known && low >= most) || (high_known && high <= least)) break;
     if (low_known && high_known && high - low < 1e-7) break;
@@ -124,25 +127,26 @@ Steering::Step Steering::solve(double length) const {
   if (value > kSolved && high_known) {  // a jump: stay on the side that cuts less
     curvature = high;
     value = high_value;
+    end = end_at_high;
   }
-  Step step{move_of(from, curvature, length), curvature, value, target + value - theta_};
+  Step step{move_of(from, curvature, length), end, curvature, value, target + value - theta_};
   step.held_back = (curvature >= most && most < sharpest && value > kSolved) ||
                    (curvature <= least && least > rightmost && value < -kSolved);
   return step;
 }
 
-// The error of the engagement on the way of a step, as a share of what is allowed. Where the limit
+// The error of the engagement on the way of a step, as a share of what is allowed; `first`: the
+// contact where it begins. Where the limit
 // can be held it is the bulge over the straight course from the step's beginning to its end; where
 // less is met, only what lies above the limit.
-Steering::Error Steering::error_of(const Step& step) const {
+Steering::Error Steering::error_of(const Step& step, const Contact& first) const {
   const double length = step.move.length();
   const bool steady = is_steady(step);
   const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
   const double end = step.above;
-  const Contact first = contact(pose());
   const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
-  const bool smooth = steady && is_smooth_between(first, contact(end_of(step.move)));
+  const bool smooth = steady && is_smooth_between(first, step.end);
   const double between = (smooth ? kLookStep : kCuspLook) * radius_;
   const int along = static_cast<int>(std::ceil(length / between));
   const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
@@ -162,7 +166,7 @@ Steering::Error Steering::error_of(const Step& step) const {
 
 // The step of step_ mm, or shorter where its end or its error asks for that. `error`: of the step.
 // Nothing where even the smallest step would exceed the limit.
-std::optional<Steering::Step> Steering::try_step(Error* error) {
+std::optional<Steering::Step> Steering::try_step(const Contact& first, Error* error) {
   const double smallest = std::min(kSmallestStep * radius_, 0.2 * turn_);
   for (;;) {
     const Step step = solve(step_);
@@ -172,7 +176,7 @@ std::optional<Steering::Step> Steering::try_step(Error* error) {
       continue;
     }
     if (step.above > kOverload) return std::nullopt;
-    *error = error_of(step);
+    *error = error_of(step, first);
     if (error->share <= 1 || !can_shrink) return step;
     step_ = std::max(smallest, growth_after(*error) * step_);
   }
@@ -180,7 +184,7 @@ std::optional<Steering::Step> Steering::try_step(Error* error) {
 
 // Fewer moves: a step as long as the error of `step` lets hope for, where that is worth it and
 // turns out well; else `step` itself.
-Steering::Step Steering::longer_than(const Step& step, Error* error) const {
+Steering::Step Steering::longer_than(const Step& step, const Contact& first, Error* error) const {
   const double length = step.move.length();
   const double longest =
       std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
@@ -188,7 +192,7 @@ Steering::Step Steering::longer_than(const Step& step, Error* error) const {
   if (growth < kWorthLonger || !is_steady(step)) return step;
   const Step longer = solve(growth * length);
   if (longer.held_back || longer.above > kOverload || !is_steady(longer)) return step;
-  const Error its_error = error_of(longer);
+  const Error its_error = error_of(longer, first);
   if (its_error.share > 1) return step;
   *error = its_error;
   return longer;
@@ -196,12 +200,13 @@ Steering::Step Steering::longer_than(const Step& step, Error* error) const {
 
 void Steering::step_free() {
   Error error;
-  const std::optional<Step> first = try_step(&error);
-  if (!first) {
+  const Contact first = contact(pose());
+  const std::optional<Step> tried = try_step(first, &error);
+  if (!tried) {
     overload();
     return;
   }
-  const Step step = longer_than(*first, &error);
+  const Step step = longer_than(*tried, first, &error);
   const double length = step.move.length(), share = reach_of(step.move);
   if (share < 1) {
     if (share * length > 1e-7) {
@@ -211,7 +216,7 @@ void Steering::step_free() {
     roll_out();
     return;
   }
-  make_step(step.move, contact(end_of(step.move)).total);
+  make_step(step.move, step.end.total);
   curvature_ = step.curvature;
   rises_ = error.rises;
   step_ = std::min(kLargestStep * radius_, growth_after(error) * length);
