@@ -3,7 +3,6 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
-#include <map>
 #include <string>
 #include <tuple>
 
@@ -12,6 +11,7 @@
 #include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
 #include "geometry/region.h"
+#include "python/clearing_params.h"
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
@@ -44,17 +44,6 @@ py::list chain_of(const Curve& curve) {
   for (const Vertex& v : curve.vertices())
     chain.append(py::make_tuple(v.p.x, v.p.y, v.bulge, v.open));
   return chain;
-}
-
-template <typename T>
-T choice(const std::string& name, const std::string& value,
-         const std::map<std::string, T>& choices) {
-  const auto found = choices.find(value);
-  if (found != choices.end()) return found->second;
-  std::string known;
-  for (const auto& [word, unused] : choices)
-    known += (known.empty() ? "" : ", ") + ("'" + word + "'");
-  throw std::invalid_argument(name + " must be one of " + known + ", not '" + value + "'.");
 }
 
 const char* name_of(GeometryErrorCode code) {
@@ -97,72 +86,16 @@ py::list moves_of(const Toolpath& path) {
   return moves;
 }
 
-Toolpath clear_pocket_from_python(
-    const std::vector<Region>& regions, double tool_diameter, double engagement_angle,
-    const std::string& cut_mode, const std::string& feed_control, double feed, double plunge_feed,
-    double link_feed, double maximum_feed, double rapid_feed, double roll_radius,
-    double minimum_radius, const std::string& entry, double helix_angle, double helix_diameter,
-    std::optional<std::tuple<double, double>> entry_point, double hole_diameter,
-    double stock_to_leave, bool wall_pass, double tolerance, bool arcs, double link_lift,
-    double top, std::vector<double> levels, double safe_height, double clearance_height,
-    const std::string& order_by, const std::string& narrow_passages,
-    const ForceCoefficients& force_coefficients, int teeth, double tool_helix_angle,
-    double spindle_speed, const std::optional<std::vector<std::vector<Region>>>& stock,
-    std::function<bool(double)> progress) {
-  ClearingParams params;
-  params.tool_diameter = tool_diameter;
-  params.engagement_angle = engagement_angle;
-  params.cut_mode = choice<CutMode>(
-      "cut_mode", cut_mode, {{"climb", CutMode::kClimb}, {"conventional", CutMode::kConventional}});
-  params.feed_control =
-      choice<FeedControl>("feed_control", feed_control,
-                          {{"constant feed", FeedControl::kConstantFeed},
-                           {"constant removal rate", FeedControl::kConstantRemovalRate},
-                           {"constant chip thickness", FeedControl::kConstantChipThickness},
-                           {"constant force", FeedControl::kConstantForce}});
-  params.feed = feed;
-  params.plunge_feed = plunge_feed;
-  params.link_feed = link_feed;
-  params.maximum_feed = maximum_feed;
-  params.rapid_feed = rapid_feed;
-  params.roll_radius = roll_radius;
-  params.minimum_radius = minimum_radius;
-  params.entry = choice<EntryKind>("entry", entry,
-                                   {{"automatic", EntryKind::kAutomatic},
-                                    {"helix", EntryKind::kHelix},
-                                    {"ramp", EntryKind::kRamp},
-                                    {"predrilled hole", EntryKind::kPredrilledHole}});
-  params.helix_angle = helix_angle;
-  params.helix_diameter = helix_diameter;
-  if (entry_point) params.entry_point = Vec2{std::get<0>(*entry_point), std::get<1>(*entry_point)};
-  params.hole_diameter = hole_diameter;
-  params.stock_to_leave = stock_to_leave;
-  params.wall_pass = wall_pass;
-  params.tolerance = tolerance;
-  params.arcs = arcs;
-  params.link_lift = link_lift;
-  params.top = top;
-  params.levels = std::move(levels);
-  params.safe_height = safe_height;
-  params.clearance_height = clearance_height;
-  params.force_coefficients = force_coefficients;
-  params.teeth = teeth;
-  params.tool_helix_angle = tool_helix_angle;
-  params.spindle_speed = spindle_speed;
-  params.order_by = choice<OrderBy>("order_by", order_by,
-                                    {{"region", OrderBy::kRegion}, {"depth", OrderBy::kDepth}});
-  params.narrow_passages =
-      choice<NarrowPassages>("narrow_passages", narrow_passages,
-                             {{"trochoid with smaller radius", NarrowPassages::kTrochoid},
-                              {"cut at reduced feed", NarrowPassages::kReducedFeed},
-                              {"skip and report", NarrowPassages::kSkip}});
-  Progress watch = progress ? Progress([&progress](double share) {
-    const py::gil_scoped_acquire lock;
-    return progress(share);
-  })
-                            : Progress();
+Toolpath clear_pocket_from_python(const std::vector<Region>& regions, const py::kwargs& arguments) {
+  Keywords keywords("clear_pocket", arguments);
+  const ClearingCall call = clearing_call(keywords);
+  std::optional<std::vector<std::vector<Region>>> stock;
+  keywords.optional("stock", stock);
+  keywords.refuse_others();
+  Progress watch = progress_of(call.progress);
   const py::gil_scoped_release unlocked;
-  return stock ? clear_rest(regions, *stock, params, watch) : clear_pocket(regions, params, watch);
+  return stock ? clear_rest(regions, *stock, call.params, watch)
+               : clear_pocket(regions, call.params, watch);
 }
 
 std::vector<std::tuple<double, double, double, int>> profile_for_python(
@@ -249,25 +182,12 @@ PYBIND11_MODULE(_core, m) {
   m.def("largest_tool", &largest_tool, py::arg("regions"),
         "Diameter in mm of the largest tool that fits.");
   bind_force(m);
-  const ClearingParams defaults;
-  m.def(
-      "clear_pocket", &clear_pocket_from_python, py::arg("regions"), py::kw_only(),
-      py::arg("tool_diameter"), py::arg("engagement_angle"), py::arg("cut_mode") = "climb",
-      py::arg("feed_control") = "constant feed", py::arg("feed"), py::arg("plunge_feed"),
-      py::arg("link_feed"), py::arg("maximum_feed"), py::arg("rapid_feed") = defaults.rapid_feed,
-      py::arg("roll_radius") = defaults.roll_radius,
-      py::arg("minimum_radius") = defaults.minimum_radius, py::arg("entry") = "automatic",
-      py::arg("helix_angle") = defaults.helix_angle,
-      py::arg("helix_diameter") = defaults.helix_diameter, py::arg("entry_point") = py::none(),
-      py::arg("hole_diameter") = 0.0, py::arg("stock_to_leave") = 0.0, py::arg("wall_pass") = true,
-      py::arg("tolerance") = defaults.tolerance, py::arg("arcs") = true, py::arg("link_lift") = 0.0,
-      py::arg("top") = 0.0, py::arg("levels"), py::arg("safe_height"), py::arg("clearance_height"),
-      py::arg("order_by") = "region", py::arg("narrow_passages") = "trochoid with smaller radius",
-      py::arg("force_coefficients") = defaults.force_coefficients, py::arg("teeth") = 1,
-      py::arg("tool_helix_angle") = defaults.tool_helix_angle, py::arg("spindle_speed") = 0.0,
-      py::arg("stock") = py::none(), py::arg("progress") = nullptr,
-      "The toolpath that clears the regions level by level at constant engagement. stock: for each "
-      "level, or once for all, the Regions in which material stands; None: all over.");
+  m.def("clear_pocket", &clear_pocket_from_python, py::arg("regions"),
+        (std::string("The toolpath that clears the regions level by level at constant engagement. "
+                     "stock: for each level, or once for all, the Regions in which material "
+                     "stands; None: all over.\n\n") +
+         kClearingArguments)
+            .c_str());
   m.def("reachable_ground", &reachable_ground, py::arg("regions"), py::arg("tool_diameter"),
         py::arg("stock_to_leave") = 0.0, "The Regions that the tool's disc can reach.");
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),

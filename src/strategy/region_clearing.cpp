@@ -63,14 +63,14 @@ class RegionClearing {
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
         samples_(stages_, ground_) {
-    for (const PlanarRun& run : task.before) {
-      add_descent(run.descent, ground_);
-      for (const PlanarMove& move : run.moves) ground_.add(move.segment);
-    }
+    for (const PlanarRun& run : task.before) add_to_ground(run);
   }
 
   RegionResult run() {
-    enter();
+    if (task_.opening.runs.empty())
+      enter();
+    else
+      go_on();
     if (task_.rest || !result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) report();
     return std::move(result_);
@@ -93,7 +93,7 @@ class RegionClearing {
       result_.notes.push_back(note.str());
     }
     if (tightest_ < limits().widest * (1 - 1e-9))
-      result_.tight_turns = {1, tightest_, shown(tightest_at_)};
+      result_.tight_turns.add({1, tightest_, shown(tightest_at_)});
   }
 
   StageLimits limits() const {
@@ -125,6 +125,11 @@ class RegionClearing {
     if (!moves.empty()) here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
   }
 
+  void add_to_ground(const PlanarRun& run) {
+    add_descent(run.descent, ground_);
+    for (const PlanarMove& move : run.moves) ground_.add(move.segment);
+  }
+
   void look_again(const std::vector<Segment>& moves) {
     Vec2 low = here_.p, high = here_.p;
     for (const Segment& move : moves)
@@ -134,6 +139,20 @@ class RegionClearing {
         high = {std::max(high.x, p.x), std::max(high.y, p.y)};
       }
     samples_.update(low, high);
+  }
+
+  // From where the opening ends.
+  void go_on() {
+    result_ = task_.opening;
+    if (task_.hole) ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
+    for (const PlanarRun& run : result_.runs) add_to_ground(run);
+    const Bounds everywhere = bounds_of({task_.centres});
+    samples_.update(everywhere.low, everywhere.high);
+    const PlanarRun& last = result_.runs.back();
+    here_ = {last.descent.at, 0};
+    if (last.moves.empty()) return;
+    const Segment& end = last.moves.back().segment;
+    here_ = {end.b, angle_of(end.tangent(1))};
   }
 
   // Comes down, and cuts the first pass, a spiral, as far as it goes.

@@ -14,6 +14,15 @@
 
 namespace evenload {
 
+struct RegionResult {
+  std::vector<PlanarRun> runs;
+  double uncut_area = 0;  // mm^2
+  int passes = 0;
+  int links = 0;
+  TightTurns tight_turns;
+  std::vector<std::string> notes;
+};
+
 struct RegionTask {
   Region centres;  // where the tool's centre may be, climb milling to the right
   // The pocket's floor, used where pieces of its border are open; for rest machining the stock.
@@ -23,17 +32,11 @@ struct RegionTask {
   std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region; not with `rest`
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
   std::vector<Region> around;  // where links may go; empty: within `centres`
-  std::vector<PlanarRun>
-      before;  // made already; with a pre-drilled hole elsewhere they are the way in
-};
-
-struct RegionResult {
-  std::vector<PlanarRun> runs;
-  double uncut_area = 0;  // mm^2
-  int passes = 0;
-  int links = 0;
-  TightTurns tight_turns;
-  std::vector<std::string> notes;
+  // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.
+  std::vector<PlanarRun> before;
+  // Made already, in this region: taken into the result, and gone on from where its last run ends.
+  // Not with `rest`.
+  RegionResult opening;
 };
 
 // Condition: `params` checked; climb milling (the caller mirrors for conventional). Stops early

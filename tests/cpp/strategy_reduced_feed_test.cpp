@@ -197,7 +197,10 @@ TEST(ReducedFeed, KeepsTheEngagementLimitOutsideOfPassages) {
     ASSERT_FALSE(narrow.places.passages.empty());
     std::optional<Vec2> hole;
     if (pocket.hole) hole = pocket.hole->centre;
-    const RegionTask task{centres, {pocket.region}, false, false, hole, false, {}, {}};
+    RegionTask task;
+    task.centres = centres;
+    task.material = {pocket.region};
+    task.hole = hole;
     Progress progress;
     const RegionResult result =
         clear_with_passages(task, narrow.places, narrow.axes, 0, params, progress);

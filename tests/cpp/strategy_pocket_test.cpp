@@ -1,0 +1,73 @@
+// What every strategy shares: the way from regions to a toolpath, and openings that it goes on from.
+#include "strategy/pocket.h"
+
+#include <gtest/gtest.h>
+
+#include <utility>
+
+#include "geometry/offset.h"
+#include "geometry_shapes.h"
+#include "strategy/region_clearing.h"
+
+namespace evenload {
+namespace {
+
+using shapes::rectangle;
+
+RegionTask square_task(const ClearingParams& params) {
+  RegionTask task;
+  task.material = {make_region(rectangle(0, 0, 30, 24))};
+  task.centres = offset(task.material, -(0.5 * params.tool_diameter + kWallGap)).front();
+  return task;
+}
+
+TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
+  const ClearingParams params;
+  RegionTask task = square_task(params);
+  Progress progress;
+  const RegionResult whole = clear_region(task, params, progress);
+  ASSERT_FALSE(whole.runs.empty());
+  const std::vector<PlanarMove>& moves = whole.runs.front().moves;
+  const std::size_t taken = moves.size() / 3;
+
+  task.opening.runs = {whole.runs.front()};
+  task.opening.runs.front().moves.resize(taken);
+  task.opening.passes = 7;
+  task.opening.notes = {"Begun."};
+  const RegionResult rest = clear_region(task, params, progress);
+
+  ASSERT_GE(rest.runs.front().moves.size(), taken);
+  for (std::size_t i = 0; i < taken; ++i) {
+    EXPECT_EQ(rest.runs.front().moves[i].segment.a, moves[i].segment.a);
+    EXPECT_EQ(rest.runs.front().moves[i].segment.b, moves[i].segment.b);
+  }
+  for (const PlanarRun& run : rest.runs)
+    for (std::size_t i = 1; i < run.moves.size(); ++i)
+      EXPECT_LT(distance(run.moves[i - 1].segment.b, run.moves[i].segment.a), 1e-6);
+  EXPECT_GT(rest.passes, 7);
+  EXPECT_EQ(rest.notes.front(), "Begun.");
+  EXPECT_EQ(rest.uncut_area, 0);
+}
+
+TEST(PocketTest, AClearerSeesClimbMillingAndItsPathIsMirroredBackForConventional) {
+  ClearingParams params;
+  const std::vector<Region> regions = {make_region(rectangle(10, 0, 40, 24))};
+  Progress progress;
+  std::vector<Bounds> seen;
+  const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& given,
+                                    Progress& watch) {
+    seen.push_back(bounds_of({task.centres}));
+    return clear_region(task, given, watch);
+  };
+  for (const CutMode mode : {CutMode::kClimb, CutMode::kConventional}) {
+    params.cut_mode = mode;
+    const Toolpath path = clear_by(clearer, regions, params, progress);
+    for (const Move& move : path.moves) EXPECT_GT(move.x, 12.9);
+  }
+  ASSERT_EQ(seen.size(), 2u);
+  EXPECT_GT(seen[0].low.x, 12.9);
+  EXPECT_LT(seen[1].high.x, -12.9);
+}
+
+}  // namespace
+}  // namespace evenload
