@@ -15,7 +15,7 @@ namespace {
 // pattern come on top.
 constexpr double kMostBeside = 0.9;
 // Share of half the room: a pattern that is narrower hardly advances.
-constexpr double kMostOfRoom = 0.5;
+constexpr double kMostOfRoom = 1.0 / 3;
 
 // min for a mm of the slot: the pattern, and the passes along both walls.
 double time_per_length(const PatternFigures& figures, const TrochoidPattern& pattern,

@@ -7,6 +7,7 @@
 
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
+#include "strategy/entry.h"
 #include "strategy/links.h"
 #include "strategy/slot.h"
 #include "strategy/slot_rooms.h"
@@ -144,7 +145,10 @@ class SlotClearing {
 
   // The first place of a period that leaves room behind its front for a helix as wide as the slot.
   double first_place(const Way& way) const {
-    return std::max(-way.reach.back, 2 * way.stretch.half_room - way.reach.ahead);
+    const double h = way.stretch.half_room;
+    const double helix = helix_radius(params_, {{}, h});
+    const double wish = 2 * h + (task_.hole ? 0 : wished_stretch(helix, params_));
+    return std::max(-way.reach.back, wish - way.reach.ahead);
   }
 
   // From the front of a period at `s` down to the end of the slot, or where that has none, no
@@ -164,6 +168,7 @@ class SlotClearing {
     task.around = {task_.centres};
     try {
       task.opening = opening_;
+      task.stretch_helix = true;
       RegionResult cleared = clear_region(task, params_, progress_);
       take(std::move(cleared));
       return !opening_.runs.empty();
@@ -178,7 +183,7 @@ class SlotClearing {
   // where there is no such place, or nothing to be cut beyond it.
   std::optional<double> first_free(const Way& way) const {
     std::optional<double> last;
-    for (double s = first_place(way); s <= way.last(); s += kTrySpacing * way.pattern.step) {
+    for (double s = -way.reach.back; s <= way.last(); s += kTrySpacing * way.pattern.step) {
       const bool is_free = is_clear(cut_at(way, s));
       if (!is_free && last && has_work(way, *last + way.pattern.step)) return last;
       if (is_free) last = s;

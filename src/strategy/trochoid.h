@@ -17,11 +17,12 @@
 namespace evenload {
 
 struct TrochoidReport {
-  double step = 0;          // mm, of the pattern that was used on the longest way; 0: none was
-  int iterations = 0;       // passes until the pattern was settled; 0 for those found in one go
-  double residual = 0;      // mm, at the end of the iteration
-  double removal_rate = 0;  // mm^3/min at the first level: walls finished, entry and ends not counted
-  double length = 0;        // mm of slot along which a pattern is repeated
+  double step = 0;      // mm, of the pattern that was used on the longest way; 0: none was
+  int iterations = 0;   // passes until the pattern was settled; 0 for those found in one go
+  double residual = 0;  // mm, at the end of the iteration
+  double removal_rate =
+      0;              // mm^3/min at the first level: walls finished, entry and ends not counted
+  double length = 0;  // mm of slot along which a pattern is repeated
 };
 
 struct TrochoidalPath {

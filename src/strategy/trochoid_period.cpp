@@ -116,8 +116,8 @@ double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
 double half_room(const TrochoidParams& params) { return 0.5 * params.width - params.tool_radius; }
 
 void check(const TrochoidParams& p) {
-  for (const double number :
-       {p.tool_radius, p.width, p.curvature, p.engagement, p.turn_radius, p.feed, p.maximum_feed, p.link_feed})
+  for (const double number : {p.tool_radius, p.width, p.curvature, p.engagement, p.turn_radius,
+                              p.feed, p.maximum_feed, p.link_feed})
     require(std::isfinite(number), "Every parameter of a trochoid must be a finite number.");
   require(p.tool_radius > 0, "The tool's diameter must be positive.");
   require(p.width > 2 * p.tool_radius,
