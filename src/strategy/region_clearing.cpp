@@ -263,7 +263,8 @@ class RegionClearing {
   // which has no tight turns either; what that leaves is too little to come back for.
   std::vector<Segment> smooth(Pass& pass) {
     take_back(ground_, pass);
-    pass.moves = without_short_moves(pass.moves, exact_, std::min(kSmoothing, params_.tolerance));
+    pass.moves =
+        without_short_moves(joined(pass.moves), exact_, std::min(kSmoothing, params_.tolerance));
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));
