@@ -11,12 +11,19 @@ import dexel_pictures
 import optimisation_pictures
 import path_pictures
 import rest_pictures
+import trochoid_pictures
 from picture_parts import built_core
 
 
 def main():
     core = built_core()
-    for topic in (path_pictures, dexel_pictures, optimisation_pictures, rest_pictures):
+    for topic in (
+        path_pictures,
+        dexel_pictures,
+        optimisation_pictures,
+        rest_pictures,
+        trochoid_pictures,
+    ):
         for draw in topic.PICTURES:
             draw(core)
 
