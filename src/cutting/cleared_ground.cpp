@@ -25,6 +25,12 @@ constexpr double kWindowMargin = 1e-9;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
 
+// Between two places on a circle the distance from a move that sweeps no smaller disc falls below
+// that of both by at most this, over the circle's radius, times the square of half the way: along
+// the circle the distance from any place of the move that is a radius away or more is bent by no
+// more than twice the circle's curvature; a tenth is for places hardly nearer than that.
+constexpr double kMostDip = 1.1;
+
 // mm: from the border of a swept area to a place on it.
 constexpr double kOnBorder = 1e-5;
 // Of unit vectors along moves that are tangent to each other.
@@ -236,18 +242,23 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
                                   std::vector<AngularInterval>& set) const {
   const Cell& cell = cell_at(window.middle);
   if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
-    moves_[static_cast<std::size_t>(cell.covered_by)].subtract(look, set);
+    cut_wrapped(set, look.base, std::max(window.low, look.base),
+                std::min(window.high, look.base + 2 * kPi));
     return;
   }
   const std::int32_t newest = newest_before(cell, look.last);
   if (newest < 0) return;
-  // A disc that holds what is left of the window.
-  Vec2 middle;
-  double half = 0;
+  // What is left of the window, and a disc that holds it.
+  Vec2 middle, low_end, high_end;
+  double half = 0, dip = 0;
   const auto measure = [&] {
-    const double aside = 0.5 * (part.low + part.high - window.low - window.high);
-    middle = look.p + rotated_little(window.middle - look.p, aside);
+    const double at = 0.5 * (window.low + window.high);
+    const Vec2 spoke = window.middle - look.p;
+    middle = look.p + rotated_little(spoke, 0.5 * (part.low + part.high) - at);
+    low_end = look.p + rotated_little(spoke, part.low - at);
+    high_end = look.p + rotated_little(spoke, part.high - at);
     half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
+    dip = kMostDip / look.radius * half * half + kDiscMargin * look.radius;
   };
   measure();
   for (std::int32_t at = newest; at >= 0 && part.width() > 0;) {
@@ -257,6 +268,9 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
     if (index >= look.last || seen.moves[index] == seen.look) continue;
     const SweptMove& swept = moves_[index];
     if (swept.distance(middle) >= swept.swept_radius() + half) continue;
+    if (swept.swept_radius() >= look.radius &&
+        std::min(swept.distance(low_end), swept.distance(high_end)) >= swept.swept_radius() + dip)
+      continue;
     seen.moves[index] = seen.look;
     if (!swept.subtract(look, set)) continue;
     part = part_within(set, window.low, window.high);
