@@ -69,7 +69,8 @@ class Trochoid(base.Operation):
                     "tool or widen the slot." % (obj.SlotWidth.Value, tool.diameter)
                 )
             try:
-                return compiled.core().slot_around(chain, obj.SlotWidth.Value)
+                middle = [vertex[:3] for vertex in chain]
+                return compiled.core().slot_around(middle, width=obj.SlotWidth.Value)
             except ValueError as error:
                 raise ValueError("%s: %s" % (name, error)) from None
 
@@ -83,7 +84,7 @@ class Trochoid(base.Operation):
         )
 
     def generate(self, obj, core, regions, parameters):
-        toolpath, figures = core.clear_slots(regions, pattern=obj.Pattern.lower(), **parameters)
+        toolpath, figures = core.clear_slot(regions, pattern=obj.Pattern.lower(), **parameters)
         return toolpath, {
             "TrochoidalStep": figures.step,
             "Iterations": figures.iterations,
