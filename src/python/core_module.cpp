@@ -17,6 +17,7 @@
 #include "python/gcode_module.h"
 #include "python/path_commands_module.h"
 #include "python/simulate_module.h"
+#include "python/trochoid_module.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/rest_levels.h"
 #include "support/errors.h"
@@ -193,6 +194,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
+  bind_trochoid(m);
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);

@@ -1,0 +1,249 @@
+#include "strategy/trochoid_pattern.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+#include "cutting/engagement.h"
+#include "geometry/intersect.h"
+#include "strategy/links.h"
+#include "strategy/move_ends.h"
+#include "strategy/short_moves.h"
+#include "strategy/stage.h"
+
+namespace evenload {
+namespace {
+
+constexpr int kMostPasses = 30;
+// Shares of half the room that are tried as turn radii, up to the wish.
+constexpr double kTurnShares[] = {0.1, 0.3, 0.8};
+// Share of the tool's radius: no turn is tighter for the sake of the removal rate.
+constexpr double kTightestTurn = 0.05;
+// Share of the tool's radius: so far before the end of the last pass on the wall the next begins.
+constexpr double kRunUp = 0.1;
+// Places at which the advance of a front is looked at.
+constexpr int kFrontLooks = 16;
+// Lines side by side that clear the ground behind the first front.
+constexpr int kLinesBehind = 8;
+// Share of a full circle that a bent strip may take.
+constexpr double kMostSweep = 0.75;
+// How much longer than the settled advance the step may become.
+constexpr double kStepRoom = 1.05;
+constexpr double kOnWall = 1e-6;  // mm
+
+using Front = std::array<double, kFrontLooks>;
+
+// Steers pass after pass along a strip.
+class Passes {
+ public:
+  Passes(const TrochoidParams& params, double turn_radius)
+      : params_(params),
+        room_(half_room(params)),
+        back_(4 * params.tool_radius + 2 * room_),
+        ahead_(length_ahead()),
+        stage_(stage(turn_radius)),
+        ground_(grown_bounds(), params.tool_radius, nullptr),
+        steering_(ground_, stage_, params.engagement, turn_radius) {
+    for (int i = 0; i <= kLinesBehind; ++i) {
+      const double aside = room_ * (2.0 * i / kLinesBehind - 1);
+      ground_.add(along_strip(aside, -back_, 0));
+    }
+    ground_.add(Segment::line({0, -room_}, {0, room_}));
+  }
+
+  bool can_turn() const { return !stage_.turns.empty(); }
+
+  // The next pass, without what it has of idle way; empty at the strip's end.
+  std::vector<Segment> next() {
+    if (at_ > ahead_ - 2 * (params_.tool_radius + room_)) return {};
+    const BoundaryIndex::Hit hit =
+        stage_.centres.nearest(on_wall(at_ - kRunUp * params_.tool_radius));
+    Pass pass = steering_.from_wall({hit.curve, hit.segment, hit.t});
+    if (pass.empty()) return {};
+    for (const Segment& move : pass.moves) {
+      if (!lies_aside(move, -room_)) break;
+      at_ = along(move.b);
+    }
+    std::vector<Segment> moves = without_short_moves(pass.moves, stage_.centres, kSmoothing);
+    drop_first(moves, pass.idle_before);
+    drop_last(moves, pass.idle_after);
+    return moves;
+  }
+
+  Front front_of(const std::vector<Segment>& pass) const {
+    Front front;
+    for (int i = 0; i < kFrontLooks; ++i) {
+      const Segment level = along_strip(room_ * ((2 * i + 1.0) / kFrontLooks - 1), -back_, ahead_);
+      front[i] = -std::numeric_limits<double>::infinity();
+      for (const Segment& move : pass)
+        for (const Meeting& meeting : meetings(move, level, 1e-9))
+          front[i] = std::max(front[i], along(meeting.p));
+    }
+    return front;
+  }
+
+  // Whether a move runs beside the middle, `aside` mm to the left.
+  bool lies_aside(const Segment& move, double aside) const {
+    for (const double t : {0.0, 0.5, 1.0})
+      if (std::abs(offset_of(move.point(t)) - aside) > kOnWall) return false;
+    return true;
+  }
+
+  // mm along the middle.
+  double along(Vec2 p) const {
+    if (params_.curvature == 0) return p.x;
+    const double side = params_.curvature > 0 ? 1 : -1;
+    const double turned = side * (angle_of(p - centre()) + side * kPi / 2);
+    const double first = -back_ * std::abs(params_.curvature);
+    return (wrap_positive(turned - first) + first) / std::abs(params_.curvature);
+  }
+
+ private:
+  Vec2 centre() const { return {0, 1 / params_.curvature}; }
+
+  double offset_of(Vec2 p) const {
+    if (params_.curvature == 0) return p.y;
+    const double side = params_.curvature > 0 ? 1 : -1;
+    return side * (1 / std::abs(params_.curvature) - norm(p - centre()));
+  }
+
+  double length_ahead() const {
+    const double wish = kMostPasses * side_step(params_.engagement, params_.tool_radius) +
+                        4 * (params_.tool_radius + room_);
+    if (params_.curvature == 0) return wish;
+    return std::min(wish, kMostSweep * 2 * kPi / std::abs(params_.curvature) - back_);
+  }
+
+  Stage stage(double turn_radius) const {
+    Stage result;
+    if (ahead_ <= 0) return result;
+    const Region strip = strip_of(params_, back_, ahead_);
+    result.turn_radius = turn_radius;
+    result.rooms = {strip};
+    result.centres = Area({strip});
+    result.turns = Area(offset({strip}, -turn_radius));
+    return result;
+  }
+
+  Bounds grown_bounds() const {
+    const double r = params_.tool_radius;
+    const Bounds box = bounds_of(stage_.rooms);
+    return {box.low - Vec2{r, r}, box.high + Vec2{r, r}};
+  }
+
+  Segment along_strip(double aside, double from, double to) const {
+    const Pose a = place_along(params_.curvature, from), b = place_along(params_.curvature, to);
+    return Segment::from_bulge(a.p + aside * left_normal(unit(a.heading)),
+                               b.p + aside * left_normal(unit(b.heading)),
+                               std::tan(params_.curvature * (to - from) / 4));
+  }
+
+  Vec2 on_wall(double s) const {
+    const Pose at = place_along(params_.curvature, s);
+    return at.p - room_ * left_normal(unit(at.heading));
+  }
+
+  const TrochoidParams& params_;
+  double room_, back_, ahead_;
+  Stage stage_;
+  ClearedGround ground_;
+  Steering steering_;
+  double at_ = 0;  // mm along the middle where the last pass left the wall
+};
+
+double mean_of(const Front& front) {
+  double sum = 0;
+  for (const double s : front) sum += s;
+  return sum / kFrontLooks;
+}
+
+// The cut alone, without what follows the left wall where that is left to a pass of its own, begun
+// at the origin's place along the middle.
+TrochoidPattern pattern_of(const PassSequence& sequence, const Passes& passes,
+                           const TrochoidParams& params) {
+  TrochoidPattern pattern;
+  pattern.curvature = params.curvature;
+  pattern.residuals = sequence.residuals;
+  std::vector<Segment> cut = sequence.passes.back();
+  while (!params.finish_walls && cut.size() > 1 && passes.lies_aside(cut.back(), half_room(params)))
+    cut.pop_back();
+  const Pose back = place_along(params.curvature, -passes.along(cut.front().a));
+  pattern.cut = placed(cut, back);
+  return pattern;
+}
+
+PassSequence iterate(Passes& passes, const TrochoidParams& params, int most) {
+  PassSequence result;
+  Front last{};
+  const auto is_settled = [&] {
+    return !result.residuals.empty() && result.residuals.back() < kSettled * params.tool_radius;
+  };
+  for (int k = 0; k < most && !is_settled(); ++k) {
+    std::vector<Segment> pass = passes.next();
+    if (pass.empty()) break;
+    const Front front = passes.front_of(pass);
+    if (k > 0) {
+      double least = std::numeric_limits<double>::infinity(), most_advance = -least;
+      for (int i = 0; i < kFrontLooks; ++i) {
+        least = std::min(least, front[i] - last[i]);
+        most_advance = std::max(most_advance, front[i] - last[i]);
+      }
+      result.residuals.push_back(most_advance - least);
+      result.advance = mean_of(front) - mean_of(last);
+    }
+    last = front;
+    result.passes.push_back(std::move(pass));
+  }
+  return result;
+}
+
+std::optional<TrochoidPattern> settled_pattern(const TrochoidParams& params, double turn_radius) {
+  Passes passes(params, turn_radius);
+  if (!passes.can_turn()) return std::nullopt;
+  const PassSequence sequence = iterate(passes, params, kMostPasses);
+  if (sequence.residuals.empty() || sequence.advance <= 0) return std::nullopt;
+  const TrochoidPattern shape = pattern_of(sequence, passes, params);
+  std::optional<TrochoidPattern> pattern = with_greatest_step(
+      [&](double step) {
+        TrochoidPattern repeated = shape;
+        repeated.step = step;
+        return repeated;
+      },
+      params, kStepRoom * sequence.advance);
+  if (!pattern) return std::nullopt;
+  pattern->turn_radius = turn_radius;
+  pattern->link = shortest_return(*pattern, params);
+  if (pattern->link.empty()) return std::nullopt;
+  return pattern;
+}
+
+}  // namespace
+
+PassSequence iterate_passes(const TrochoidParams& params, double turn_radius, int most) {
+  check(params);
+  Passes passes(params, turn_radius);
+  return passes.can_turn() ? iterate(passes, params, most) : PassSequence{};
+}
+
+std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params) {
+  check(params);
+  const double least = std::min(kTightestTurn * params.tool_radius, 0.5 * half_room(params));
+  std::optional<TrochoidPattern> best;
+  double most = 0, tried = 0;
+  for (const double share : kTurnShares) {
+    const double turn = std::min(std::max(share * half_room(params), least), params.turn_radius);
+    if (turn == tried) continue;
+    tried = turn;
+    std::optional<TrochoidPattern> pattern = settled_pattern(params, turn);
+    if (!pattern) continue;
+    const double removal = figures_of(*pattern, params).removal;
+    if (removal <= most) continue;
+    most = removal;
+    best = std::move(pattern);
+  }
+  return best;
+}
+
+}  // namespace evenload

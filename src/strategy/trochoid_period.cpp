@@ -1,0 +1,208 @@
+#include "strategy/trochoid_period.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+#include "feed/load_profile.h"
+#include "strategy/area.h"
+#include "strategy/links.h"
+#include "strategy/move_checks.h"
+
+namespace evenload {
+namespace {
+
+// mm between two looks at the load of a period.
+constexpr double kLook = 0.1;
+// Steps are found to this share of the tool's radius.
+constexpr double kStepShare = 2e-4;
+// Shares of half the room: turn radii of links that are tried, beside their halves.
+constexpr double kLinkTurns[] = {0.9, 0.6, 0.35};
+// Widths of the slot: no link back is longer.
+constexpr double kLongestLink = 4;
+// How much smaller a step is tried while none is known that keeps the limit.
+constexpr double kSmallerStep = 0.9;
+
+void require(bool condition, const char* sentence) {
+  if (!condition) throw std::invalid_argument(sentence);
+}
+
+// mm along the middle to a place of the strip near the origin.
+double along(double curvature, Vec2 p) {
+  if (curvature == 0) return p.x;
+  const Vec2 v = p - Vec2{0, 1 / curvature};
+  return wrap_signed(angle_of(v) + (curvature > 0 ? kPi / 2 : -kPi / 2)) / curvature;
+}
+
+// The pattern as it repeats: the ground before a period.
+class Repeated {
+ public:
+  Repeated(const TrochoidPattern& pattern, const TrochoidParams& params)
+      : pattern_(pattern),
+        reach_(reach_of(pattern)),
+        periods_(static_cast<int>(
+            std::ceil((reach_.ahead - reach_.back + 2 * params.tool_radius) / pattern.step))),
+        ground_(bounds(params), params.tool_radius, nullptr) {
+    for (int k = periods_; k > 0; --k) {
+      const Pose at = place_along(pattern.curvature, -k * pattern.step);
+      for (const Segment& move : placed(pattern.cut, at)) ground_.add(move);
+      for (const Segment& move : placed(pattern.link, at)) ground_.add(move);
+    }
+  }
+
+  ClearedGround& ground() { return ground_; }
+  double back() const { return periods_ * pattern_.step - reach_.back; }
+  double ahead() const { return reach_.ahead + pattern_.step; }
+
+  std::vector<LoadSample> profile(std::vector<PlanarRun>& runs) {
+    runs.assign(1, {});
+    for (const Segment& move : pattern_.cut) {
+      PlanarMove planar;
+      planar.segment = move;
+      runs[0].moves.push_back(planar);
+    }
+    return load_profile(runs, ground_, kLook);
+  }
+
+ private:
+  Bounds bounds(const TrochoidParams& params) const {
+    const double r = params.tool_radius, beside = 0.5 * params.width;
+    if (pattern_.curvature == 0) return {{-back() - r, -beside}, {ahead() + r, beside}};
+    const double out = 1 / std::abs(pattern_.curvature) + beside;
+    const Vec2 centre{0, 1 / pattern_.curvature};
+    return {centre - Vec2{out, out}, centre + Vec2{out, out}};
+  }
+
+  const TrochoidPattern& pattern_;
+  PeriodReach reach_;
+  int periods_;
+  ClearedGround ground_;
+};
+
+bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
+  std::vector<PlanarRun> runs;
+  const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
+  return worst_engagement(runs, profile, kMeanLength) <= params.engagement + kPatternOverload;
+}
+
+}  // namespace
+
+double half_room(const TrochoidParams& params) { return 0.5 * params.width - params.tool_radius; }
+
+void check(const TrochoidParams& p) {
+  for (const double number :
+       {p.tool_radius, p.width, p.curvature, p.engagement, p.turn_radius, p.feed, p.link_feed})
+    require(std::isfinite(number), "Every parameter of a trochoid must be a finite number.");
+  require(p.tool_radius > 0, "The tool's diameter must be positive.");
+  require(p.width > 2 * p.tool_radius,
+          "The slot is no wider than the tool: take a smaller tool, or a wider slot.");
+  require(p.engagement > 0 && p.engagement < kPi,
+          "The engagement angle must lie between 0 and 180 degrees.");
+  require(p.turn_radius > 0, "The roll radius must be positive.");
+  require(p.feed > 0 && p.link_feed > 0, "Feeds must be positive.");
+  require(std::abs(p.curvature) * 0.5 * p.width < 1,
+          "The slot bends more tightly than half its width: make it narrower, or bend it less.");
+}
+
+Pose place_along(double curvature, double s) {
+  if (curvature == 0) return {{s, 0}, 0};
+  const double turned = s * curvature;
+  return {Vec2{std::sin(turned), 1 - std::cos(turned)} / curvature, turned};
+}
+
+Segment placed(const Segment& move, const Pose& at) {
+  const auto there = [&](Vec2 p) { return at.p + rotated(p, at.heading); };
+  if (!move.is_arc()) return Segment::line(there(move.a), there(move.b));
+  return Segment::arc(there(move.centre), move.radius, move.start_angle + at.heading, move.sweep);
+}
+
+std::vector<Segment> placed(const std::vector<Segment>& moves, const Pose& at) {
+  std::vector<Segment> result;
+  result.reserve(moves.size());
+  for (const Segment& move : moves) result.push_back(placed(move, at));
+  return result;
+}
+
+Region strip_of(const TrochoidParams& params, double back, double ahead) {
+  const double h = half_room(params), sweep = params.curvature * (back + ahead);
+  const double bulge = std::tan(sweep / 4);
+  const auto corner = [&](double s, double aside) {
+    const Pose at = place_along(params.curvature, s);
+    return at.p + aside * left_normal(unit(at.heading));
+  };
+  return make_region(Curve({{corner(-back, -h), bulge},
+                            {corner(ahead, -h), 0},
+                            {corner(ahead, h), -bulge},
+                            {corner(-back, h), 0}},
+                           true));
+}
+
+PeriodReach reach_of(const TrochoidPattern& pattern) {
+  constexpr double kFar = std::numeric_limits<double>::infinity();
+  PeriodReach reach{kFar, -kFar};
+  for (const Segment& move : pattern.cut)
+    for (int i = 0; i <= kMoveLooks; ++i) {
+      const double s = along(pattern.curvature, move.point(static_cast<double>(i) / kMoveLooks));
+      reach.back = std::min(reach.back, s);
+      reach.ahead = std::max(reach.ahead, s);
+    }
+  return reach;
+}
+
+PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
+  PatternFigures figures;
+  std::vector<PlanarRun> runs;
+  const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
+  double within = 0;
+  for (const LoadSample& sample : profile)
+    if (std::abs(sample.engagement - params.engagement) <= kBand) within += sample.length;
+  figures.cut_length = length_of(pattern.cut);
+  figures.link_length = length_of(pattern.link);
+  figures.area_per_length = params.width * pattern.step / figures.cut_length;
+  figures.max_engagement = worst_engagement(runs, profile, kMeanLength);
+  figures.within = within / figures.cut_length;
+  figures.time = figures.cut_length / params.feed + figures.link_length / params.link_feed;
+  figures.removal = params.width * pattern.step / figures.time;
+  return figures;
+}
+
+std::optional<TrochoidPattern> with_greatest_step(
+    const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
+    double most) {
+  const double exact = kStepShare * params.tool_radius;
+  std::optional<TrochoidPattern> best;
+  double low = 0, high = most;
+  for (double step = most; step > exact && high - low > exact;
+       step = best ? 0.5 * (low + high) : kSmallerStep * high) {
+    TrochoidPattern pattern = of_step(step);
+    if (!keeps_limit(pattern, params)) {
+      high = step;
+      continue;
+    }
+    best = std::move(pattern);
+    low = step;
+  }
+  return best;
+}
+
+std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const TrochoidParams& params) {
+  Repeated repeated(pattern, params);
+  ClearedGround& ground = repeated.ground();
+  for (const Segment& move : pattern.cut) ground.add(move);
+  const Area centres({strip_of(params, repeated.back(), repeated.ahead())});
+  const Segment &first = pattern.cut.front(), &last = pattern.cut.back();
+  const Segment next = placed(first, place_along(pattern.curvature, pattern.step));
+  const Pose from{last.b, angle_of(last.tangent(1))}, to{next.a, angle_of(next.tangent(0))};
+  const double h = half_room(params);
+  std::vector<Segment> best;
+  for (const double share : kLinkTurns) {
+    std::vector<Segment> link = shortest_link({ground, ground.size()}, centres, from, to, share * h,
+                                              kLongestLink * params.width);
+    if (!link.empty() && (best.empty() || length_of(link) < length_of(best)))
+      best = std::move(link);
+  }
+  return best;
+}
+
+}  // namespace evenload

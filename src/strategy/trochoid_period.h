@@ -1,0 +1,94 @@
+// One period of a trochoidal path along a slot, and what it does once it repeats.
+//
+// In the pattern's own frame the middle of the slot starts at the origin along +x and bends by
+// `curvature`; the tool cuts to its right (climb milling), so every period leaves the right wall,
+// crosses the front and arrives at the left wall. Each period is the one before moved on by `step`
+// along the middle: shifted where the slot is straight, turned where it is an arc.
+//
+// Laws of a finished pattern: cut, link and the next period's cut are tangent to each other; no
+// point of the tool leaves the slot; the engagement, as a mean over kMeanLength mm, exceeds the
+// limit by no more than kPatternOverload once the pattern repeats; links meet nothing. Where the
+// cleared ground holds what the pattern has cleared behind a period, that period keeps the limit,
+// whatever else is cleared besides: engagement falls with the ground that is left.
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "geometry/curve.h"
+#include "strategy/steering.h"
+
+namespace evenload {
+
+struct TrochoidParams {
+  double tool_radius = 3;       // mm, > 0
+  double width = 9;             // mm that are cleared, more than the tool's diameter
+  double curvature = 0;         // 1/mm, of the slot's middle, positive = turns left
+  double engagement = kPi / 3;  // rad, 0 < engagement < pi: the limit
+  double turn_radius = 0.9;     // mm: the widest roll-in and roll-out
+  double feed = 255;            // mm/min, of cuts
+  double link_feed = 1500;      // mm/min
+  // false: cuts end where they touch the left wall, whose scallops are left to a pass along it.
+  bool finish_walls = true;
+};
+
+struct TrochoidPattern {
+  std::vector<Segment> cut;   // from where the tool meets material to where it has left it
+  std::vector<Segment> link;  // from there to the start of the next period's cut
+  double step = 0;            // mm along the middle
+  double curvature = 0;       // 1/mm, of the middle
+  double turn_radius = 0;     // mm, of the tightest turn that was asked for
+  // mm, pass by pass: by how much the advance differed from place to place of the front. Empty for
+  // patterns that are not found by iteration.
+  std::vector<double> residuals;
+};
+
+// How far a period's cut reaches along the middle from the pattern's origin, mm.
+struct PeriodReach {
+  double back = 0, ahead = 0;
+};
+PeriodReach reach_of(const TrochoidPattern& pattern);
+
+// rad: exceeding the limit by less is not worth a shorter step.
+inline constexpr double kPatternOverload = 0.5 * kPi / 180;
+
+// mm: half the width that the tool's centre has.
+double half_room(const TrochoidParams& params);
+// Throws std::invalid_argument for parameters out of range, and for a slot that the tool does not
+// fit or that bends more tightly than half its width.
+void check(const TrochoidParams& params);
+
+// Where the slot's middle is after `s` mm, in the pattern's frame.
+Pose place_along(double curvature, double s);
+Segment placed(const Segment& move, const Pose& at);
+std::vector<Segment> placed(const std::vector<Segment>& moves, const Pose& at);
+
+// The places of the tool's centre from `back` mm behind the origin to `ahead` mm before it.
+// Condition: the strip does not meet itself.
+Region strip_of(const TrochoidParams& params, double back, double ahead);
+
+// What a pattern does once it repeats.
+struct PatternFigures {
+  double cut_length = 0, link_length = 0;  // mm, of a period
+  double area_per_length = 0;              // mm^2 per mm of cut
+  double max_engagement = 0;               // rad, mean over kMeanLength mm
+  double within = 0;                       // share of the cut within kBand of the limit
+  double time = 0;                         // min, of a period: cuts at feed, links at link_feed
+  double removal = 0;                      // mm^2/min: width * step / time
+};
+inline constexpr double kBand = 2 * kPi / 180;
+PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
+
+// Of the patterns that `of_step` makes, that with the greatest step, not above `most` mm, which
+// keeps the limit; nothing where none does.
+std::optional<TrochoidPattern> with_greatest_step(
+    const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
+    double most);
+
+// The shortest way from the end of the pattern's cut to the start of the next period's over what
+// the repeated pattern has cleared, within the slot; empty where there is none.
+std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const TrochoidParams& params);
+
+}  // namespace evenload
