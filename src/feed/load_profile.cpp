@@ -28,7 +28,8 @@ constexpr double kSameDirection = 1e-3;
 
 void add_descent(const Descent& descent, ClearedGround& ground) {
   if (descent.kind == DescentKind::kHelix)
-    ground.add_disc(descent.centre, descent.radius + ground.tool_radius());
+    ground.add(Segment::line(descent.centre - descent.stretch, descent.centre + descent.stretch),
+               descent.radius + ground.tool_radius());
   else if (descent.kind == DescentKind::kRamp)
     ground.add(Segment::line(descent.at, descent.ramp_end));
 }

@@ -14,7 +14,6 @@
 #include "python/clearing_params.h"
 #include "strategy/slot_around.h"
 #include "strategy/trochoid.h"
-#include "strategy/trochoid_period.h"
 
 namespace py = pybind11;
 
@@ -71,6 +70,8 @@ TrochoidParams params_from(Keywords& keywords) {
   keywords.optional("curvature", params.curvature);
   keywords.optional("roll_radius", params.turn_radius);
   keywords.required("feed", params.feed);
+  params.maximum_feed = params.feed;
+  keywords.optional("maximum_feed", params.maximum_feed);
   keywords.required("link_feed", params.link_feed);
   keywords.optional("finish_walls", params.finish_walls);
   return params;
@@ -121,7 +122,7 @@ void bind_trochoid(py::module_& m) {
   m.def("trochoid_pattern", &pattern_from_python,
         "One period of a trochoid along a slot, and its figures; None where the slot is too "
         "narrow. pattern, tool_diameter, width, engagement_angle (rad), curvature (1/mm), "
-        "roll_radius, feed, link_feed, finish_walls.");
+        "roll_radius, feed, maximum_feed, link_feed, finish_walls.");
 }
 
 }  // namespace evenload

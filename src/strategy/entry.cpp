@@ -1,8 +1,13 @@
 #include "strategy/entry.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <sstream>
+
+#include "cutting/engagement.h"
+#include "toolpath/helix.h"
 
 namespace evenload {
 namespace {
@@ -11,26 +16,38 @@ namespace {
 constexpr double kNarrowestHelix = 0.02;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
+// mm: the room of a helix is known no better.
+constexpr double kRoomTolerance = 1e-3;
 // Share of the tool's radius: a wider helix would leave a post in its middle.
 constexpr double kWidestHelix = 0.98;
 // Directions in which room for a ramp is looked for at first; the best is then refined.
 constexpr int kRampDirections = 180;
 // rad: to which the ramp's direction is refined.
 constexpr double kRampAngle = 1e-4;
+// Share of a helix's radius: it is not stretched by less.
+constexpr double kShortestStretch = 0.1;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
 
-// mm from `from` to the border of `centres`, `limit` at most.
-double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit) {
+// mm from `from` to where the border of `centres` is `room` mm away, `limit` at most.
+double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit, double room = 0) {
   double length = 0;
   while (length < limit) {
-    const double inside = centres.signed_distance(from + length * direction);
+    const double inside = centres.signed_distance(from + length * direction) - room;
     if (inside < 1e-5) break;
     length += inside;
   }
   return std::min(length, limit);
+}
+
+// Along the nearest wall, which runs beside the longest line between walls close together, and
+// across it.
+std::array<double, 4> directions_of(const Area& centres, Vec2 from) {
+  const BoundaryIndex::Hit hit = centres.nearest(from);
+  const double along = angle_of(centres.segment_at(hit).tangent(hit.t));
+  return {along, along + kPi / 2, along + kPi, along + 3 * kPi / 2};
 }
 
 // The longest free line from `from`, as a vector. Between walls hardly wider than the tool it runs
@@ -44,9 +61,7 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
     best = angle;
   };
   for (int i = 0; i < kRampDirections; ++i) look(2 * kPi * i / kRampDirections);
-  const BoundaryIndex::Hit hit = centres.nearest(from);
-  const double along = angle_of(centres.segment_at(hit).tangent(hit.t));
-  for (int quarter = 0; quarter < 4; ++quarter) look(along + quarter * kPi / 2);  // or an end wall
+  for (const double angle : directions_of(centres, from)) look(angle);  // or an end wall
   for (double step = kPi / kRampDirections; step > kRampAngle; step /= 2) {
     const double middle = best;
     look(middle - step);
@@ -99,6 +114,45 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   entry.descent.ramp_end = room.centre + line;
   entry.start = {entry.descent.at, angle_of(line)};
   return entry;
+}
+
+double wished_stretch(double helix_radius, const ClearingParams& params) {
+  const double r = 0.5 * params.tool_diameter;
+  // Areas: what is cleared, and what a cut clears in the same time; and what a mm adds to both.
+  const double rate = side_step(params.engagement_angle, r) * params.feed / params.plunge_feed;
+  const double slope = (params.top - params.levels.front()) / std::tan(params.helix_angle);
+  const double lacking =
+      rate * (slope + 2 * kPi * helix_radius) - kPi * std::pow(helix_radius + r, 2);
+  const double gain = 2 * (helix_radius + r) - 2 * rate;
+  const double longest = kLongestRamp * params.tool_diameter;
+  return gain * longest > lacking ? std::max(0.0, lacking / gain) : longest;
+}
+
+void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params) {
+  Descent& helix = entry.descent;
+  if (helix.kind != DescentKind::kHelix) return;
+  const double wish = wished_stretch(helix.radius, params),
+               needed = helix.radius / kHelixRoom - kRoomTolerance;
+  double longest = 0, behind = 0;
+  Vec2 u;
+  for (const double angle : directions_of(centres, helix.centre)) {
+    const double ahead = free_length(centres, helix.centre, unit(angle), wish, needed),
+                 back = free_length(centres, helix.centre, -unit(angle), wish - ahead, needed);
+    if (ahead + back <= longest + 1e-9) continue;
+    longest = ahead + back;
+    behind = back;
+    u = unit(angle);
+  }
+  // A whole number of half turns, none of them flatter than it may be.
+  const double slope =
+      (params.top - params.levels.front() + kAboveMaterial) / std::tan(params.helix_angle);
+  const double circle = kPi * helix.radius;
+  const double stretch = slope / std::ceil(slope / (circle + longest)) - circle;
+  if (stretch < kShortestStretch * helix.radius) return;
+  helix.centre = helix.centre + (0.5 * stretch - std::min(behind, stretch)) * u;
+  helix.stretch = 0.5 * stretch * u;
+  helix.at = helix.centre + helix.stretch + helix.radius * u;
+  entry.start = {helix.at, angle_of(u) + kPi / 2};
 }
 
 std::optional<Pose> start_outside(const Area& centres, const std::vector<Region>& material,

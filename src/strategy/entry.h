@@ -35,6 +35,13 @@ std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params);
 inline constexpr double kLongestRamp = 1.5;
+// The same entry, but a helix stretched along the nearest wall, or across it, until it removes as
+// much in a time as a cut at the engagement angle, or as far as there is room: it goes down no
+// faster than a circle, but clears more on the way. Law: by no more than kLongestRamp tool
+// diameters.
+void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params);
+// mm: by how much, where there is room.
+double wished_stretch(double helix_radius, const ClearingParams& params);
 
 // A place outside the stock, beside the longest open edge of `material` from which the tool can go
 // straight in; the heading is along the edge. Empty when there is none.

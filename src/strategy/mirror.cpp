@@ -36,6 +36,7 @@ std::vector<Region> mirrored(const std::vector<Region>& regions) {
 void mirror_run(PlanarRun& run) {
   run.descent.at = mirrored(run.descent.at);
   run.descent.centre = mirrored(run.descent.centre);
+  run.descent.stretch = mirrored(run.descent.stretch);
   run.descent.ramp_end = mirrored(run.descent.ramp_end);
   for (PlanarMove& move : run.moves) {
     const Segment& s = move.segment;

@@ -237,13 +237,14 @@ class RegionClearing {
 
   // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
   Pose choose_entry(const Circle& room, Descent& descent) {
-    const std::optional<Entry> entry = descend_within(exact_, room, params_);
+    std::optional<Entry> entry = descend_within(exact_, room, params_);
     if (!entry)
       throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(room.centre),
                           "The tool has no room to descend in this pocket: drill a hole first and "
                           "choose the entry 'Predrilled hole', or take a smaller tool.");
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
+    if (task_.stretch_helix) stretch_helix(*entry, exact_, params_);
     descent = entry->descent;
     add_descent(descent, ground_);
     return entry->start;

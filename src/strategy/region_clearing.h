@@ -30,6 +30,7 @@ struct RegionTask {
   bool has_open_edges = false;
   bool rest = false;           // earlier cuts left the material: the rest of the ground is cleared
   std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region; not with `rest`
+  bool stretch_helix = false;  // an entry's, along the room
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
   std::vector<Region> around;  // where links may go; empty: within `centres`
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.

@@ -7,10 +7,10 @@
 
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
-#include "strategy/circular_trochoid.h"
+#include "strategy/entry.h"
 #include "strategy/links.h"
 #include "strategy/slot.h"
-#include "strategy/trochoid_pattern.h"
+#include "strategy/slot_rooms.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -22,18 +22,20 @@ constexpr int kFewestPeriods = 4;
 constexpr double kTrySpacing = 0.25;
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
-constexpr double kOnWall = 1e-4;    // mm
+// Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
+constexpr double kLongestEnd = 8;
+// Share of a step: what is thinner in front of a period is a scallop.
+constexpr double kScallop = 0.25;
+// Of unit vectors: towards the front, not the walls.
+constexpr double kAcross = 0.5;
 constexpr double kSameArea = 1e-6;  // mm^2
 // mm and 1/mm: of half rooms and curvatures.
 constexpr double kAlike = 1e-9;
 
 // A stretch with the pattern that fits it, in the direction of its middle.
 // A stretch with the pattern that fits it, in the direction of its middle.
-struct Way {
+struct Way : SlotPattern {
   SlotStretch stretch;
-  TrochoidPattern pattern;
-  PatternFigures figures;
-  PeriodReach reach;
   double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
 };
 
@@ -74,35 +76,31 @@ class SlotClearing {
   }
 
   void add_way(const SlotStretch& stretch) {
-    TrochoidParams params;
-    params.tool_radius = radius_;
-    params.width = 2 * (radius_ + stretch.half_room);
-    params.curvature = stretch.middle.curvature();
-    params.engagement = params_.engagement_angle;
-    params.turn_radius = turn_radius_;
-    params.feed = params_.feed;
-    params.link_feed = params_.link_feed;
-    if (std::abs(params.curvature) * 0.5 * params.width >= 1) return;
-    std::optional<Way> way = with_pattern(params);
-    if (!way) return;
-    way->stretch = stretch;
-    if (way->last() + way->reach.back < kFewestPeriods * way->pattern.step) return;
-    ways_.push_back(std::move(*way));
+    TrochoidParams slot;
+    slot.tool_radius = radius_;
+    slot.width = 2 * (radius_ + stretch.half_room);
+    slot.curvature = stretch.middle.curvature();
+    slot.engagement = params_.engagement_angle;
+    slot.turn_radius = turn_radius_;
+    slot.feed = params_.feed;
+    slot.maximum_feed =
+        params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
+    slot.link_feed = params_.link_feed;
+    if (std::abs(slot.curvature) * 0.5 * slot.width >= 1) return;
+    const std::optional<SlotPattern> pattern = pattern_for(slot);
+    if (!pattern) return;
+    const Way way{*pattern, stretch};
+    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) return;
+    ways_.push_back(way);
   }
 
   // Stretches of one width and curvature share a pattern.
-  std::optional<Way> with_pattern(const TrochoidParams& params) const {
+  std::optional<SlotPattern> pattern_for(const TrochoidParams& slot) const {
     for (const Way& way : ways_)
-      if (std::abs(way.stretch.half_room - half_room(params)) < kAlike &&
-          std::abs(way.pattern.curvature - params.curvature) < kAlike)
+      if (std::abs(way.stretch.half_room - half_room(slot)) < kAlike &&
+          std::abs(way.pattern.curvature - slot.curvature) < kAlike)
         return way;
-    std::optional<TrochoidPattern> pattern = make_pattern(kind_, params);
-    if (!pattern) return std::nullopt;
-    Way way;
-    way.figures = figures_of(*pattern, params);
-    way.reach = reach_of(*pattern);
-    way.pattern = std::move(*pattern);
-    return way;
+    return slot_pattern(kind_, slot);
   }
 
   std::vector<Segment> cut_at(const Way& way, double s) const {
@@ -127,8 +125,7 @@ class SlotClearing {
     std::optional<Region> best;
     for (const Way& way : ways_) {
       if (way.stretch.middle.length() < ways_.front().stretch.middle.length() - kSameWall) break;
-      std::optional<Region> room = end_room(way, first_place(way));
-      if (!room) room = room_between(way, first_place(way));
+      std::optional<Region> room = start_room(way, first_place(way));
       if (room && (!best || room->area() < best->area() - kSameArea)) best = std::move(room);
     }
     return best && clear_room(*best);
@@ -140,13 +137,7 @@ class SlotClearing {
       if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
       const double at = middle.nearest(*task_.hole) * middle.length();
       if (at > 0.5 * middle.length() + kSameWall) continue;  // the way back has it nearer
-      std::optional<Region> room;
-      if (at < 2 * way.stretch.half_room) {
-        const double s = std::max(first_place(way), at - way.reach.back);
-        room = end_room(way, s);
-      } else {
-        room = room_between(way, at - way.reach.back);
-      }
+      const std::optional<Region> room = start_room(way, std::max(first_place(way), at));
       return room && room->contains(*task_.hole) && clear_room(*room);
     }
     return false;
@@ -154,61 +145,20 @@ class SlotClearing {
 
   // The first place of a period that leaves room behind its front for a helix as wide as the slot.
   double first_place(const Way& way) const {
-    return std::max(-way.reach.back, 2 * way.stretch.half_room - way.reach.ahead);
-  }
-
-  std::optional<WallPlace> place_on_wall(Vec2 p) const {
-    const BoundaryIndex::Hit hit = centres_.nearest(p);
-    if (hit.distance > kOnWall) return std::nullopt;
-    return WallPlace{hit.curve, hit.segment, hit.t};
-  }
-
-  // All that lies behind the front of a period at `s`, down to the end of the slot.
-  std::optional<Region> end_room(const Way& way, double s) const {
-    std::vector<Segment> border = cut_at(way, s);
-    const std::optional<WallPlace> left = place_on_wall(border.back().b),
-                                   right = place_on_wall(border.front().a);
-    if (!left || !right || left->curve != 0 || right->curve != 0) return std::nullopt;
-    for (const Segment& piece : border_between(task_.centres.outer, *left, *right))
-      border.push_back(piece);
-    return closed_room(border);
-  }
-
-  // The same down to half a circle between the walls, h before the period.
-  std::optional<Region> room_between(const Way& way, double s) const {
-    std::vector<Segment> border = cut_at(way, s);
     const double h = way.stretch.half_room;
-    const Pose back = pose_on(way.stretch, s + way.reach.back - h);
-    const Vec2 aside = h * left_normal(unit(back.heading));
-    const std::optional<WallPlace> left = place_on_wall(border.back().b),
-                                   left_back = place_on_wall(back.p + aside),
-                                   right_back = place_on_wall(back.p - aside),
-                                   right = place_on_wall(border.front().a);
-    if (!left || !left_back || !right_back || !right || left->curve != left_back->curve ||
-        right->curve != right_back->curve)
-      return std::nullopt;
-    const std::vector<Curve>& curves = centres_.curves();
-    for (const Segment& piece : border_between(curves[left->curve], *left, *left_back))
-      border.push_back(piece);
-    border.push_back(Segment::arc(back.p, h, back.heading + kPi / 2, kPi));
-    for (const Segment& piece : border_between(curves[right->curve], *right_back, *right))
-      border.push_back(piece);
-    return closed_room(border);
+    const double helix = helix_radius(params_, {{}, h});
+    const double wish = 2 * h + (task_.hole ? 0 : wished_stretch(helix, params_));
+    return std::max(-way.reach.back, wish - way.reach.ahead);
   }
 
-  // Nothing where the border closes around something that is not a room.
-  std::optional<Region> closed_room(const std::vector<Segment>& border) const {
-    std::vector<Vertex> vertices;
-    for (const Segment& piece : border) vertices.push_back({piece.a, piece.bulge(), piece.open});
-    const Curve outer(std::move(vertices), true);
-    if (outer.signed_area() <= 0) return std::nullopt;
-    for (const Curve& island : task_.centres.islands)
-      if (outer.contains(island.vertices().front().p)) return std::nullopt;
-    try {
-      return make_region(outer);
-    } catch (const GeometryError&) {
-      return std::nullopt;  // walls that come too near to each other behind the front
-    }
+  // From the front of a period at `s` down to the end of the slot, or where that has none, no
+  // further than a helix needs.
+  std::optional<Region> start_room(const Way& way, double s) const {
+    const double h = way.stretch.half_room;
+    const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
+    std::optional<Region> room = room_behind(task_.centres, centres_, front);
+    if (room && room->area() < kLongestEnd * h * h + 2 * h * s) return room;
+    return room_between(task_.centres, centres_, way.stretch, s - h, front);
   }
 
   // False where the tool finds no way in; then the whole region may still have one.
@@ -217,11 +167,10 @@ class SlotClearing {
     task.centres = room;
     task.around = {task_.centres};
     try {
+      task.opening = opening_;
+      task.stretch_helix = true;
       RegionResult cleared = clear_region(task, params_, progress_);
-      for (PlanarRun& run : cleared.runs) append(std::move(run));
-      opening_.passes += cleared.passes;
-      opening_.links += cleared.links;
-      opening_.tight_turns.add(cleared.tight_turns);
+      take(std::move(cleared));
       return !opening_.runs.empty();
     } catch (const GeometryError&) {
       return false;
@@ -234,12 +183,23 @@ class SlotClearing {
   // where there is no such place, or nothing to be cut beyond it.
   std::optional<double> first_free(const Way& way) const {
     std::optional<double> last;
-    for (double s = first_place(way); s <= way.last(); s += kTrySpacing * way.pattern.step) {
+    for (double s = -way.reach.back; s <= way.last(); s += kTrySpacing * way.pattern.step) {
       const bool is_free = is_clear(cut_at(way, s));
-      if (!is_free && last) return last;
+      if (!is_free && last && has_work(way, *last + way.pattern.step)) return last;
       if (is_free) last = s;
     }
     return std::nullopt;
+  }
+
+  // Whether a period at `s` would take more than the scallops that another one left.
+  bool has_work(const Way& way, double s) const {
+    for (const Segment& move : cut_at(way, s)) {
+      const Vec2 p = move.point(0.5), right = -left_normal(move.tangent(0.5));
+      if (!ground_.is_cleared_point(p + (radius_ - kScallop * way.pattern.step) * right) &&
+          std::abs(dot(right, unit(pose_on(way.stretch, s).heading))) > kAcross)
+        return true;
+    }
+    return false;
   }
 
   bool is_clear(const std::vector<Segment>& moves) const {
@@ -258,17 +218,28 @@ class SlotClearing {
       for (const Way& way : ways_) {
         const std::optional<double> free = first_free(way);
         if (!free || *free + way.pattern.step > way.last()) continue;
-        follow(way, *free + way.pattern.step);
+        const double end = follow(way, *free + way.pattern.step);
+        if (way.beside > 0) clear_end(way, end);
         found = true;
         break;
       }
     }
   }
 
-  void follow(const Way& way, double from) {
+  // The end of the slot beyond a period at `s`, so that the walls are left to passes from there.
+  void clear_end(const Way& way, double s) {
+    const SlotStretch back = way.stretch.reversed();
+    const double h = back.half_room, from = back.middle.length() - s - way.reach.back;
+    const std::optional<Region> room =
+        room_behind(task_.centres, centres_, round_front(back, from));
+    if (room && room->area() < kLongestEnd * h * h + 2 * h * from) clear_room(*room);
+  }
+
+  // Repeats the pattern from the place `from` on; returns the last place.
+  double follow(const Way& way, double from) {
     const double step = way.pattern.step, begin = from;
     double s = from;
-    for (; s <= way.last() && !progress_.cancelled(); s += step) {
+    for (; s <= way.last() && has_work(way, s) && !progress_.cancelled(); s += step) {
       const std::vector<Segment> cut = cut_at(way, s);
       const bool is_first = s == begin;
       // Once as much is cut as a period reaches, the ground is what the pattern left.
@@ -283,6 +254,7 @@ class SlotClearing {
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
     note(way, s - begin);
+    return s - step;
   }
 
   void link_back(const std::vector<Segment>& link, bool is_sure, const Pose& to) {
@@ -307,6 +279,25 @@ class SlotClearing {
     }
     add(MoveKind::kLink, link);
     ++opening_.links;
+  }
+
+  // Goes on from what has grown out of the opening.
+  void take(RegionResult grown) {
+    const std::size_t runs = opening_.runs.size();
+    const std::size_t moves = runs > 0 ? opening_.runs.back().moves.size() : 0;
+    for (std::size_t i = runs > 0 ? runs - 1 : 0; i < grown.runs.size(); ++i) {
+      const PlanarRun& run = grown.runs[i];
+      if (i >= runs) add_descent(run.descent, ground_);
+      for (std::size_t k = i < runs ? moves : 0; k < run.moves.size(); ++k)
+        ground_.add(run.moves[k].segment);
+    }
+    opening_ = std::move(grown);
+    opening_.uncut_area = 0;
+    if (opening_.runs.empty()) return;
+    const PlanarRun& run = opening_.runs.back();
+    here_ = {run.descent.at, 0};
+    if (!run.moves.empty())
+      here_ = {run.moves.back().segment.b, angle_of(run.moves.back().segment.tangent(1))};
   }
 
   void append(PlanarRun run) {
@@ -339,7 +330,7 @@ class SlotClearing {
     report_.iterations =
         way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
     report_.residual = way.pattern.residuals.empty() ? 0 : way.pattern.residuals.back();
-    report_.removal_rate = way.figures.removal * (params_.top - params_.levels.front());
+    report_.removal_rate = way.removal * (params_.top - params_.levels.front());
   }
 
   TrochoidKind kind_;
@@ -357,18 +348,6 @@ class SlotClearing {
 };
 
 }  // namespace
-
-std::optional<TrochoidPattern> make_pattern(TrochoidKind kind, const TrochoidParams& params) {
-  switch (kind) {
-    case TrochoidKind::kConstantEngagement:
-      return constant_engagement_pattern(params);
-    case TrochoidKind::kCircular:
-      return circular_pattern(params);
-    case TrochoidKind::kCycloid:
-      return cycloid_pattern(params);
-  }
-  return std::nullopt;
-}
 
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {

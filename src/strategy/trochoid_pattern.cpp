@@ -159,6 +159,16 @@ double mean_of(const Front& front) {
   return sum / kFrontLooks;
 }
 
+// Goes on with the last turn until the tool is clear of the scallop between this period's place on
+// the left wall and the one's before.
+void turn_off_wall(std::vector<Segment>& cut, double step, const TrochoidParams& params) {
+  Segment& last = cut.back();
+  if (!last.is_arc() || last.sweep <= 0) return;
+  const double scallop = step * step / (8 * params.tool_radius);
+  const double more = std::acos(std::max(0.0, 1 - scallop / last.radius));
+  last = Segment::arc(last.centre, last.radius, last.start_angle, last.sweep + more);
+}
+
 // The cut alone, without what follows the left wall where that is left to a pass of its own, begun
 // at the origin's place along the middle.
 TrochoidPattern pattern_of(const PassSequence& sequence, const Passes& passes,
@@ -169,6 +179,7 @@ TrochoidPattern pattern_of(const PassSequence& sequence, const Passes& passes,
   std::vector<Segment> cut = sequence.passes.back();
   while (!params.finish_walls && cut.size() > 1 && passes.lies_aside(cut.back(), half_room(params)))
     cut.pop_back();
+  if (!params.finish_walls) turn_off_wall(cut, sequence.advance, params);
   const Pose back = place_along(params.curvature, -passes.along(cut.front().a));
   pattern.cut = placed(cut, back);
   return pattern;

@@ -4,8 +4,11 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
+#include "feed/feed_control.h"
 #include "feed/load_profile.h"
+#include "feed/load_share.h"
 #include "strategy/area.h"
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
@@ -43,6 +46,7 @@ class Repeated {
         reach_(reach_of(pattern)),
         periods_(static_cast<int>(
             std::ceil((reach_.ahead - reach_.back + 2 * params.tool_radius) / pattern.step))),
+        share_(removal_rate_share(params.engagement, params.tool_radius)),
         ground_(bounds(params), params.tool_radius, nullptr) {
     for (int k = periods_; k > 0; --k) {
       const Pose at = place_along(pattern.curvature, -k * pattern.step);
@@ -62,7 +66,7 @@ class Repeated {
       planar.segment = move;
       runs[0].moves.push_back(planar);
     }
-    return load_profile(runs, ground_, kLook);
+    return load_profile(runs, ground_, kLook, share_);
   }
 
  private:
@@ -77,6 +81,7 @@ class Repeated {
   const TrochoidPattern& pattern_;
   PeriodReach reach_;
   int periods_;
+  LoadShare share_;
   ClearedGround ground_;
 };
 
@@ -86,13 +91,33 @@ bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
   return worst_engagement(runs, profile, kMeanLength) <= params.engagement + kPatternOverload;
 }
 
+// min, of a period, its feeds set as those of every path.
+double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
+               const std::vector<Segment>& link, const TrochoidParams& params) {
+  for (const Segment& segment : link) {
+    profile.push_back({0, runs[0].moves.size(), 0.5, segment.length(), 0, 0, 0, 0});
+    PlanarMove move;
+    move.kind = MoveKind::kLink;
+    move.segment = segment;
+    runs[0].moves.push_back(move);
+  }
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed};
+  if (params.maximum_feed > params.feed)
+    set_constant_load(runs, profile, feeds);
+  else
+    set_constant_feed(runs, feeds);
+  double time = 0;
+  for (const PlanarMove& move : runs[0].moves) time += move.segment.length() / move.feed;
+  return time;
+}
+
 }  // namespace
 
 double half_room(const TrochoidParams& params) { return 0.5 * params.width - params.tool_radius; }
 
 void check(const TrochoidParams& p) {
-  for (const double number :
-       {p.tool_radius, p.width, p.curvature, p.engagement, p.turn_radius, p.feed, p.link_feed})
+  for (const double number : {p.tool_radius, p.width, p.curvature, p.engagement, p.turn_radius,
+                              p.feed, p.maximum_feed, p.link_feed})
     require(std::isfinite(number), "Every parameter of a trochoid must be a finite number.");
   require(p.tool_radius > 0, "The tool's diameter must be positive.");
   require(p.width > 2 * p.tool_radius,
@@ -101,6 +126,7 @@ void check(const TrochoidParams& p) {
           "The engagement angle must lie between 0 and 180 degrees.");
   require(p.turn_radius > 0, "The roll radius must be positive.");
   require(p.feed > 0 && p.link_feed > 0, "Feeds must be positive.");
+  require(p.maximum_feed >= p.feed, "The maximum feed must not be below the feed.");
   require(std::abs(p.curvature) * 0.5 * p.width < 1,
           "The slot bends more tightly than half its width: make it narrower, or bend it less.");
 }
@@ -162,7 +188,7 @@ PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& 
   figures.area_per_length = params.width * pattern.step / figures.cut_length;
   figures.max_engagement = worst_engagement(runs, profile, kMeanLength);
   figures.within = within / figures.cut_length;
-  figures.time = figures.cut_length / params.feed + figures.link_length / params.link_feed;
+  figures.time = time_of(std::move(runs), profile, pattern.link, params);
   figures.removal = params.width * pattern.step / figures.time;
   return figures;
 }

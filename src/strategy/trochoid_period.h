@@ -28,7 +28,8 @@ struct TrochoidParams {
   double curvature = 0;         // 1/mm, of the slot's middle, positive = turns left
   double engagement = kPi / 3;  // rad, 0 < engagement < pi: the limit
   double turn_radius = 0.9;     // mm: the widest roll-in and roll-out
-  double feed = 255;            // mm/min, of cuts
+  double feed = 255;            // mm/min, at the limit
+  double maximum_feed = 255;    // mm/min: up to here the removal rate is kept where less is met
   double link_feed = 1500;      // mm/min
   // false: cuts end where they touch the left wall, whose scallops are left to a pass along it.
   bool finish_walls = true;
@@ -75,7 +76,7 @@ struct PatternFigures {
   double area_per_length = 0;              // mm^2 per mm of cut
   double max_engagement = 0;               // rad, mean over kMeanLength mm
   double within = 0;                       // share of the cut within kBand of the limit
-  double time = 0;                         // min, of a period: cuts at feed, links at link_feed
+  double time = 0;                         // min, of a period
   double removal = 0;                      // mm^2/min: width * step / time
 };
 inline constexpr double kBand = 2 * kPi / 180;

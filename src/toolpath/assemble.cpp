@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpath/helix.h"
+
 namespace evenload {
 namespace {
 
 // mm above a level's top to which rapids go down before a descent.
 constexpr double kApproach = 0.5;
-// mm above a level's top to which the tool then goes straight down before a helix or ramp begins.
-constexpr double kAboveMaterial = 0.05;
 // Share of a link over which it rises, and sinks, when links are lifted.
 constexpr double kLiftShare = 0.25;
 // Rise and fall of a lifted link per mm of way: short links are lifted less.
@@ -203,19 +203,32 @@ class Assembler {
 
   // Half turns, which FreeCAD's dressups follow most exactly, that descend by `depth`.
   int half_turns_of(const Descent& descent, double depth) const {
-    const double each = std::tan(params_.helix_angle) * kPi * descent.radius;
+    const double each = std::tan(params_.helix_angle) * half_turn_length(descent);
     return std::max(1, static_cast<int>(std::ceil(depth / each - 1e-9)));
   }
 
   // Down by `half_turns`, to the place where the first pass begins.
   void helix(const Descent& descent, int half_turns, double from, double level) {
-    const double end = angle_of(descent.at - descent.centre);
-    for (int i = half_turns; i > 0; --i)
-      go(Segment::arc(descent.centre, descent.radius, end - i * kPi, kPi), MoveKind::kEntry,
-         level + (from - level) * (i - 1) / half_turns, params_.plunge_feed);
+    for (int i = half_turns; i > 0; --i) {
+      const double first = level + (from - level) * i / half_turns;
+      half_turn_down(descent, i % 2 != 0, first, first - (from - level) / half_turns);
+    }
     // The last turn is level: it takes the floor that the slope left.
-    go(Segment::arc(descent.centre, descent.radius, end, 2 * kPi), MoveKind::kEntry, level,
-       params_.plunge_feed);
+    if (norm(descent.stretch) == 0) {
+      go(Segment::arc(descent.centre, descent.radius, angle_of(descent.at - descent.centre),
+                      2 * kPi),
+         MoveKind::kEntry, level, params_.plunge_feed);
+      return;
+    }
+    for (const bool second : {false, true}) half_turn_down(descent, second, level, level);
+  }
+
+  void half_turn_down(const Descent& descent, bool second, double from, double to) {
+    double done = 0;
+    for (const Segment& segment : half_turn(descent, second)) {
+      done += segment.length() / half_turn_length(descent);
+      go(segment, MoveKind::kEntry, from + done * (to - from), params_.plunge_feed);
+    }
   }
 
   void ramp(const Descent& descent, double from, double level) {

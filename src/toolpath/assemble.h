@@ -29,6 +29,9 @@ struct AssemblyParams {
   OrderBy order_by = OrderBy::kRegion;
 };
 
+// mm above a level's top to which the tool goes straight down before a helix or ramp begins.
+inline constexpr double kAboveMaterial = 0.05;
+
 // The moves of `runs` at every level, regions in the order given, each level of a region after the
 // one above it and by its own descent. Between regions the tool rises to the clearance height. Arcs
 // turn by at most half a circle. Without arcs the lines stay on the side of each arc that the tool

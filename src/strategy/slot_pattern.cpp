@@ -1,0 +1,78 @@
+#include "strategy/slot_pattern.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "cutting/engagement.h"
+#include "strategy/circular_trochoid.h"
+#include "strategy/trochoid_pattern.h"
+
+namespace evenload {
+namespace {
+
+// Share of the side step at the limit that is left beside a wall at most: the scallops of the
+// pattern come on top.
+constexpr double kMostBeside = 0.9;
+// Share of half the room: a pattern that is narrower hardly advances.
+constexpr double kMostOfRoom = 1.0 / 3;
+
+// min for a mm of the slot: the pattern, and the passes along both walls.
+double time_per_length(const PatternFigures& figures, const TrochoidPattern& pattern,
+                       const TrochoidParams& slot, double beside) {
+  if (beside <= 0) return figures.time / pattern.step;
+  const double nominal = side_step(slot.engagement, slot.tool_radius);
+  const double feed = std::min(slot.maximum_feed, slot.feed * nominal / beside);
+  return figures.time / pattern.step + 2 / feed;
+}
+
+}  // namespace
+
+std::optional<TrochoidPattern> make_pattern(TrochoidKind kind, const TrochoidParams& params) {
+  switch (kind) {
+    case TrochoidKind::kConstantEngagement:
+      return constant_engagement_pattern(params);
+    case TrochoidKind::kCircular:
+      return circular_pattern(params);
+    case TrochoidKind::kCycloid:
+      return cycloid_pattern(params);
+  }
+  return std::nullopt;
+}
+
+double most_beside(const TrochoidParams& slot) {
+  double limit = side_step(slot.engagement, slot.tool_radius);
+  if (slot.curvature != 0) {  // the wall outside is concave
+    const double wall = 1 / std::abs(slot.curvature) + 0.5 * slot.width;
+    limit = side_step_on_contour(slot.engagement, slot.tool_radius, wall, Contour::kConcave);
+  }
+  return std::min(kMostBeside * limit, kMostOfRoom * half_room(slot));
+}
+
+std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot) {
+  std::optional<TrochoidPattern> whole = make_pattern(kind, slot);
+  if (!whole) return std::nullopt;
+  SlotPattern best;
+  best.front = whole->cut;
+  double least = time_per_length(figures_of(*whole, slot), *whole, slot, 0);
+  best.pattern = std::move(*whole);
+  if (kind == TrochoidKind::kConstantEngagement) {
+    TrochoidParams narrow = slot;
+    narrow.finish_walls = false;
+    const double beside = most_beside(slot);
+    narrow.width -= 2 * beside;
+    std::optional<TrochoidPattern> pattern = make_pattern(kind, narrow);
+    const double time =
+        pattern ? time_per_length(figures_of(*pattern, narrow), *pattern, slot, beside) : least;
+    if (time < least) {
+      least = time;
+      best.pattern = std::move(*pattern);
+      best.beside = beside;
+    }
+  }
+  best.reach = reach_of(best.pattern);
+  best.removal = slot.width / least;
+  return best;
+}
+
+}  // namespace evenload

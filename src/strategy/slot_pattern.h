@@ -1,0 +1,38 @@
+// The pattern for slots of one width and curvature.
+//
+// Two walls that a trochoid has to touch in every period cost it more than two passes along them:
+// beside the walls its cut is thin, and its way back is the longer the wider it is. So the pattern
+// of constant engagement is made as wide as the slot, and narrower, with walls that are left to one
+// pass each at no more than the limit; that which removes most in a time is taken. Our own; the
+// source's pattern is as wide as its slot. Circles and cycloids always are.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "strategy/trochoid_period.h"
+
+namespace evenload {
+
+enum class TrochoidKind { kConstantEngagement, kCircular, kCycloid };
+
+// Nothing where the slot is too narrow for it. Throws as check() does.
+std::optional<TrochoidPattern> make_pattern(TrochoidKind kind, const TrochoidParams& params);
+
+struct SlotPattern {
+  TrochoidPattern pattern;
+  PeriodReach reach;
+  // Across all of the slot, from the right wall to the left one, in the pattern's frame: where what
+  // lies behind it is cleared a pattern as wide as the slot goes on at the limit.
+  std::vector<Segment> front;
+  double beside = 0;   // mm left along each wall
+  double removal = 0;  // mm^2/min, passes along the walls and all
+};
+
+// `slot.width`: of the slot; `slot.finish_walls` is set here.
+std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot);
+
+// mm: so much can be left beside both walls for one pass each at the limit.
+double most_beside(const TrochoidParams& slot);
+
+}  // namespace evenload

@@ -1,0 +1,29 @@
+// Rooms of a slot: parts of a region of tool centres that end at a front across the slot. They are
+// cleared as pockets are, where a pattern cannot begin yet or not go on.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/region.h"
+#include "strategy/area.h"
+#include "strategy/slot.h"
+
+namespace evenload {
+
+// Half a circle ahead, from the right wall to the left one, both `s` mm along the stretch.
+std::vector<Segment> round_front(const SlotStretch& stretch, double s);
+
+// All that lies behind `front`, which leads from the right wall to the left one, down to the end of
+// the slot. `centres`: of `region`. Nothing where the walls do not lead from one to the other, or
+// something stands in between.
+std::optional<Region> room_behind(const Region& region, const Area& centres,
+                                  const std::vector<Segment>& front);
+
+// What lies between `front` and half a circle behind `s` mm along the stretch. Nothing where the
+// walls end before.
+std::optional<Region> room_between(const Region& region, const Area& centres,
+                                   const SlotStretch& stretch, double s,
+                                   const std::vector<Segment>& front);
+
+}  // namespace evenload
