@@ -60,7 +60,7 @@ def test_constant_engagement_steps_further_and_removes_more_than_the_other_patte
     step, rate = found.pop("Constant engagement")
     for other_step, other_rate in found.values():
         assert step > 1.1 * other_step
-        assert rate > 1.2 * other_rate
+        assert rate > 1.1 * other_rate
 
 
 def test_conventional_milling_turns_the_other_way(slot):
