@@ -15,6 +15,7 @@
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
+#include "python/lame_module.h"
 #include "python/path_commands_module.h"
 #include "python/simulate_module.h"
 #include "strategy/constant_engagement.h"
@@ -62,6 +63,8 @@ const char* name_of(GeometryErrorCode code) {
       return "tool too large";
     case GeometryErrorCode::kEntryOutside:
       return "entry outside";
+    case GeometryErrorCode::kNoLameCurve:
+      return "no lame curve";
   }
   return "unknown";
 }
@@ -193,6 +196,7 @@ PYBIND11_MODULE(_core, m) {
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
+  bind_lame(m);
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);
