@@ -9,9 +9,7 @@ CORPUS = Path(__file__).resolve().parents[1] / "tests" / "corpus"
 GENERATORS = {
     "adaptive": _core.clear_pocket,
     "trochoid": lambda *regions, **parameters: _core.clear_slot(*regions, **parameters)[0],
-    "lame_spiral": lambda *regions, **parameters: _core.clear_with_lame_spiral(
-        *regions, **parameters
-    )[0],
+    "lame_spiral": _core.clear_with_lame_spiral,
 }
 FEEDS = ("feed", "link_feed", "max_feed")
 

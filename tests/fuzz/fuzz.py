@@ -48,7 +48,7 @@ AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 # Of the simulator: rows at most so far apart, and so many in a cut's width, or what is engaged at
 # small angles is lost between them.
 RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
-REFUSALS = ("tool too large", "no such shape")  # codes of errors that a random shape may deserve
+REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 

@@ -79,8 +79,8 @@ class LameSpiral(base.Operation):
             "Pitch",
             "App::PropertyLength",
             None,
-            "How far the first semi-axis grows in each turn; fitted to the engagement angle "
-            "unless it is set",
+            "The largest step of a turn; fitted to the engagement angle unless it is set, and "
+            "smaller where that demands it",
             GROUP,
         ),
         Setting(
@@ -117,14 +117,15 @@ class LameSpiral(base.Operation):
             wishes["rotation"] = math.radians(wishes["rotation"])
         if CENTRE in obj.OwnValues:
             wishes["centre"] = (obj.Centre.x, obj.Centre.y)
-        toolpath, spiral = core.clear_with_lame_spiral(
+        toolpath = core.clear_with_lame_spiral(
             regions, rest=obj.Rest.lower(), **wishes, **parameters
         )
+        spiral = toolpath.figures
         values = {name: getattr(spiral, keyword) for name, keyword in FITTED.items()}
         values["Rotation"] = math.degrees(spiral.rotation)
         values[CENTRE] = FreeCAD.Vector(*spiral.centre, obj.Centre.z)
         own = {name: value for name, value in values.items() if name not in obj.OwnValues}
-        return toolpath, {**own, "ClearedShare": spiral.cleared_share}
+        return toolpath, {**own, "ClearedShare": toolpath.cleared_share}
 
 
 def _number(obj, name):
