@@ -21,14 +21,16 @@ void check(const LameParams& p) {
   require(!p.segments || (*p.segments >= 3 && *p.segments <= 12),
           "Segments must lie between 3 and 12.");
   for (const std::optional<double>& axis : {p.semi_axis_a, p.semi_axis_b})
-    require(!axis || (*axis > 0 && *axis < 1e5), "The semi-axes must be positive lengths.");
+    require(!axis || (*axis > 0 && *axis < 1e5),
+            "SemiAxisA and SemiAxisB must be positive lengths.");
   for (const std::optional<double>& exponent : {p.exponent_start, p.exponent_end})
     require(!exponent || (*exponent >= kLeastExponent && *exponent <= 1),
-            "The exponents must lie between 0.05 and 1: above 1 the spiral has corners.");
-  require(!p.rotation || std::isfinite(*p.rotation), "The rotation must be finite.");
-  require(!p.pitch || (*p.pitch > 0 && std::isfinite(*p.pitch)), "The pitch must be positive.");
+            "ExponentStart and ExponentEnd must lie between 0.05 and 1: above 1 the spiral has "
+            "corners.");
+  require(!p.rotation || std::isfinite(*p.rotation), "Rotation must be finite.");
+  require(!p.pitch || (*p.pitch > 0 && std::isfinite(*p.pitch)), "Pitch must be positive.");
   require(!p.centre || (std::isfinite(p.centre->x) && std::isfinite(p.centre->y)),
-          "The centre must be finite.");
+          "Centre must be finite.");
   require(!p.segments || *p.segments == 4 || !p.semi_axis_a || !p.semi_axis_b ||
               *p.semi_axis_a == *p.semi_axis_b,
           "Semi-axes of two lengths need Segments 4: set both to the same length, or leave one "

@@ -154,6 +154,8 @@ class Opening {
     }
     if (curve) return *curve;
     const LameWishes& w = fit.wishes;
+    if (w.centre && !outline.contains(*w.centre))
+      refuse("Centre lies outside the pocket: move it inside, or leave it unset.");
     if (w.centre || w.segments || w.semi_axis_a || w.semi_axis_b || w.exponent || w.rotation)
       refuse(
           "With the set properties no Lamé curve keeps clear of the walls: leave some of them "
