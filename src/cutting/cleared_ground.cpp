@@ -22,6 +22,8 @@ constexpr std::int32_t kLongList = 20;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
+// rad: how far from half a turn rounding may bring it.
+constexpr double kHalfTurn = 1e-12;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
 
@@ -79,6 +81,8 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
   cell_ = std::max(kCell * tool_radius, std::sqrt(width * height / kMaximumCells));
   half_window_ = 0.5 * kWindow * cell_;
   reach_ = std::sqrt(0.5) * cell_ + 1.01 * half_window_;
+  half_circle_windows_ = windows_in(kPi, tool_radius);
+  half_circle_turn_ = unit(kPi / half_circle_windows_);
   columns_ = static_cast<int>(std::ceil(width / cell_)) + 1;
   rows_ = static_cast<int>(std::ceil(height / cell_)) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -97,6 +101,11 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
     edge_boxes_ = BoxTree(boxes);
     material_ = BoundaryIndex(curves);
   }
+}
+
+// Into how many windows an arc of `angle` rad is divided.
+int ClearedGround::windows_in(double angle, double radius) const {
+  return std::max(1, static_cast<int>(std::ceil(angle * radius / (2 * half_window_))));
 }
 
 template <typename Visit>
@@ -289,10 +298,10 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   const CircleLook look{p, radius, low, last};
   set.clear();
   set.push_back({low, high});
-  const int n =
-      std::max(1, static_cast<int>(std::ceil((high - low) * radius / (2 * half_window_))));
+  const int n = windows_in(high - low, radius);
   const double step = (high - low) / n;
-  const Vec2 turn = unit(step);
+  const bool half_circle = n == half_circle_windows_ && std::abs(high - low - kPi) < kHalfTurn;
+  const Vec2 turn = half_circle ? half_circle_turn_ : unit(step);
   Vec2 towards = unit(low + 0.5 * step);
   for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
