@@ -1,8 +1,31 @@
 #include "strategy/move_ends.h"
 
+#include <cmath>
 #include <cstddef>
 
 namespace evenload {
+
+bool continues(const Segment& a, const Segment& b) {
+  if (a.is_arc() != b.is_arc()) return false;
+  if (!a.is_arc()) return norm(a.tangent(1) - b.tangent(0)) < 1e-9;
+  return distance(a.centre, b.centre) < 1e-9 && std::abs(a.radius - b.radius) < 1e-9 &&
+         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < kPi;
+}
+
+Segment joined(const Segment& a, const Segment& b) {
+  return a.is_arc() ? Segment::arc(a.centre, a.radius, a.start_angle, a.sweep + b.sweep)
+                    : Segment::line(a.a, b.b);
+}
+
+std::vector<Segment> joined(const std::vector<Segment>& moves) {
+  std::vector<Segment> result;
+  for (const Segment& move : moves)
+    if (!result.empty() && continues(result.back(), move))
+      result.back() = joined(result.back(), move);
+    else
+      result.push_back(move);
+  return result;
+}
 
 void drop_first(std::vector<Segment>& moves, double length) {
   std::size_t whole = 0;

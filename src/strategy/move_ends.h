@@ -1,4 +1,4 @@
-// Shortens a way of moves at its ends.
+// Ways of moves: joined where one goes on as the other, shortened at their ends.
 #pragma once
 
 #include <vector>
@@ -6,6 +6,12 @@
 #include "geometry/curve.h"
 
 namespace evenload {
+
+// Whether `b` goes on along the line or circle of `a`, and the two as one move.
+bool continues(const Segment& a, const Segment& b);
+Segment joined(const Segment& a, const Segment& b);
+// All moves that go on along one line or circle as one.
+std::vector<Segment> joined(const std::vector<Segment>& moves);
 
 // Take `length` mm from the way's beginning, or its end, but never its last move. Condition: not
 // empty.

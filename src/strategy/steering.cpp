@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/move_ends.h"
 #include "strategy/steering_parts.h"
 #include "support/errors.h"
 
@@ -17,6 +18,8 @@ constexpr double kFirstStep = 0.2;    // of free steering; adapted from there
 constexpr double kRunOut = 0.1;       // kept of what comes after contact
 constexpr double kContactLook = 0.1;  // between two looks for the end of contact
 constexpr double kContactEnd = 0.01;  // to which the end of contact within a step is found
+// Steps along a wall become one move up to here; each makes the ground forget and learn it anew.
+constexpr double kLongestJoined = 8;
 // Less than this since the furthest overload: the place cannot be entered.
 constexpr double kProgress = 0.01;
 
@@ -26,18 +29,6 @@ constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 // mm: material thinner than this is not seen; what has been cut must not be found again by
 // rounding.
 constexpr double kThin = 1e-6;
-
-bool continues(const Segment& a, const Segment& b) {
-  if (a.is_arc() != b.is_arc()) return false;
-  if (!a.is_arc()) return norm(a.tangent(1) - b.tangent(0)) < 1e-9;
-  return distance(a.centre, b.centre) < 1e-9 && std::abs(a.radius - b.radius) < 1e-9 &&
-         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < kPi;
-}
-
-Segment joined(const Segment& a, const Segment& b) {
-  return a.is_arc() ? Segment::arc(a.centre, a.radius, a.start_angle, a.sweep + b.sweep)
-                    : Segment::line(a.a, b.b);
-}
 
 }  // namespace
 
@@ -83,7 +74,9 @@ void Steering::append(const Segment& move) {
   const double length = move.length();
   if (length < 1e-9) return;
   travelled_ += length;
-  if (!pass_.moves.empty() && continues(pass_.moves.back(), move)) {
+  const bool joins = !pass_.moves.empty() && continues(pass_.moves.back(), move) &&
+                     pass_.moves.back().length() < kLongestJoined * radius_;
+  if (joins) {
     pass_.moves.back() = joined(pass_.moves.back(), move);
     ground_.remove_last();
   } else {

@@ -28,6 +28,8 @@ constexpr double kLongestEnd = 8;
 constexpr double kScallop = 0.25;
 // Of unit vectors: towards the front, not the walls.
 constexpr double kAcross = 0.5;
+// Share of the tool's radius: between two looks for material along a middle.
+constexpr double kMiddleLook = 0.5;
 constexpr double kSameArea = 1e-6;  // mm^2
 // mm and 1/mm: of half rooms and curvatures.
 constexpr double kAlike = 1e-9;
@@ -179,14 +181,29 @@ class SlotClearing {
 
   // ---- the way ----
 
-  // The last place of the first stretch of places at which a whole period would cut nothing; none
-  // where there is no such place, or nothing to be cut beyond it.
+  // The last place before the material at which a whole period would cut nothing; none where there
+  // is no such place, or nothing to be cut beyond it.
   std::optional<double> first_free(const Way& way) const {
+    const std::optional<double> edge = edge_of_material(way);
+    if (!edge) return std::nullopt;
+    const double reach = way.reach.ahead - way.reach.back + 2 * radius_;
     std::optional<double> last;
-    for (double s = -way.reach.back; s <= way.last(); s += kTrySpacing * way.pattern.step) {
-      const bool is_free = is_clear(cut_at(way, s));
-      if (!is_free && last && has_work(way, *last + way.pattern.step)) return last;
-      if (is_free) last = s;
+    for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
+         s += kTrySpacing * way.pattern.step)
+      if (is_clear(cut_at(way, s)))
+        last = s;
+      else if (last)
+        break;
+    return last && has_work(way, *last + way.pattern.step) ? last : std::nullopt;
+  }
+
+  // Where the middle leads from cleared ground into material for the first time, to a look.
+  std::optional<double> edge_of_material(const Way& way) const {
+    bool was_clear = false;
+    for (double s = 0; s <= way.stretch.middle.length(); s += kMiddleLook * radius_) {
+      const bool clear = ground_.is_cleared_point(pose_on(way.stretch, s).p);
+      if (was_clear && !clear) return s;
+      was_clear = clear;
     }
     return std::nullopt;
   }

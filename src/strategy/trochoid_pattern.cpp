@@ -25,7 +25,7 @@ constexpr double kTightestTurn = 0.05;
 constexpr double kRunUp = 0.1;
 // Places at which the advance of a front is looked at.
 constexpr int kFrontLooks = 16;
-// Lines side by side that clear the ground behind the first front.
+// Lines side by side that clear the ground behind the first, round front.
 constexpr int kLinesBehind = 8;
 // Share of a full circle that a bent strip may take.
 constexpr double kMostSweep = 0.75;
@@ -50,7 +50,7 @@ class Passes {
       const double aside = room_ * (2.0 * i / kLinesBehind - 1);
       ground_.add(along_strip(aside, -back_, 0));
     }
-    ground_.add(Segment::line({0, -room_}, {0, room_}));
+    ground_.add(Segment::arc({}, room_, -kPi / 2, kPi));
   }
 
   bool can_turn() const { return !stage_.turns.empty(); }

@@ -28,11 +28,11 @@ struct Descent {
   Vec2 at;  // where it arrives; a helix's circle starts and ends here, a ramp starts and ends here
   Vec2 centre;                       // helix
   double radius = 0;                 // mm, helix; it turns counter-clockwise
+  Vec2 ramp_end;                     // ramp: the tool goes to and fro between `at` and here
+  bool over_cleared_ground = false;  // plunge where this level is already cleared by our own moves
   // helix: from its centre to the centre of the half circle that `at` is the middle of; zero for a
   // circle
   Vec2 stretch;
-  Vec2 ramp_end;                     // ramp: the tool goes to and fro between `at` and here
-  bool over_cleared_ground = false;  // plunge where this level is already cleared by our own moves
 };
 
 // What is cut between coming down and going up. The moves follow each other without gaps.
