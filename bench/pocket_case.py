@@ -6,6 +6,11 @@ from pathlib import Path
 from evenload import _core
 
 CORPUS = Path(__file__).resolve().parents[1] / "tests" / "corpus"
+GENERATORS = {
+    "adaptive": _core.clear_pocket,
+    "trochoid": lambda *regions, **parameters: _core.clear_slot(*regions, **parameters)[0],
+    "lame_spiral": _core.clear_with_lame_spiral,
+}
 FEEDS = ("feed", "link_feed", "max_feed")
 
 
@@ -26,8 +31,10 @@ def region(case):
 
 def path_of(case, **parameters):
     """The Toolpath that clears it, at a constant removal rate unless told otherwise; parameters:
-    more of `clear_pocket`'s, before those in the case's own "choices".
+    more of `clear_pocket`'s, before those in the case's own "choices". The case's "operation" says
+    which of the core's generators makes it.
     """
+    generate = GENERATORS[case.get("operation", "adaptive")]
     feed, link_feed, maximum_feed = (case[key] for key in FEEDS)
     entry = {}
     if case.get("hole"):
@@ -36,7 +43,7 @@ def path_of(case, **parameters):
     chosen = {**case.get("choices", {}), **parameters}
     if isinstance(chosen.get("force_coefficients"), (list, tuple)):
         chosen["force_coefficients"] = _core.ForceCoefficients(*chosen["force_coefficients"])
-    return _core.clear_pocket(
+    return generate(
         [region(case)],
         tool_diameter=case["tool"],
         engagement_angle=math.radians(case["engagement_deg"]),

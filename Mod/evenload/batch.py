@@ -77,7 +77,7 @@ KINDS = {
     NUMBER: "a number",
     NAME_OR_VALUES: "a name or an object",
 }
-OPERATIONS = ("adaptive",)
+OPERATIONS = ("adaptive", "trochoid", "lame_spiral")
 # FreeCAD's own properties of an operation that a job file may set.
 HOST_PARAMETERS = (
     "StartDepth",

@@ -22,8 +22,16 @@ constexpr std::int32_t kLongList = 20;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
+// rad: how far from half a turn rounding may bring it.
+constexpr double kHalfTurn = 1e-12;
 // Share of the circle's radius: what turning by a small angle may be out by.
 constexpr double kDiscMargin = 1e-9;
+
+// Between two places on a circle the distance from a move that sweeps no smaller disc falls below
+// that of both by at most this, over the circle's radius, times the square of half the way: along
+// the circle the distance from any place of the move that is a radius away or more is bent by no
+// more than twice the circle's curvature; a tenth is for places hardly nearer than that.
+constexpr double kMostDip = 1.1;
 
 // mm: from the border of a swept area to a place on it.
 constexpr double kOnBorder = 1e-5;
@@ -73,6 +81,8 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
   cell_ = std::max(kCell * tool_radius, std::sqrt(width * height / kMaximumCells));
   half_window_ = 0.5 * kWindow * cell_;
   reach_ = std::sqrt(0.5) * cell_ + 1.01 * half_window_;
+  half_circle_windows_ = windows_in(kPi, tool_radius);
+  half_circle_turn_ = unit(kPi / half_circle_windows_);
   columns_ = static_cast<int>(std::ceil(width / cell_)) + 1;
   rows_ = static_cast<int>(std::ceil(height / cell_)) + 1;
   cells_.resize(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_));
@@ -91,6 +101,11 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
     edge_boxes_ = BoxTree(boxes);
     material_ = BoundaryIndex(curves);
   }
+}
+
+// Into how many windows an arc of `angle` rad is divided.
+int ClearedGround::windows_in(double angle, double radius) const {
+  return std::max(1, static_cast<int>(std::ceil(angle * radius / (2 * half_window_))));
 }
 
 template <typename Visit>
@@ -236,18 +251,23 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
                                   std::vector<AngularInterval>& set) const {
   const Cell& cell = cell_at(window.middle);
   if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
-    moves_[static_cast<std::size_t>(cell.covered_by)].subtract(look, set);
+    cut_wrapped(set, look.base, std::max(window.low, look.base),
+                std::min(window.high, look.base + 2 * kPi));
     return;
   }
   const std::int32_t newest = newest_before(cell, look.last);
   if (newest < 0) return;
-  // A disc that holds what is left of the window.
-  Vec2 middle;
-  double half = 0;
+  // What is left of the window, and a disc that holds it.
+  Vec2 middle, low_end, high_end;
+  double half = 0, dip = 0;
   const auto measure = [&] {
-    const double aside = 0.5 * (part.low + part.high - window.low - window.high);
-    middle = look.p + rotated_little(window.middle - look.p, aside);
+    const double at = 0.5 * (window.low + window.high);
+    const Vec2 spoke = window.middle - look.p;
+    middle = look.p + rotated_little(spoke, 0.5 * (part.low + part.high) - at);
+    low_end = look.p + rotated_little(spoke, part.low - at);
+    high_end = look.p + rotated_little(spoke, part.high - at);
     half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
+    dip = kMostDip / look.radius * half * half + kDiscMargin * look.radius;
   };
   measure();
   for (std::int32_t at = newest; at >= 0 && part.width() > 0;) {
@@ -257,6 +277,9 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
     if (index >= look.last || seen.moves[index] == seen.look) continue;
     const SweptMove& swept = moves_[index];
     if (swept.distance(middle) >= swept.swept_radius() + half) continue;
+    if (swept.swept_radius() >= look.radius &&
+        std::min(swept.distance(low_end), swept.distance(high_end)) >= swept.swept_radius() + dip)
+      continue;
     seen.moves[index] = seen.look;
     if (!swept.subtract(look, set)) continue;
     part = part_within(set, window.low, window.high);
@@ -275,10 +298,10 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   const CircleLook look{p, radius, low, last};
   set.clear();
   set.push_back({low, high});
-  const int n =
-      std::max(1, static_cast<int>(std::ceil((high - low) * radius / (2 * half_window_))));
+  const int n = windows_in(high - low, radius);
   const double step = (high - low) / n;
-  const Vec2 turn = unit(step);
+  const bool half_circle = n == half_circle_windows_ && std::abs(high - low - kPi) < kHalfTurn;
+  const Vec2 turn = half_circle ? half_circle_turn_ : unit(step);
   Vec2 towards = unit(low + 0.5 * step);
   for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
     const Window window{p + radius * towards, low + k * step - kWindowMargin,

@@ -107,6 +107,7 @@ class ClearedGround {
   bool runs_on(std::size_t first, std::size_t last) const;
   void remove_outside_material(Vec2 p, double base, double radius,
                                std::vector<AngularInterval>& set) const;
+  int windows_in(double angle, double radius) const;
   const Cell& cell_at(Vec2 x) const;
   void list(Cell& cell, std::int32_t move);
   bool is_long(const Cell& cell) const;
@@ -118,6 +119,9 @@ class ClearedGround {
   double tool_radius_;
   double cell_;
   double half_window_ = 0;  // mm along the circle
+  // Of looks at half a circle, which are most of all.
+  int half_circle_windows_ = 0;
+  Vec2 half_circle_turn_;  // from one window to the next
   double reach_ = 0;  // mm from a cell's centre: holds every window whose middle is in the cell
   Vec2 origin_;
   int columns_ = 0, rows_ = 0;

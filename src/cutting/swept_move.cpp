@@ -7,6 +7,9 @@
 namespace evenload {
 namespace {
 
+// mm^2: circles so near to each other's centre have no crossings that could be told.
+constexpr double kSameCentre = 1e-24;
+
 // A place where the border of a swept area crosses the circle: unit vector from the circle's
 // centre.
 struct Crossing {
@@ -115,8 +118,9 @@ bool SweptMove::subtract(const CircleLook& look, std::vector<AngularInterval>& s
   Crossings crossings;
   const auto cross_circle = [&](Vec2 centre, double r, const auto& on_border) {
     const Vec2 v = centre - p;
-    const double d = norm(v);
-    if (d < 1e-12) return;
+    const double square = squared_norm(v), sum = radius + r, difference = radius - r;
+    if (square >= sum * sum || square <= difference * difference || square < kSameCentre) return;
+    const double d = std::sqrt(square);
     const double c = (d * d + radius * radius - r * r) / (2 * d * radius);
     if (c <= -1 || c >= 1) return;
     const double h = std::sqrt(1 - c * c);

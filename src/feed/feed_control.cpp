@@ -20,6 +20,8 @@ constexpr double kShortestPiece = 0.2;
 // mm: no feed changes within a move nearer to its ends than this; what is rounded to a post's
 // 0.001 mm turns shorter arcs by more than a degree.
 constexpr double kShortestPart = 0.1;
+// s
+constexpr double kRounding = 1e-9;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -65,6 +67,10 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
   const std::vector<char> may_change = places_for_change(runs, profile, first, last);
   std::vector<double> allowed(n);
   for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(profile[first + i], params);
+  // The least time up to a sample, were every sample a piece of its own.
+  std::vector<double> least(n + 1, 0);
+  for (std::size_t i = 0; i < n; ++i)
+    least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
   cost[0] = 0;
   for (std::size_t j = 1; j <= n; ++j) {
     if (!may_change[j - 1]) continue;
@@ -76,7 +82,10 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < kShortestPiece && !(move_begins && move_ends)) continue;
-      const double total = cost[i] + length / slowest * 60 + price;
+      const double time = length / slowest * 60;
+      // What a piece loses grows with its length.
+      if (least[i] + time + price >= cost[j] + kRounding) break;
+      const double total = cost[i] + time + price;
       if (total < cost[j]) {
         cost[j] = total;
         feed[j] = slowest;

@@ -22,14 +22,17 @@ std::optional<Segment> tangent_arc(Vec2 a, Vec2 b, Vec2 direction, TangentAt whe
 
 }  // namespace
 
-std::optional<BiArc> bi_arc(const PlanePoint& from, const PlanePoint& to, double most_turn) {
+std::optional<BiArc> bi_arc(const PlanePoint& from, const PlanePoint& to, double most_turn,
+                            double ratio) {
   const Vec2 v = to.p - from.p;
-  const double along = dot(v, from.direction + to.direction);
-  const double apart = 2 * (1 - dot(from.direction, to.direction));
+  const double along = dot(v, ratio * from.direction + to.direction);
+  const double apart = 2 * ratio * (1 - dot(from.direction, to.direction));
   const double denominator = along + std::sqrt(along * along + apart * squared_norm(v));
   if (!(denominator > kLeastReach * norm(v))) return std::nullopt;
   const double reach = squared_norm(v) / denominator;
-  const Vec2 joint = 0.5 * (from.p + reach * from.direction + to.p - reach * to.direction);
+  const double share = 1 / (1 + ratio);
+  const Vec2 joint = share * (from.p + ratio * reach * from.direction) +
+                     (1 - share) * (to.p - reach * to.direction);
   const auto first = tangent_arc(from.p, joint, from.direction, TangentAt::kStart, most_turn);
   const auto second = tangent_arc(joint, to.p, to.direction, TangentAt::kEnd, most_turn);
   if (!first || !second) return std::nullopt;

@@ -15,6 +15,7 @@
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
+#include "python/lame_module.h"
 #include "python/path_commands_module.h"
 #include "python/simulate_module.h"
 #include "python/trochoid_module.h"
@@ -63,6 +64,8 @@ const char* name_of(GeometryErrorCode code) {
       return "tool too large";
     case GeometryErrorCode::kEntryOutside:
       return "entry outside";
+    case GeometryErrorCode::kNoLameCurve:
+      return "no lame curve";
   }
   return "unknown";
 }
@@ -195,6 +198,7 @@ PYBIND11_MODULE(_core, m) {
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
   bind_trochoid(m);
+  bind_lame(m);
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);

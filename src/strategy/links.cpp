@@ -27,6 +27,8 @@ constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
 // within less than kLook.
 constexpr double kTurnLook = 0.15;
+// Every so manieth look for material comes first.
+constexpr int kSparseLooks = 8;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
 // staying down is gentler.
 constexpr double kRetractPrice = 0.3;
@@ -81,6 +83,20 @@ bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segmen
   return true;
 }
 
+// True where none of the `n` parts of the move begins or ends beyond a wall.
+bool is_off_walls(const Segment& move, int n, const Area& centres) {
+  const double length = move.length();
+  double wall_free = 0;  // mm along the move that is known to be inside
+  for (int i = 0; i <= n; ++i) {
+    const double t = static_cast<double>(i) / n;
+    if (t * length < wall_free) continue;
+    const double inside = centres.signed_distance(move.point(t));
+    if (inside < -kWallTolerance) return false;
+    wall_free = t * length + inside;
+  }
+  return true;
+}
+
 }  // namespace
 
 double length_of(const std::vector<Segment>& moves) {
@@ -104,27 +120,30 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
                      before.last);
     if (!scratch.empty()) return false;
   }
+  const auto looks_along = [&](const Segment& move) {
+    const double looks = std::max(move.length() / look, std::abs(move.sweep) / kTurnLook);
+    return std::max(1, static_cast<int>(std::ceil(looks)));
+  };
+  for (const Segment& move : moves)
+    if (!is_off_walls(move, looks_along(move), centres)) return false;
   double done = 0;
-  for (const Segment& move : moves) {
-    const double length = move.length();
-    const double looks = std::max(length / look, std::abs(move.sweep) / kTurnLook);
-    const int n = std::max(1, static_cast<int>(std::ceil(looks)));
-    double wall_free = 0;  // mm along the move that is known to be inside
-    for (int i = 0; i <= n; ++i) {
-      const double t = static_cast<double>(i) / n;
-      const Vec2 p = move.point(t);
-      if (t * length >= wall_free) {
-        const double inside = centres.signed_distance(p);
-        if (inside < -kWallTolerance) return false;
-        wall_free = t * length + inside;
-      }
-      const double right = angle_of(move.tangent(t)) - kPi / 2, at = done + t * length;
-      const bool at_end = at < ends || at > whole - ends;
-      ground.uncovered(p, right, right + kPi, scratch, at_end ? kLinkTolerance : -kLinkDistance,
-                       before.last);
-      if (!scratch.empty()) return false;
+  const auto touches = [&](const Segment& move, double t) {
+    const double right = angle_of(move.tangent(t)) - kPi / 2, at = done + t * move.length();
+    const bool at_end = at < ends || at > whole - ends;
+    ground.uncovered(move.point(t), right, right + kPi, scratch,
+                     at_end ? kLinkTolerance : -kLinkDistance, before.last);
+    return !scratch.empty();
+  };
+  // Far apart first: most of what is in the way is found by those few.
+  for (const bool sparse : {true, false}) {
+    done = 0;
+    for (const Segment& move : moves) {
+      const int n = looks_along(move);
+      for (int i = 0; i <= n; ++i)
+        if ((i % kSparseLooks == 0) == sparse && touches(move, static_cast<double>(i) / n))
+          return false;
+      done += move.length();
     }
-    done += length;
   }
   return true;
 }

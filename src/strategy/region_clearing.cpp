@@ -11,6 +11,7 @@
 #include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
 #include "strategy/entry.h"
+#include "strategy/fewer_moves.h"
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
@@ -265,6 +266,9 @@ class RegionClearing {
     take_back(ground_, pass);
     pass.moves =
         without_short_moves(joined(pass.moves), exact_, std::min(kSmoothing, params_.tolerance));
+    pass.moves =
+        with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
+                         exact_, ground_, params_);
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));

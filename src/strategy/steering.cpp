@@ -303,7 +303,7 @@ void Steering::roll_out() {
   }
   const BoundaryIndex::Hit wall = stage_.centres.nearest(pose().p);
   EVENLOAD_ASSERT(wall.distance < 1e-3);
-  wall_ = {wall.curve, wall.segment, wall.t};
+  go_to_wall({wall.curve, wall.segment, wall.t});
   mode_ = Mode::kWall;
 }
 
@@ -345,7 +345,7 @@ void Steering::reset(const Pose& start) {
 }
 
 Pass Steering::from_wall(const WallPlace& start) {
-  wall_ = turn_ > 0 ? start : run_up(start);
+  go_to_wall(turn_ > 0 ? start : run_up(start));
   const Segment wall = stage_.centres.curves()[wall_.curve].segment(wall_.segment);
   reset({wall.point(wall_.t), angle_of(wall.tangent(wall_.t))});
   mode_ = Mode::kWall;

@@ -98,7 +98,7 @@ class Steering {
   Step solve(double length) const;
   static bool is_steady(const Step& step);
   static double growth_after(const Error& error);
-  Error error_of(const Step& step, const Contact& first) const;
+  Error error_of(const Step& step, const Contact& first, double enough) const;
   std::optional<Step> try_step(const Contact& first, Error* error);
   Step longer_than(const Step& step, const Contact& first, Error* error) const;
   Pose pose() const;
@@ -106,6 +106,7 @@ class Steering {
   void cut_back(double length);
   bool is_smooth_between(const Contact& a, const Contact& b) const;
   double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
+  void go_to_wall(const WallPlace& place);
   void step_on_wall();
   void step_free();
   bool roll_in(TurnPart part);
@@ -138,7 +139,9 @@ class Steering {
   bool may_leave_wall_ = true;
   bool bit_by_bit_ = false;
   WallPlace wall_;
-  double travelled_ = 0;  // mm
+  double rough_until_ = 0;           // mm along the wall's piece: short of a cusp of the front
+  std::optional<Contact> met_here_;  // on the wall
+  double travelled_ = 0;             // mm
   // What was met on the way, so that it can be forgotten when the path is cut back.
   struct Met {
     double until = 0;   // mm travelled

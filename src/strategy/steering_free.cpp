@@ -1,6 +1,7 @@
 // Free steps of Steering: arcs at whose ends the engagement is what it shall be.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "strategy/move_checks.h"
 #include "strategy/steering.h"
@@ -26,6 +27,8 @@ constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
 constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
+// A share of the allowed error above which a step shrinks as much as it may at once.
+constexpr double kHopeless = kGrowth * kGrowth / (kLeastGrowth * kLeastGrowth);
 constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 // The engagement that the last step is taken to have ended with, from the limit.
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
@@ -138,8 +141,9 @@ Steering::Step Steering::solve(double length) const {
 // The error of the engagement on the way of a step, as a share of what is allowed; `first`: the
 // contact where it begins. Where the limit
 // can be held it is the bulge over the straight course from the step's beginning to its end; where
-// less is met, only what lies above the limit.
-Steering::Error Steering::error_of(const Step& step, const Contact& first) const {
+// less is met, only what lies above the limit. No more looks are taken once the share is above
+// `enough`.
+Steering::Error Steering::error_of(const Step& step, const Contact& first, double enough) const {
   const double length = step.move.length();
   const bool steady = is_steady(step);
   const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
@@ -152,7 +156,7 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first) const
   const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
   const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
   Error error;
-  for (int i = 1; i <= looks; ++i) {
+  for (int i = 1; i <= looks && error.share <= enough; ++i) {
     const double t = static_cast<double>(i) / (looks + 1);
     const double above = contact(end_of(step.move.part(0, t))).steer - theta_;
     const double even = begin + t * (end - begin), bulge = above - even;
@@ -176,7 +180,8 @@ std::optional<Steering::Step> Steering::try_step(const Contact& first, Error* er
       continue;
     }
     if (step.above > kOverload) return std::nullopt;
-    *error = error_of(step, first);
+    *error =
+        error_of(step, first, can_shrink ? kHopeless : std::numeric_limits<double>::infinity());
     if (error->share <= 1 || !can_shrink) return step;
     step_ = std::max(smallest, growth_after(*error) * step_);
   }
@@ -192,7 +197,7 @@ Steering::Step Steering::longer_than(const Step& step, const Contact& first, Err
   if (growth < kWorthLonger || !is_steady(step)) return step;
   const Step longer = solve(growth * length);
   if (longer.held_back || longer.above > kOverload || !is_steady(longer)) return step;
-  const Error its_error = error_of(longer, first);
+  const Error its_error = error_of(longer, first, 1);
   if (its_error.share > 1) return step;
   *error = its_error;
   return longer;

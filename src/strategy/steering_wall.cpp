@@ -23,6 +23,12 @@ constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides
 
 }  // namespace
 
+void Steering::go_to_wall(const WallPlace& place) {
+  wall_ = place;
+  rough_until_ = 0;
+  met_here_.reset();
+}
+
 void Steering::step_on_wall() {
   const Curve& curve = stage_.centres.curves()[wall_.curve];
   const Segment wall = curve.segment(wall_.segment);
@@ -31,7 +37,7 @@ void Steering::step_on_wall() {
   if (wall.is_arc()) step = std::min(step, kTurnStep * wall.radius);
   const double left = (1 - wall_.t) * length;
   if (left < 1e-9) {
-    wall_ = {wall_.curve, (wall_.segment + 1) % curve.segment_count(), 0};
+    go_to_wall({wall_.curve, (wall_.segment + 1) % curve.segment_count(), 0});
     return;
   }
   step = std::min(step, left);
@@ -39,29 +45,36 @@ void Steering::step_on_wall() {
   const auto contact_at = [&](double t) {
     return contact({wall.point(t), angle_of(wall.tangent(t))});
   };
-  const auto engagement_at = [&](double t) { return contact_at(t).total; };
-  const Contact end = contact_at(t1);
-  double total = end.total;
-  if (step > kCuspLook * radius_ && !is_smooth_between(contact_at(wall_.t), end)) {
-    step = kCuspLook * radius_;
+  // Short of a cusp that was found ahead steps are short.
+  const double fine = kCuspLook * radius_;
+  const bool before_cusp = wall_.t * length < rough_until_ - kHere;
+  if (before_cusp && step > fine) {
+    step = std::min(fine, rough_until_ - wall_.t * length);
     t1 = wall_.t + step / length;
-    total = engagement_at(t1);
   }
-  while (turn_ <= 0 && (total > theta_ || over_mean(total, step)) &&
+  Contact end = contact_at(t1);
+  if (!before_cusp && step > fine &&
+      !is_smooth_between(met_here_ ? *met_here_ : contact_at(wall_.t), end)) {
+    rough_until_ = t1 * length;
+    step = fine;
+    t1 = wall_.t + step / length;
+    end = contact_at(t1);
+  }
+  while (turn_ <= 0 && (end.total > theta_ || over_mean(end.total, step)) &&
          step > kFinestWallStep * radius_) {
     step *= 0.5;
     t1 = wall_.t + step / length;
-    total = engagement_at(t1);
+    end = contact_at(t1);
   }
-  if (turn_ > 0 && total > theta_ + 0.2 * kOverload) {
+  if (turn_ > 0 && end.total > theta_ + 0.2 * kOverload) {
     double low = wall_.t, high = t1;
     while ((high - low) * length > 1e-3 * radius_) {
       const double middle = 0.5 * (low + high);
-      (engagement_at(middle) > theta_ ? high : low) = middle;
+      (contact_at(middle).total > theta_ ? high : low) = middle;
     }
     if (low > wall_.t) {
       append(wall.part(wall_.t, low));
-      note_contact(engagement_at(low), (low - wall_.t) * length);
+      note_contact(contact_at(low).total, (low - wall_.t) * length);
     }
     wall_.t = low;
     if (may_leave_wall_)
@@ -70,7 +83,7 @@ void Steering::step_on_wall() {
       give_up();
     return;
   }
-  if (turn_ <= 0 && over_mean(total, step)) {
+  if (turn_ <= 0 && over_mean(end.total, step)) {
     // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
     // in the middle of a front.
     if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
@@ -79,8 +92,9 @@ void Steering::step_on_wall() {
       give_up();
     return;
   }
-  make_step(wall.part(wall_.t, t1), total);
+  make_step(wall.part(wall_.t, t1), end.total);
   wall_.t = t1;
+  met_here_ = end;
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 

@@ -20,6 +20,7 @@ enum class GeometryErrorCode {
   kIslandOutside,  // an island that does not lie inside its outer boundary
   kToolTooLarge,   // the tool fits nowhere
   kEntryOutside,   // an entry point or pre-drilled hole that cannot be used
+  kNoLameCurve,    // a pocket that no Lamé curve resembles
 };
 
 class GeometryError : public std::runtime_error {

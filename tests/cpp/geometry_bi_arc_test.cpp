@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <random>
 
 #include "geometry/bi_arc.h"
@@ -41,6 +42,21 @@ TEST(BiArc, OfAStraightWayIsTwoLines) {
   EXPECT_FALSE(pair->first.is_arc());
   EXPECT_FALSE(pair->second.is_arc());
   EXPECT_NEAR(pair->first.b.x, 2, 1e-12);
+}
+
+TEST(BiArc, HasItsJointSoManyTimesAsFarAlongTheFirstTangentAsAlongTheLast) {
+  const PlanePoint from{{0, 0}, unit(0.3)}, to{{4, 1}, unit(1.4)};
+  const auto reach = [](const Segment& arc) {
+    return arc.is_arc() ? arc.radius * std::tan(0.5 * std::abs(arc.sweep)) : 0.5 * arc.length();
+  };
+  for (const double ratio : {0.2, 0.7, 1.0, 1.5, 4.0}) {
+    const std::optional<BiArc> pair = bi_arc(from, to, kPi, ratio);
+    ASSERT_TRUE(pair);
+    EXPECT_NEAR(reach(pair->first) / reach(pair->second), ratio, 1e-6 * ratio);
+    EXPECT_LE(distance(pair->second.b, to.p), 1e-9);
+    EXPECT_LE(norm(pair->first.tangent(1) - pair->second.tangent(0)), 1e-6);
+    EXPECT_LE(norm(pair->second.tangent(1) - to.direction), 1e-6);
+  }
 }
 
 TEST(BiArc, DoesNotExistWhereItWouldTurnTooFar) {

@@ -1,11 +1,12 @@
-// What every strategy shares: the way from regions to a toolpath, and openings that it goes on from.
-#include "strategy/pocket.h"
-
+// What every strategy shares: the way from regions to a toolpath, and openings that it goes on
+// from.
 #include <gtest/gtest.h>
 
 #include <utility>
 
+#include "corpus.h"
 #include "geometry_shapes.h"
+#include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
 
 namespace evenload {
@@ -66,6 +67,21 @@ TEST(PocketTest, AClearerSeesClimbMillingAndItsPathIsMirroredBackForConventional
   ASSERT_EQ(seen.size(), 2u);
   EXPECT_GT(seen[0].low.x, 12.9);
   EXPECT_LT(seen[1].high.x, -12.9);
+}
+
+TEST(PocketTest, TheToolComesDownByRapidsWhereTheGroundIsClearedAlready) {
+  const corpus::Case pocket = corpus::load("star");
+  Progress progress;
+  const Toolpath path = clear_pocket({pocket.region}, pocket.params(), progress);
+  ASSERT_GT(path.report.retracts, 0);
+  int rapid = 0, fed = 0;
+  for (std::size_t i = 1; i < path.moves.size(); ++i) {
+    const Move &before = path.moves[i - 1], &move = path.moves[i];
+    if (move.z >= before.z) continue;
+    ++(move.kind == MoveKind::kRapid ? rapid : fed);
+  }
+  EXPECT_GE(rapid, path.report.retracts);
+  EXPECT_LE(fed, 1) << "into the hole";
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 """Jobs and operations for the tests, and how to read what they make."""
 
 import contextlib
+import importlib
 import math
 import os
 import shutil
@@ -29,10 +30,10 @@ class Bench:
         self.job, self.controller = host.create_job(doc, [self.part], tool, feed, 6366, flutes)
         self.model = self.job.Model.Group[0]
 
-    def operation(self, base=None, **properties):
-        from evenload.operations import adaptive
-
-        op = adaptive.Create("Operation", parentJob=self.job, toolController=self.controller)
+    def operation(self, base=None, kind="adaptive", **properties):
+        """A new operation on the model's floors or on `base`; kind: its module."""
+        module = importlib.import_module("evenload.operations." + kind)
+        op = module.Create("Operation", parentJob=self.job, toolController=self.controller)
         if base is None:
             base = [(self.model, tuple(floors_of(self.model.Shape)))]
         op.Base = base

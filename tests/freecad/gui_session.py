@@ -96,6 +96,42 @@ def cancelled(op):
     return seen, op.Report, len(op.Path.Commands)
 
 
+def other_panel(doc, job, model, floor, command):
+    """The panel of another kind of operation: what it shows, takes and computes."""
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
+    FreeCADGui.runCommand(command)
+    later(800)
+    op = job.Operations.Group[-1]
+    page = op.ViewObject.Proxy.panel.featurePages[-1]
+    seen = {
+        "view": type(op.ViewObject.Proxy).__name__,
+        "icon": os.path.isfile(op.ViewObject.Proxy.getIcon()),
+        "shown": [name for name, widget in page.widgets.items() if widget.isVisible()],
+        "settings": [setting.name for setting in op.Proxy.settings],
+    }
+    for name in ("StartDepth", "FinalDepth", "StepDown"):
+        op.setExpression(name, None)
+    op.StartDepth, op.FinalDepth, op.StepDown = 0, -3, 3
+    panel_buttons().button(QtGui.QDialogButtonBox.Apply).click()
+    later(500)
+    seen["valid"], seen["commands"] = op.isValid(), len(op.Path.Commands)
+    seen["results"] = page.results.text()
+    seen["own_after_apply"] = list(op.OwnValues)
+    picture(command)
+    if op.Proxy.fitted:
+        widget = page.widgets["ExponentEnd"]
+        seen["fitted"] = widget.value(), op.ExponentEnd
+        widget.setValue(0.9)
+        widget.editingFinished.emit()
+        seen["own_after_edit"], seen["set"] = list(op.OwnValues), op.ExponentEnd
+        page.again.click()
+        seen["own_after_again"] = list(op.OwnValues)
+    panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
+    later(500)
+    return seen
+
+
 def session():
     from models import SQUARE, block_with, face_of, floors_of, wire
     from evenload import host
@@ -206,6 +242,11 @@ def session():
     panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
     later(500)
     result["cancelled_is_gone"] = len(job.Operations.Group) == 1
+
+    result["others"] = {
+        command: other_panel(doc, job, model, floor, command)
+        for command in ("EvenLoad_Trochoid", "EvenLoad_LameSpiral")
+    }
 
     # Cancelled, then computed whole.
     result["cancel"] = cancelled(op)

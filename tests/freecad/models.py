@@ -10,10 +10,10 @@ DEPTH, MARGIN, BLOCK = 3.0, 10.0, 12.0  # mm: of pockets, of the block around an
 CORPUS = Path(__file__).resolve().parents[1] / "corpus"
 
 
-def wire(chain):
-    """A closed wire through (x, y, bulge) in z = 0."""
+def wire(chain, closed=True):
+    """A wire through (x, y, bulge) in z = 0."""
     edges = []
-    for (x0, y0, bulge), (x1, y1, _) in zip(chain, chain[1:] + chain[:1]):
+    for (x0, y0, bulge), (x1, y1, _) in zip(chain, chain[1:] + (chain[:1] if closed else [])):
         start, end = Vector(x0, y0, 0), Vector(x1, y1, 0)
         if not bulge:
             edges.append(Part.makeLine(start, end))
@@ -57,10 +57,10 @@ def block_with(*faces, depth=DEPTH):
     return block
 
 
-def sketch_of(doc, chain, z=-DEPTH, name="Sketch"):
+def sketch_of(doc, chain, z=-DEPTH, name="Sketch", closed=True):
     """A sketch object with the chain's lines and arcs at a height."""
     sketch = doc.addObject("Sketcher::SketchObject", name)
-    for edge in wire(chain).Edges:
+    for edge in wire(chain, closed).Edges:
         if isinstance(edge.Curve, Part.Circle):
             middle = edge.valueAt((edge.FirstParameter + edge.LastParameter) / 2)
             ends = edge.valueAt(edge.FirstParameter), edge.valueAt(edge.LastParameter)

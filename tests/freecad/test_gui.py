@@ -61,6 +61,23 @@ def test_the_panel_shows_every_setting_once(session):
     assert sorted(session["shown"]) == sorted(setting.name for setting in Adaptive.settings)
 
 
+@pytest.mark.parametrize("command", ["EvenLoad_Trochoid", "EvenLoad_LameSpiral"])
+def test_every_operation_has_its_command_panel_and_icon(session, command):
+    seen = session["others"][command]
+    assert seen["view"] == command.replace("EvenLoad_", "") + "ViewProvider" and seen["icon"]
+    assert sorted(seen["shown"]) == sorted(seen["settings"])
+    assert seen["valid"] and seen["commands"] > 10 and "Time" in seen["results"]
+    assert seen["own_after_apply"] == []
+
+
+def test_what_is_edited_in_the_panel_is_fitted_no_more_until_it_is_asked_for(session):
+    seen = session["others"]["EvenLoad_LameSpiral"]
+    shown, value = seen["fitted"]
+    assert shown == pytest.approx(value, abs=6e-5) and value > 0
+    assert seen["set"] == 0.9 and seen["own_after_edit"] == ["ExponentEnd"]
+    assert seen["own_after_again"] == []
+
+
 def test_the_panel_sets_properties_and_computes(session):
     assert session["side_step_property"] == pytest.approx(3)
     assert session["side_step_widget"] == pytest.approx(3)

@@ -77,7 +77,7 @@ def choose(pick, case):
         if found:
             case["hole"] = found
             chosen.pop("entry", None)
-    if before == "rest" and not case.get("open"):
+    if before == "rest" and not case.get("open") and "operation" not in case:
         case["rest_of"] = round(pick.uniform(*LARGER), 1)
     if chosen:
         case["choices"] = chosen

@@ -166,9 +166,17 @@ def case(pick, number):
             if found:
                 islands.append(found[0])
                 room = room.difference(found[1].buffer(WALL))
+    result = case_of("fuzz_%s_%05d" % (kind.__name__, number), outer, islands, pick)
+    if pick.random() < 0.1 and kind is not slot:
+        result["open"] = True
+    return result
+
+
+def case_of(name, outer, islands, pick):
+    """The shape with an engagement angle and the usual feeds."""
     angle = pick.choice((pick.choice(ROUND_ANGLES), round(pick.uniform(*ANGLES), 1)))
-    result = {
-        "name": "fuzz_%s_%05d" % (kind.__name__, number),
+    return {
+        "name": name,
         "tool": TOOL,
         "outer": outer,
         "islands": islands,
@@ -178,8 +186,5 @@ def case(pick, number):
         "link_feed": LINK_FEED,
         "max_feed": MAX_FEED,
         "roll_radius": ROLL_RADIUS,
-        "note": "Found by tests/fuzz/fuzz_adaptive.py.",
+        "note": "Found by tests/fuzz/fuzz.py.",
     }
-    if pick.random() < 0.1 and kind is not slot:
-        result["open"] = True
-    return result

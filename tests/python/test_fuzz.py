@@ -10,27 +10,28 @@ import pytest
 ROOT = Path(__file__).resolve().parents[2]
 sys.path[:0] = [str(ROOT / "tests" / "fuzz"), str(ROOT / "bench")]
 import choices  # noqa: E402
-import fuzz_adaptive  # noqa: E402
+import fuzz  # noqa: E402
+import kinds  # noqa: E402
 import shapes  # noqa: E402
 
-FINE = {**{name: 0.0 for name in fuzz_adaptive.LIMITS}, "climb": 1.0, "ratio": 1.1}
+FINE = {**{name: 0.0 for name in fuzz.LIMITS}, "climb": 1.0, "ratio": 1.1}
 
 
 def faults(figures, case=None, compute=1.0, notes=()):
     answer = {"figures": {**FINE, **figures}, "compute": compute, "notes": list(notes)}
-    return fuzz_adaptive.faults(case or {}, answer)
+    return fuzz.faults(case or {}, answer)
 
 
 def first_cases(count, seed=1):
-    found = fuzz_adaptive.cases(seed, 0)
+    found = fuzz.cases(seed, 0)
     return [next(found) for _ in range(count)]
 
 
 def test_a_case_depends_on_its_seed_and_number_alone():
     all_of_them = first_cases(20)
     number, case = all_of_them[9]
-    assert next(fuzz_adaptive.cases(1, number)) == (number, case)
-    assert next(fuzz_adaptive.cases(2, number))[1] != case
+    assert next(fuzz.cases(1, number)) == (number, case)
+    assert next(fuzz.cases(2, number))[1] != case
     assert len({case["name"] for _, case in all_of_them}) == 20
 
 
@@ -58,22 +59,22 @@ def test_every_kind_makes_outlines_the_core_takes(kind):
 def test_a_case_is_cleared_and_judged():
     (_, case), *_ = [pair for pair in first_cases(7) if "slot" in pair[1]["name"]]
     case["engagement_deg"] = 60.0
-    answer = fuzz_adaptive.judge(case, twice=True)
-    assert set(answer["figures"]) == set(fuzz_adaptive.LIMITS) | {"climb", "ratio"}
+    answer = fuzz.judge(case, twice=True)
+    assert set(answer["figures"]) == set(fuzz.LIMITS) | {"climb", "ratio"}
     assert 1.0 < answer["figures"]["ratio"] < 3 and 0 < answer["compute"] < 60
 
 
 def test_every_figure_above_its_limit_is_a_fault():
     assert faults({}) == []
-    for name, limit in fuzz_adaptive.LIMITS.items():
+    for name, limit in fuzz.LIMITS.items():
         (fault,) = faults({name: limit + 1})
         assert fault.startswith(name + " ")
         assert len(faults({name: float("nan")})) == 1
     assert faults({"climb": 0.9}) == ["climb 0.9 below 0.995"]
     assert faults({}, compute=61.0) == ["took 61 s"]
-    assert fuzz_adaptive.faults({}, {"refused": "too narrow"}) == []
+    assert fuzz.faults({}, {"refused": "too narrow"}) == []
     crashed = {"wrong": "crashed with code -11"}
-    assert fuzz_adaptive.faults({}, crashed) == ["crashed with code -11"]
+    assert fuzz.faults({}, crashed) == ["crashed with code -11"]
 
 
 def test_figures_that_do_not_apply_to_a_choice_are_not_judged():
@@ -128,8 +129,8 @@ def test_what_was_chosen_is_cleared_and_judged(given):
     case = with_choices(**given)
     if not case.get("choices", {}).get("arcs", True):
         case["choices"]["tolerance"] = choices.CHORD
-    answer = fuzz_adaptive.judge(case, False)
-    assert fuzz_adaptive.faults(case, answer) == []
+    answer = fuzz.judge(case, False)
+    assert fuzz.faults(case, answer) == []
     assert answer["figures"]["ratio"] > 0.9
 
 
@@ -142,16 +143,57 @@ def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
 
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
     _, case = first_cases(1)[0]
-    assert "wrong" in fuzz_adaptive.judge({**case, "feed": -1.0}, False)
+    assert "wrong" in fuzz.judge({**case, "feed": -1.0}, False)
     narrow = {**case, "tool": 500.0}
-    assert "does not fit" in fuzz_adaptive.judge(narrow, False)["refused"]
+    assert "does not fit" in fuzz.judge(narrow, False)["refused"]
 
 
 def test_failing_cases_are_written_as_corpus_cases(tmp_path, monkeypatch):
-    monkeypatch.setitem(fuzz_adaptive.LIMITS, "over", -200.0)
-    summary = fuzz_adaptive.fuzz(1.0, 1, 7, 1, tmp_path)
+    monkeypatch.setitem(fuzz.LIMITS, "over", -200.0)
+    summary = fuzz.fuzz(1.0, 1, 7, 1, tmp_path)
     (path,) = tmp_path.iterdir()
     case = json.loads(path.read_text())
     assert case["name"] == path.stem and "over" in case["note"]
     assert summary.failed == summary.cases == 1
     assert list(summary.lines())[0] == "1 cases, 1 failed, 0 too narrow"
+
+
+# ---- operations that clear certain shapes only ----
+
+
+@pytest.mark.parametrize("operation", kinds.KINDS)
+def test_an_operation_gets_all_of_its_kinds(operation):
+    found = fuzz.cases(1, 0, operation)
+    several = [next(found)[1] for _ in range(20)]
+    names = {case["name"].split("_")[2] for case in several}
+    assert names == {kind.__name__ for kind in kinds.KINDS[operation]}
+    assert {case["operation"] for case in several} == {operation}
+    assert not any("rest_of" in case for case in several)
+
+
+@pytest.mark.parametrize(
+    "kind",
+    [kind for of_kinds in kinds.KINDS.values() for kind in of_kinds],
+    ids=lambda k: k.__name__,
+)
+def test_every_kind_of_an_operation_makes_outlines_the_core_takes(kind):
+    from evenload import _core
+
+    for seed in range(12):
+        outer, islands, is_open = kind(random.Random(seed))
+        region = _core.Region(outer, islands)
+        assert region.area > 20 and len(region.islands) == len(islands)
+        assert is_open == (kind is kinds.island)
+
+
+def test_an_operations_own_limits_are_stricter():
+    found = faults({"over": 1.5}, {"operation": "trochoid"})
+    assert found == ["over 1.5 above 1"]
+    assert faults({"over": 1.5}) == []
+
+
+@pytest.mark.parametrize("operation", kinds.KINDS)
+def test_a_case_of_an_operation_is_cleared_and_judged(operation):
+    _, case = next(fuzz.cases(1, 0, operation))
+    answer = fuzz.judge(case, twice=True)
+    assert fuzz.faults(case, answer) == [] and "figures" in answer

@@ -45,4 +45,16 @@ COMMANDS = {
         "EvenLoad Adaptive",
         "Clears pockets at constant engagement of the tool",
     ),
+    "EvenLoad_Trochoid": CreateOperation(
+        "trochoid",
+        "EvenLoad_Trochoid",
+        "EvenLoad Trochoid",
+        "Cuts slots by trochoids at constant engagement of the tool",
+    ),
+    "EvenLoad_LameSpiral": CreateOperation(
+        "lame_spiral",
+        "EvenLoad_LameSpiral",
+        "EvenLoad Lamé Spiral",
+        "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
+    ),
 }

@@ -39,7 +39,9 @@ def select():
 
 
 class ViewProvider(_gui.op.ViewProvider):
-    """Documents refer to this class by its module and name: both stay. Nothing else is saved."""
+    """Documents refer to this class, and to those derived from it, by module and name: both stay.
+    Nothing else is saved. This one is the adaptive operation's.
+    """
 
     panel_module = "evenload.gui.adaptive"
     icon = "EvenLoad_Adaptive.svg"
@@ -80,11 +82,26 @@ class ViewProvider(_gui.op.ViewProvider):
         return select
 
 
+class TrochoidViewProvider(ViewProvider):
+    panel_module = "evenload.gui.trochoid"
+    icon = "EvenLoad_Trochoid.svg"
+    OpName = "EvenLoad Trochoid"
+
+
+class LameSpiralViewProvider(ViewProvider):
+    panel_module = "evenload.gui.lame_spiral"
+    icon = "EvenLoad_LameSpiral.svg"
+    OpName = "EvenLoad Lame Spiral"
+
+
+PROVIDERS = {each.OpName: each for each in (TrochoidViewProvider, LameSpiralViewProvider)}
+
+
 def attach(obj):
     """Gives an operation and its job the view providers that they lack when a script made them."""
     view = obj.ViewObject
     if view is not None and not isinstance(view.Proxy, ViewProvider):
-        ViewProvider(view)
+        PROVIDERS.get(obj.Proxy.name, ViewProvider)(view)
     job = host.parent_job(obj)
     if job is not None:
         host.show_job(job)

@@ -1,6 +1,7 @@
 """Clears random pockets and judges every path by the simulator.
 
-    PYTHONPATH=MOD python3 tests/fuzz/fuzz_adaptive.py --minutes N --seed S [--failures FOLDER]
+    PYTHONPATH=MOD python3 tests/fuzz/fuzz.py --minutes N --seed S [--operation NAME]
+                                              [--failures FOLDER]
 
 MOD is the addon's Mod folder, with the built core; `./run fuzz` makes one. Works for N minutes. A
 case that breaks one of LIMITS, raises, crashes or takes too long is written to FOLDER as a case of
@@ -20,6 +21,7 @@ import sys
 import time
 from pathlib import Path
 
+import kinds
 import shapes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
@@ -37,6 +39,8 @@ LIMITS = {
     "plunge": 0.0,  # mm of plunges in material
     "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region
 }
+# The same for the operations that clear certain shapes only.
+STRICTER = {"over": 1.0}
 LEAST_CLIMB = 0.995  # share of the cutting length on the side asked for
 SECONDS = 60  # for one path
 MEMORY = 4 << 30  # bytes, of the process that clears and judges
@@ -44,6 +48,7 @@ AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 # Of the simulator: rows at most so far apart, and so many in a cut's width, or what is engaged at
 # small angles is lost between them.
 RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
+REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 
@@ -84,7 +89,7 @@ def judge(case, twice):
     try:
         path, scene = choices.path_and_scene(case, resolution)
     except _core.GeometryError as error:
-        return {"refused": str(error)} if error.code == "tool too large" else _wrong(error)
+        return {"refused": str(error)} if error.code in REFUSALS else _wrong(error)
     except choices.NothingLeft:
         return {"refused": "the tool before left nothing"}
     except (RuntimeError, ValueError) as error:
@@ -155,9 +160,10 @@ def faults(case, answer):
         return [answer["wrong"]]
     if "refused" in answer:
         return []
+    limits = LIMITS if case.get("operation", "adaptive") == "adaptive" else {**LIMITS, **STRICTER}
     found = [
         "%s %.4g above %g" % (name, answer["figures"][name], limit)
-        for name, limit in choices.limits_for(case, answer["notes"], LIMITS).items()
+        for name, limit in choices.limits_for(case, answer["notes"], limits).items()
         if not answer["figures"][name] <= limit
     ]
     if answer["figures"]["climb"] < LEAST_CLIMB:
@@ -187,7 +193,19 @@ class Summary:
             yield "%-7s median %8.4f, worst %8.4f in %s" % (name, median, *worst)
 
 
-def cases(seed, first):
+def random_case(operation, pick, number):
+    """A case of a shape that the operation clears; None where the shape came out unusable."""
+    if operation == "adaptive":
+        return shapes.case(pick, number)
+    of_kinds = kinds.KINDS[operation]
+    kind = of_kinds[number % len(of_kinds)]
+    outer, islands, is_open = kind(pick)
+    name = "fuzz_%s_%s_%05d" % (operation.split("_")[0], kind.__name__, number)
+    case = {**shapes.case_of(name, outer, islands, pick), "operation": operation}
+    return {**case, "open": True} if is_open else case
+
+
+def cases(seed, first, operation="adaptive"):
     """(number, case) without end; a case depends on the seed and its number alone. Each second one
     has choices beside the pocket.
     """
@@ -195,7 +213,7 @@ def cases(seed, first):
 
     number = first
     while True:
-        case = shapes.case(random.Random("%d/%d" % (seed, number)), number)
+        case = random_case(operation, random.Random("%d/%d" % (seed, number)), number)
         if case is not None:
             case["name"] += "_s%d" % seed
             if number % 2:
@@ -204,10 +222,10 @@ def cases(seed, first):
         number += 1
 
 
-def fuzz(minutes, seed, first, most, folder):
+def fuzz(minutes, seed, first, most, folder, operation="adaptive"):
     summary, judge_process = Summary(), Judge()
     end = time.monotonic() + 60 * minutes
-    for number, case in cases(seed, first):
+    for number, case in cases(seed, first, operation):
         if time.monotonic() > end or (most and summary.cases >= most):
             break
         answer = judge_process.judged(case, number % AGAIN == 0)
@@ -234,9 +252,12 @@ def main():
     parser.add_argument(
         "--cases", type=int, default=0, help="at the most; 0: as many as there is time for"
     )
+    parser.add_argument("--operation", choices=("adaptive", *kinds.KINDS), default="adaptive")
     parser.add_argument("--failures", type=Path, default=Path("fuzz_failures"))
     given = parser.parse_args()
-    summary = fuzz(given.minutes, given.seed, given.first, given.cases, given.failures)
+    summary = fuzz(
+        given.minutes, given.seed, given.first, given.cases, given.failures, given.operation
+    )
     for line in summary.lines():
         print(line)
     return 1 if summary.failed else 0

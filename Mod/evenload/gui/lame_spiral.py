@@ -1,0 +1,42 @@
+"""The Lamé spiral operation's panel."""
+
+from evenload.gui import panel
+from evenload.operations import lame_spiral
+
+
+class OperationPage(panel.OperationPage):
+    kind = lame_spiral.LameSpiral
+    groups = (
+        (
+            "Spiral",
+            (
+                "Segments",
+                "SemiAxisA",
+                "SemiAxisB",
+                "ExponentStart",
+                "ExponentEnd",
+                "Rotation",
+                "Pitch",
+                "Centre",
+                "Rest",
+            ),
+        ),
+        *panel.GROUPS,
+    )
+    labels = {
+        **panel.LABELS,
+        "Segments": "Segments",
+        "SemiAxisA": "Semi-axis A",
+        "SemiAxisB": "Semi-axis B",
+        "ExponentStart": "First exponent",
+        "ExponentEnd": "Last exponent",
+        "Rotation": "Rotation",
+        "Pitch": "Pitch",
+        "Centre": "Centre",
+        "Rest": "Rest",
+    }
+
+
+def create():
+    """Creates the operation for what is selected and opens its panel."""
+    return panel.create(lame_spiral)

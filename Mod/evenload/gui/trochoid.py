@@ -1,0 +1,15 @@
+"""The trochoid operation's panel."""
+
+from evenload.gui import panel
+from evenload.operations import trochoid
+
+
+class OperationPage(panel.OperationPage):
+    kind = trochoid.Trochoid
+    groups = (("Slot", ("Pattern", "SlotWidth")), *panel.GROUPS)
+    labels = {**panel.LABELS, "Pattern": "Pattern", "SlotWidth": "Slot width"}
+
+
+def create():
+    """Creates the operation for what is selected and opens its panel."""
+    return panel.create(trochoid)

@@ -1,0 +1,100 @@
+"""Trochoid: cuts slots by trochoids at constant engagement."""
+
+from evenload import compiled, shape
+from evenload.operations import base
+from evenload.operations.settings import GROUP, RESULT_SETTINGS, RESULTS, SETTINGS, Setting
+
+NAME = "EvenLoad Trochoid"
+
+
+class Trochoid(base.Operation):
+    """Proxy of the trochoid operation. Documents refer to this class by its module and name: both
+    stay.
+    """
+
+    name = NAME
+    settings = (
+        *SETTINGS,
+        Setting(
+            "Pattern",
+            "App::PropertyEnumeration",
+            ["Constant engagement", "Circular", "Cycloid"],
+            "The trochoid's shape; the circular and the cycloid one reach the engagement angle "
+            "only for a moment of each turn",
+            GROUP,
+        ),
+        Setting(
+            "SlotWidth",
+            "App::PropertyLength",
+            0.0,
+            "Width of the slot round an open sketch or edge; faces and closed outlines have their "
+            "own",
+            GROUP,
+        ),
+    )
+    results = (
+        *RESULT_SETTINGS,
+        Setting(
+            "TrochoidalStep",
+            "App::PropertyLength",
+            0.0,
+            "How far the trochoid advances in each turn, in the longest straight slot",
+            RESULTS,
+        ),
+        Setting(
+            "Iterations",
+            "App::PropertyInteger",
+            0,
+            "Passes that were steered until the trochoid's shape stayed the same",
+            RESULTS,
+        ),
+        Setting(
+            "RemovalRate",
+            "App::PropertyFloat",
+            0.0,
+            "Volume over time of one turn, its link with it, in mm3/min",
+            RESULTS,
+        ),
+    )
+
+    def floors(self, obj, tool):
+        def slot(chain, name):
+            if not obj.SlotWidth.Value > 0:
+                raise ValueError(
+                    "%s is open, the centreline of a slot: set SlotWidth, or close it." % name
+                )
+            if obj.SlotWidth.Value < tool.diameter:
+                raise ValueError(
+                    "SlotWidth (%g mm) is less than the tool's diameter of %g mm: take a smaller "
+                    "tool or widen the slot." % (obj.SlotWidth.Value, tool.diameter)
+                )
+            try:
+                middle = [vertex[:3] for vertex in chain]
+                return compiled.core().slot_around(middle, width=obj.SlotWidth.Value)
+            except ValueError as error:
+                raise ValueError("%s: %s" % (name, error)) from None
+
+        return shape.floors(
+            obj.Base,
+            [m.Shape for m in self.model],
+            self.stock.Shape,
+            tool.diameter,
+            obj.Tolerance.Value,
+            slot,
+        )
+
+    def generate(self, obj, core, regions, parameters):
+        toolpath, figures = core.clear_slot(regions, pattern=obj.Pattern.lower(), **parameters)
+        return toolpath, {
+            "TrochoidalStep": figures.step,
+            "Iterations": figures.iterations,
+            "RemovalRate": figures.removal_rate,
+        }
+
+
+def Create(name, obj=None, parentJob=None, toolController=None):
+    """A new trochoid operation, as a document object; see base.create for the arguments."""
+    return base.create(Trochoid, name, obj, parentJob, toolController)
+
+
+base.register(Trochoid, Create)

@@ -1,0 +1,158 @@
+#include "geometry/lame_curve.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+
+namespace evenload {
+namespace {
+
+constexpr int kEvenSteps = 12;    // from an axis to the next corner
+constexpr int kCornerSteps = 24;  // besides, around a corner, each side
+constexpr double kCloser = 0.75;  // one of them over the one before
+
+// rad: angles as near to an axis as their own rounding are on it.
+constexpr double kRounding = 4e-16;
+
+double unless_rounding(double x, double rounding) { return std::abs(x) < rounding ? 0 : x; }
+
+void require(bool condition, const char* sentence) {
+  if (!condition) throw std::invalid_argument(sentence);
+}
+
+}  // namespace
+
+void check_lame_curve(const LameCurve& curve) {
+  require(std::isfinite(curve.centre.x) && std::isfinite(curve.centre.y) &&
+              std::isfinite(curve.rotation),
+          "A Lamé curve's centre and rotation must be finite.");
+  require(curve.a > 0 && curve.a < 1e6 && curve.b > 0 && curve.b < 1e6,
+          "A Lamé curve's semi-axes must be positive.");
+  require(curve.exponent >= kLeastExponent && curve.exponent <= kMostExponent,
+          "A Lamé curve's exponent must lie between 0.05 and 3.");
+  require(curve.segments >= 2, "A Lamé curve has two segments at least.");
+  require(curve.segments % 2 == 0 || curve.a == curve.b,
+          "A Lamé curve with an odd number of segments closes only with equal semi-axes: set both "
+          "to the same length.");
+}
+
+LameRadius lame_radius(const LameCurve& curve, double angle) {
+  const double turn = curve.segments / 4.0, psi = turn * (angle - curve.rotation);
+  const double rounding = kRounding * std::max(1.0, std::abs(psi)), power = 2 / curve.exponent;
+  const double c = unless_rounding(std::cos(psi), rounding);
+  const double s = unless_rounding(std::sin(psi), rounding);
+  const double x = std::abs(c) / curve.a, y = std::abs(s) / curve.b, larger = std::max(x, y);
+  const double u = x / larger, v = y / larger;  // one of them is 1: no power over- or underflows
+  const double up = std::pow(u, power), vp = std::pow(v, power), sum = up + vp;
+  LameRadius at;
+  at.r = std::pow(sum, -1 / power) / larger;
+  // ln r = -(n / 2) ln(X + Y): its derivatives are weighted by the shares of X and Y.
+  const double wx = up / sum, wy = vp / sum;
+  at.log_by_a = wx;
+  at.log_by_b = wy;
+  at.by_a = at.r * wx / curve.a;
+  at.by_b = at.r * wy / curve.b;
+  const auto entropy = [](double w) { return w > 0 ? w * std::log(w) : 0.0; };
+  at.by_exponent = 0.5 * at.r * (entropy(wx) + entropy(wy));
+  // wx / c and wx / c^2, which stay finite where c is 0 and the power allows it.
+  const double ca = curve.a * larger, sb = curve.b * larger;
+  const double wx_c = c == 0 ? 0 : wx / c, wy_s = s == 0 ? 0 : wy / s;
+  const double wx_cc = std::pow(u, power - 2) / (sum * ca * ca);
+  const double wy_ss = std::pow(v, power - 2) / (sum * sb * sb);
+  const double slope = wx_c * s - wy_s * c;
+  const double large = std::max(wx_cc, wy_ss), small = std::min(wx_cc, wy_ss);
+  const double rest = 1 - power * small;
+  const double bend = rest == 0 ? small : large * rest + small;
+  at.by_angle = at.r * turn * slope;
+  at.by_angle_twice = at.r * turn * turn * (slope * slope + bend);
+  return at;
+}
+
+Vec2 lame_point(const LameCurve& curve, double angle) {
+  return curve.centre + lame_radius(curve, angle).r * unit(angle);
+}
+
+double lame_curvature(const LameCurve& curve, double angle) {
+  const LameRadius at = lame_radius(curve, angle);
+  const double speed = at.r * at.r + at.by_angle * at.by_angle;
+  return (speed + at.by_angle * at.by_angle - at.r * at.by_angle_twice) / std::pow(speed, 1.5);
+}
+
+std::vector<double> lame_angles(const LameCurve& curve) {
+  // Corners lie where both axes have an equal share; axes in the middle between those for a = b.
+  const double quarter = 2 * kPi / curve.segments;
+  const double corner = std::atan2(curve.b, curve.a) / (kPi / 2) * quarter;
+  std::vector<double> one;  // over two quarters: up to a corner, down to an axis, and mirrored
+  const auto add_side = [&](double axis, double to_corner) {
+    for (int i = 0; i < kEvenSteps; ++i) one.push_back(axis + i * (to_corner - axis) / kEvenSteps);
+    double closer = (to_corner - axis) / kEvenSteps;
+    for (int i = 0; i < kCornerSteps; ++i) one.push_back(to_corner - (closer *= kCloser));
+  };
+  add_side(0, corner);
+  add_side(quarter, corner);
+  one.push_back(corner);
+  const std::size_t count = one.size();
+  for (std::size_t i = 0; i < count; ++i) one.push_back(2 * quarter - one[i]);
+  std::vector<double> angles;
+  for (double start = 0; start < 2 * kPi - 1e-9; start += 2 * quarter)
+    for (const double angle : one)
+      if (start + angle < 2 * kPi - 1e-12) angles.push_back(curve.rotation + start + angle);
+  std::sort(angles.begin(), angles.end());
+  angles.erase(std::unique(angles.begin(), angles.end(),
+                           [](double p, double q) { return std::abs(p - q) < 1e-12; }),
+               angles.end());
+  return angles;
+}
+
+double least_curvature_radius(const LameCurve& curve) {
+  const auto curvature = [&](double angle) { return lame_curvature(curve, angle); };
+  const std::vector<double> angles = lame_angles(curve);
+  double best = 0, most = -std::numeric_limits<double>::infinity();
+  for (const double angle : angles)
+    if (const double here = curvature(angle); here > most) {
+      most = here;
+      best = angle;
+    }
+  const double reach = 2 * kPi / curve.segments / kEvenSteps;
+  for (double step = reach; step > 1e-6; step /= 2)
+    for (const double angle : {best - step, best + step})
+      if (const double here = curvature(angle); here > most) {
+        most = here;
+        best = angle;
+      }
+  return most > 0 ? 1 / most : std::numeric_limits<double>::infinity();
+}
+
+namespace {
+
+// The integral of f over a full turn, by Simpson's rule between the angles of lame_angles().
+template <typename F>
+double over_a_turn(const LameCurve& curve, F f) {
+  std::vector<double> angles = lame_angles(curve);
+  angles.push_back(angles.front() + 2 * kPi);
+  double sum = 0;
+  for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
+    const double low = angles[i], high = angles[i + 1];
+    sum += (high - low) / 6 * (f(low) + 4 * f(0.5 * (low + high)) + f(high));
+  }
+  return sum;
+}
+
+}  // namespace
+
+double lame_area(const LameCurve& curve) {
+  return over_a_turn(curve, [&](double angle) {
+    const double r = lame_radius(curve, angle).r;
+    return 0.5 * r * r;
+  });
+}
+
+double lame_length(const LameCurve& curve) {
+  return over_a_turn(curve, [&](double angle) {
+    const LameRadius at = lame_radius(curve, angle);
+    return std::hypot(at.r, at.by_angle);
+  });
+}
+
+}  // namespace evenload

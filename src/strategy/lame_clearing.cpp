@@ -1,0 +1,96 @@
+#include "strategy/lame_clearing.h"
+
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <stdexcept>
+#include <utility>
+
+#include "geometry/lame_curve.h"
+#include "strategy/lame_opening.h"
+#include "strategy/pocket.h"
+
+namespace evenload {
+namespace {
+
+void require(bool condition, const char* sentence) {
+  if (!condition) throw std::invalid_argument(sentence);
+}
+
+void check(const LameParams& p) {
+  require(!p.segments || (*p.segments >= 3 && *p.segments <= 12),
+          "Segments must lie between 3 and 12.");
+  for (const std::optional<double>& axis : {p.semi_axis_a, p.semi_axis_b})
+    require(!axis || (*axis > 0 && *axis < 1e5),
+            "SemiAxisA and SemiAxisB must be positive lengths.");
+  for (const std::optional<double>& exponent : {p.exponent_start, p.exponent_end})
+    require(!exponent || (*exponent >= kLeastExponent && *exponent <= 1),
+            "ExponentStart and ExponentEnd must lie between 0.05 and 1: above 1 the spiral has "
+            "corners.");
+  require(!p.rotation || std::isfinite(*p.rotation), "Rotation must be finite.");
+  require(!p.pitch || (*p.pitch > 0 && std::isfinite(*p.pitch)), "Pitch must be positive.");
+  require(!p.centre || (std::isfinite(p.centre->x) && std::isfinite(p.centre->y)),
+          "Centre must be finite.");
+  require(!p.segments || *p.segments == 4 || !p.semi_axis_a || !p.semi_axis_b ||
+              *p.semi_axis_a == *p.semi_axis_b,
+          "Semi-axes of two lengths need Segments 4: set both to the same length, or leave one "
+          "unset.");
+}
+
+LameFigures mirrored(LameFigures figures) {
+  figures.last.centre.x = -figures.last.centre.x;
+  figures.last.rotation = kPi - figures.last.rotation;
+  return figures;
+}
+
+// The wishes as the mirrored work of conventional milling sees them.
+LameParams mirrored(LameParams p) {
+  if (p.centre) p.centre->x = -p.centre->x;
+  // Mirrored at the y axis, the first semi-axis points the other way.
+  if (p.rotation) p.rotation = kPi - *p.rotation;
+  return p;
+}
+
+void leave_rest(const LameOpening& opening, RegionResult& result) {
+  result.uncut_area = opening.reached_area - opening.spiral_area;
+  std::ostringstream note;
+  note << std::fixed << std::setprecision(1) << "Left uncut: " << result.uncut_area
+       << " mm² that the spiral does not reach, for Rest is 'Leave'.";
+  result.notes.push_back(note.str());
+}
+
+}  // namespace
+
+LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
+                                    const ClearingParams& clearing, const LameParams& params,
+                                    Progress& progress) {
+  check(params);
+  require(!clearing.stock,
+          "A Lamé spiral cannot clear what earlier operations left: turn UseRestMachining off, or "
+          "take the operation Adaptive.");
+  const bool mirror = clearing.cut_mode == CutMode::kConventional;
+  const LameParams seen = mirror ? mirrored(params) : params;
+  LameToolpath result;
+  double by_spirals = 0, reached = 0, most = 0;
+  const auto clearer = [&](const RegionTask& task, const ClearingParams& checked, Progress& watch) {
+    LameOpening opening = lame_opening(task, checked, seen, watch);
+    by_spirals += opening.spiral_area;
+    reached += opening.reached_area;
+    if (opening.spiral_area > most) {
+      most = opening.spiral_area;
+      result.figures = mirror ? mirrored(opening.figures) : opening.figures;
+    }
+    if (params.rest == LameRest::kLeave) {
+      leave_rest(opening, opening.result);
+      return std::move(opening.result);
+    }
+    RegionTask further = task;
+    further.opening = std::move(opening.result);
+    return clear_region(further, checked, watch);
+  };
+  static_cast<Toolpath&>(result) = clear_by(clearer, regions, clearing, progress);
+  result.cleared_share = reached > 0 ? by_spirals / reached : 0;
+  return result;
+}
+
+}  // namespace evenload

@@ -1,0 +1,53 @@
+// Clears pockets with Lamé spirals [Tancsa 2023]: one spiral from the entry's circle out to the
+// largest Lamé curve that fits, without a link or a retract; around an island from outside in. What
+// it cannot reach, corners and crescents along the walls, is cleared at constant engagement.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "geometry/lame_curve.h"
+#include "geometry/region.h"
+#include "strategy/constant_engagement.h"
+#include "support/progress.h"
+#include "toolpath/toolpath.h"
+
+namespace evenload {
+
+enum class LameRest { kClear, kLeave };
+
+// What is set is kept; what is not is fitted. All of it describes the way of the tool's centre.
+struct LameParams {
+  std::optional<int> segments;                     // m, 3 to 12
+  std::optional<double> semi_axis_a, semi_axis_b;  // mm, > 0, of the last turn
+  std::optional<double> exponent_start;            // n of the first turn, 0.05 to 1; unset: 1
+  std::optional<double> exponent_end;              // n of the last turn, 0.05 to 1
+  std::optional<double> rotation;                  // rad, of the first semi-axis
+  std::optional<double> pitch;                     // mm per turn, > 0, at most
+  std::optional<Vec2> centre;                      // of the last turn
+  LameRest rest = LameRest::kClear;
+};
+
+// The curve in which a spiral ends, and how it came there.
+struct LameFigures {
+  LameCurve last;             // of the tool's centre
+  double exponent_start = 1;  // of the first turn
+  double pitch = 0;           // mm: the largest step of a turn
+};
+
+struct LameToolpath : Toolpath {
+  double cleared_share = 0;  // of the ground within reach, by spirals
+  LameFigures figures;       // of the spiral that clears most
+};
+
+// Laws: as for clear_pocket; the engagement angle and the parameters of both strategies are kept;
+// no turn of a spiral is tighter than the minimum radius, but for entries that are. Throws
+// std::invalid_argument for parameters out of range and for rest machining, GeometryError also for
+// pockets that no Lamé curve resembles: those of which it would reach less than kLeastShare, and
+// those with more than one island or with open pieces beside walls.
+LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
+                                    const ClearingParams& clearing, const LameParams& params,
+                                    Progress& progress);
+inline constexpr double kLeastShare = 0.4;
+
+}  // namespace evenload

@@ -1,0 +1,22 @@
+// The spiral of one connected region of tool centres, and how the tool comes to it: the opening
+// from which the region is cleared further.
+#pragma once
+
+#include "strategy/lame_clearing.h"
+#include "strategy/region_clearing.h"
+
+namespace evenload {
+
+struct LameOpening {
+  RegionResult result;      // its runs, with the spiral as the last pass
+  double spiral_area = 0;   // mm^2 within reach that the spiral leaves cleared
+  double reached_area = 0;  // mm^2 within reach at all
+  LameFigures figures;
+};
+
+// Conditions as for clear_region; `params` and `lame` checked, no rest machining. Throws
+// GeometryError where no spiral can be made.
+LameOpening lame_opening(const RegionTask& task, const ClearingParams& params,
+                         const LameParams& lame, Progress& progress);
+
+}  // namespace evenload

@@ -1,0 +1,228 @@
+#include "strategy/lame_pitch.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "cutting/engagement.h"
+
+namespace evenload {
+namespace {
+
+constexpr int kLevels = 8;           // of the growth at which steps are looked for, to each stage
+constexpr int kEveryAngle = 5;       // of lame_angles() is looked at; its ends and corners, too
+constexpr int kKnots = 16;           // of a spiral's functions, for each turn
+constexpr double kRampIn = 0.5;      // rad within which a spiral takes up its first slope
+constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
+constexpr double kSmallStep = 1e-4;  // share of the growth: for its direction
+constexpr double kFirstStep = 2;     // side steps: no turn goes farther
+constexpr int kMostLooks = 8;        // for one step
+constexpr double kEdge = 5e-4;       // tool radii: how well the edge of the engagement is met
+constexpr double kCrossing = 1e-6;   // of a radius: rounding
+constexpr std::array<double, 2> kRuns = {1, 2.5};
+
+struct Heading {
+  Vec2 p;
+  Vec2 direction;  // of unit length
+  double speed;    // mm/rad
+};
+
+Heading heading_at(const LameCurve& curve, double angle, bool inwards) {
+  const LameRadius at = lame_radius(curve, angle);
+  const Vec2 out = unit(angle);
+  const Vec2 velocity = at.by_angle * out + at.r * left_normal(out);
+  const double speed = norm(velocity);
+  return {curve.centre + at.r * out, (inwards ? -1 : 1) / speed * velocity, speed};
+}
+
+// The angles to look at: with m equal parts, one of them is enough.
+std::vector<double> angles_to_look_at(const LameGrowth& growth, const LameCurve& curve) {
+  const bool even = std::all_of(growth.stages.begin(), growth.stages.end(), [](const LameStage& s) {
+    return s.from.a == s.from.b && s.to.a == s.to.b && s.from.centre == s.to.centre;
+  });
+  const double part = even ? 2 * kPi / curve.segments : 2 * kPi;
+  std::vector<double> angles;
+  const std::vector<double> all = lame_angles(curve);
+  for (std::size_t i = 0; i < all.size(); i += kEveryAngle)
+    if (all[i] <= curve.rotation + part) angles.push_back(all[i]);
+  return angles;
+}
+
+// A turn that comes to `share` at polar angle `angle`, and the turn before it.
+class Turn {
+ public:
+  Turn(const LameGrowth& growth, bool inwards, double share, double angle)
+      : growth_(growth), sense_(inwards ? -1 : 1), share_(share), angle_(angle) {}
+
+  // mm: by how much a point lies farther than `reach` from the turn before, which is about `reach`
+  // away, where turns grow by `step`.
+  double beyond(Vec2 p, double reach, double step) const {
+    const auto foot = [&](double phi) { return place(phi, share_ - step * (1 - back(phi))); };
+    const double middle = angle_of(p - growth_.at(share_ - step).centre);
+    // Around a corner the distance has flat places: the nearest of a few looks, then refined.
+    const double window = std::min(kPi / 3, reach / std::max(reach, distance(p, centre())));
+    double best = middle, least = distance(foot(middle), p);
+    for (double apart = window; apart > kFoot; apart *= kCloser)
+      for (const double phi : {best - apart, best + apart})
+        if (const double here = distance(foot(phi), p); here < least) {
+          least = here;
+          best = phi;
+        }
+    return least - reach;
+  }
+
+ private:
+  static constexpr double kFoot = 3e-3;  // rad: nearer looks change nothing that matters
+  static constexpr double kCloser = 0.55;
+
+  Vec2 centre() const { return growth_.at(share_).centre; }
+  // Share of a turn by which an angle lies ahead of here.
+  double back(double phi) const { return sense_ * wrap_signed(phi - angle_) / (2 * kPi); }
+  Vec2 place(double phi, double share) const { return lame_point(growth_.at(share), phi); }
+
+  const LameGrowth& growth_;
+  double sense_, share_, angle_;
+};
+
+// The change of the share from turn to turn with which the engagement at this angle is the limit.
+double step_at(const LameGrowth& growth, const TurnTask& task, double share, double angle) {
+  const double r = task.tool_radius;
+  const LameCurve curve = growth.at(share);
+  const Heading along = heading_at(curve, angle, task.inwards);
+  const Turn turn(growth, task.inwards, share, angle);
+  // The spiral itself heads a little outwards, or inwards.
+  const Vec2 towards = lame_point(growth.at(share + kSmallStep), angle) - along.p;
+  const auto beyond = [&](double step) {
+    const Vec2 velocity = along.speed * along.direction + step / (2 * kPi * kSmallStep) * towards;
+    const Vec2 edge = along.p + r * rotated(normalized(velocity), task.engagement - kPi / 2);
+    return turn.beyond(edge, r, step);
+  };
+  // The distance grows nearly in proportion to the step: regula falsi with the Illinois rule.
+  double low = 0, high = kFirstStep * side_step(task.engagement, r) / growth.length();
+  double f_low = beyond(low), f_high = beyond(high);
+  if (f_high <= 0) return high;
+  if (f_low >= 0) return 0;
+  for (int i = 0; i < kMostLooks; ++i) {
+    const double step = low + (high - low) * f_low / (f_low - f_high);
+    const double f = beyond(step);
+    if (std::abs(f) < kEdge * r) return step;
+    if (f < 0) {
+      low = step;
+      f_low = f;
+      f_high *= 0.5;
+    } else {
+      high = step;
+      f_high = f;
+      f_low *= 0.5;
+    }
+  }
+  return low;
+}
+
+std::vector<double> levels_of(const LameGrowth& growth) {
+  const int count = kLevels * static_cast<int>(growth.stages.size());
+  std::vector<double> levels;
+  for (int i = 0; i <= count; ++i) levels.push_back(static_cast<double>(i) / count);
+  return levels;
+}
+
+// Whether all of its curves lie outside the inner one of its first and last.
+bool stays_between(const LameGrowth& growth) {
+  const LameCurve &first = growth.stages.front().from, &last = growth.stages.back().to;
+  const LameCurve& inner = first.a > last.a ? last : first;
+  for (const double level : levels_of(growth)) {
+    const LameCurve curve = growth.at(level);
+    for (const double angle : lame_angles(inner)) {
+      const Vec2 p = lame_point(inner, angle) - curve.centre;
+      if (lame_radius(curve, angle_of(p)).r < norm(p) * (1 - kCrossing)) return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace
+
+MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
+  const std::vector<double> levels = levels_of(growth);
+  std::vector<double> steps;
+  for (const double level : levels) {
+    double least = task.pitch ? *task.pitch / growth.length() : 1;
+    for (const double angle : angles_to_look_at(growth, growth.at(level)))
+      least = std::min(least, step_at(growth, task, level, angle));
+    steps.push_back(std::max(least, kLeastStep));
+  }
+  return MonotoneSpline(levels, steps);
+}
+
+double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const TurnTask& task) {
+  const double nominal = side_step(task.engagement, task.tool_radius);
+  const std::vector<double> levels = levels_of(growth);
+  double total = 0;
+  for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+    const double level = 0.5 * (levels[k] + levels[k + 1]), step = steps.value(level);
+    const LameCurve curve = growth.at(level), before = growth.at(level - step);
+    const std::vector<double> angles = lame_angles(curve);
+    double turn = 0;
+    for (std::size_t i = 0; i < angles.size(); ++i) {
+      const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi;
+      const Heading here = heading_at(curve, 0.5 * (angles[i] + next), task.inwards);
+      // mm to the turn before, across this one; what is removed lies a tool's radius farther on.
+      const Vec2 back = lame_point(before, 0.5 * (angles[i] + next)) - here.p;
+      const double apart = dot(back, left_normal(here.direction));
+      const double bent = (task.inwards ? -1 : 1) * task.tool_radius *
+                          lame_curvature(curve, 0.5 * (angles[i] + next));
+      const double width = std::max(0.0, apart * (1 + bent));
+      turn += here.speed * (next - angles[i]) *
+              std::max(width / (nominal * task.feed), 1 / task.maximum_feed);
+    }
+    total += turn * (levels[k + 1] - levels[k]) / step;
+  }
+  return 60 * total;
+}
+
+std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
+                                      const TurnTask& task) {
+  std::optional<LameGrowth> best;
+  double least = std::numeric_limits<double>::infinity();
+  for (LameGrowth growth : growths) {
+    const bool one = growth.stages.size() == 1;
+    const LameStage& stage = growth.stages.front();
+    for (const double run : kRuns) {
+      if (run != 1 && (!one || stage.from.exponent == stage.to.exponent)) continue;
+      if (one) growth.stages.front().run = run;
+      if (!stays_between(growth)) continue;
+      const double time = time_of(growth, largest_steps(growth, task), task);
+      if (time >= least) continue;
+      least = time;
+      best = growth;
+    }
+  }
+  return best;
+}
+
+LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
+                     bool inwards) {
+  // Each turn goes as far as the smaller of the steps at its two ends.
+  const double knot = 2 * kPi / kKnots;
+  std::vector<double> turned{-knot, 0}, shares{0, 0};
+  while (shares.back() < 1) {
+    if (turned.back() > 2 * kPi * kMostTurns)
+      throw std::invalid_argument(
+          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch.");
+    const double share = shares.back(), here = steps.value(share);
+    const double step = std::min(here, steps.value(share - here));
+    const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
+    turned.push_back(turned.back() + knot);
+    shares.push_back(std::min(1.0, share + ramp * step / kKnots));
+  }
+  turned.push_back(turned.back() + 2 * kPi);
+  shares.push_back(1);
+  const double end = turned.back();
+  return {growth, MonotoneSpline(std::move(turned), std::move(shares)), start, inwards, end};
+}
+
+}  // namespace evenload

@@ -1,0 +1,151 @@
+#include "strategy/lame_spiral.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <stdexcept>
+#include <utility>
+
+namespace evenload {
+namespace {
+
+constexpr double kMostTurn = kPi / 3;         // rad of the polar angle that two arcs may span
+constexpr double kLeastTurn = 1e-4;           // rad: shorter pieces are taken as they are
+constexpr double kShrink = 0.7, kGrow = 1.3;  // of a step after one that failed, or fitted
+constexpr int kLooks = 8;                     // at the deviation of a pair of arcs
+// Share of a stage within which its exponent comes to rest at a joint.
+constexpr double kJointShare = 0.3;
+// Semi-axes continued backwards never fall below this share of the first ones.
+constexpr double kLeastAxis = 0.01;
+
+bool is_circle(const LameCurve& curve) { return curve.exponent == 1 && curve.a == curve.b; }
+
+double larger_change(const LameStage& stage) {
+  return std::max({std::abs(stage.to.a - stage.from.a), std::abs(stage.to.b - stage.from.b), 1e-9});
+}
+
+// The stage at a share of the growth, and the share of the stage.
+struct StagePlace {
+  const LameStage* stage;
+  double share;
+};
+
+StagePlace place_in(const LameGrowth& growth, double share) {
+  double left = share * growth.length();
+  std::size_t i = 0;
+  for (; i + 1 < growth.stages.size() && left > larger_change(growth.stages[i]); ++i)
+    left -= larger_change(growth.stages[i]);
+  return {&growth.stages[i], std::min(1.0, left / larger_change(growth.stages[i]))};
+}
+
+// From 0 to 1, at rest at 0 with two derivatives, and even from kJointShare on.
+double from_rest(double s) {
+  const double slope = 1 / (1 - kJointShare / 2), x = s / kJointShare;
+  return slope * (x < 1 ? kJointShare * x * x * x * (1 - x / 2) : s - kJointShare / 2);
+}
+double slope_from_rest(double s) {
+  const double slope = 1 / (1 - kJointShare / 2), x = s / kJointShare;
+  return slope * (x < 1 ? x * x * (3 - 2 * x) : 1);
+}
+
+// How far the exponent has come at a share of the stage, and its slope; not where that is infinite,
+// at the begin of a run below 1.
+double exponent_share(const LameStage& stage, double s) {
+  if (stage.joint == LameJoint::kAtBegin) return from_rest(s);
+  if (stage.joint == LameJoint::kAtEnd) return 1 - from_rest(1 - s);
+  return std::pow(s, stage.run);
+}
+double exponent_slope(const LameStage& stage, double s) {
+  if (stage.joint == LameJoint::kAtBegin) return slope_from_rest(s);
+  if (stage.joint == LameJoint::kAtEnd) return slope_from_rest(1 - s);
+  return stage.run * std::pow(std::max(1e-6, s), stage.run - 1);
+}
+
+double deviation(const LameSpiral& spiral, const BiArc& pair, double from, double to) {
+  double worst = 0;
+  for (int i = 1; i < kLooks; ++i) {
+    const Vec2 p = spiral.place(from + i * (to - from) / kLooks).p;
+    worst = std::max(worst, std::min(pair.first.distance_to(p), pair.second.distance_to(p)));
+  }
+  return worst;
+}
+
+}  // namespace
+
+double LameGrowth::length() const {
+  double sum = 0;
+  for (const LameStage& stage : stages) sum += larger_change(stage);
+  return sum;
+}
+
+LameCurve LameGrowth::at(double share) const {
+  const auto [stage, s] = place_in(*this, share);
+  const LameCurve &from = stage->from, &to = stage->to;
+  const double t = std::max(0.0, s), e = exponent_share(*stage, t);
+  LameCurve curve = is_circle(to) ? from : to;
+  curve.centre = from.centre + t * (to.centre - from.centre);
+  curve.a = std::max(kLeastAxis * from.a, from.a + s * (to.a - from.a));
+  curve.b = std::max(kLeastAxis * from.b, from.b + s * (to.b - from.b));
+  curve.exponent = from.exponent + e * (to.exponent - from.exponent);
+  return curve;
+}
+
+PlanePoint LameSpiral::place(double turned) const {
+  const double phi = angle(turned), sense = clockwise ? -1 : 1;
+  const double come = share.value(turned);
+  const LameCurve here = growth.at(come);
+  const auto [stage, s] = place_in(growth, come);
+  const double rate = share.slope(turned) * growth.length() / larger_change(*stage);
+  const LameRadius at = lame_radius(here, phi);
+  const double growing = at.by_a * (stage->to.a - stage->from.a) +
+                         at.by_b * (stage->to.b - stage->from.b) +
+                         at.by_exponent * (stage->to.exponent - stage->from.exponent) *
+                             exponent_slope(*stage, std::max(0.0, s));
+  const Vec2 out = unit(phi);
+  const Vec2 velocity = rate * (stage->to.centre - stage->from.centre) +
+                        (sense * at.by_angle + rate * growing) * out +
+                        sense * at.r * left_normal(out);
+  return {here.centre + at.r * out, normalized(velocity)};
+}
+
+LameArcs arcs_of(const LameSpiral& spiral, double tolerance) {
+  if (!(tolerance > 0)) throw std::invalid_argument("A spiral's tolerance must be positive.");
+  for (const LameStage& stage : spiral.growth.stages) {
+    check_lame_curve(stage.from);
+    check_lame_curve(stage.to);
+  }
+  LameArcs arcs;
+  double from = 0, step = kMostTurn / 2;
+  PlanePoint here = spiral.place(from);
+  while (from < spiral.end) {
+    double to = std::min(from + step, spiral.end);
+    if (spiral.end - to < kLeastTurn) to = spiral.end;
+    const PlanePoint there = spiral.place(to);
+    const std::optional<BiArc> pair = bi_arc(here, there, kPi);
+    if (step > kLeastTurn && (!pair || deviation(spiral, *pair, from, to) > tolerance)) {
+      step *= kShrink;
+      continue;
+    }
+    if (pair) {
+      arcs.moves.insert(arcs.moves.end(), {pair->first, pair->second});
+      arcs.turned.insert(arcs.turned.end(), {0.5 * (from + to), to});
+    } else {
+      arcs.moves.push_back(Segment::line(here.p, there.p));
+      arcs.turned.push_back(to);
+    }
+    here = there;
+    from = to;
+    step = std::min(kMostTurn, step * kGrow);
+  }
+  return arcs;
+}
+
+Curve closed_arcs_of(const LameCurve& curve, double tolerance) {
+  const LameSpiral turn{{{{curve, curve}}}, MonotoneSpline(0), curve.rotation, false, 2 * kPi};
+  std::vector<Vertex> vertices;
+  for (const Segment& move : arcs_of(turn, tolerance).moves)
+    vertices.push_back({move.a, move.bulge()});
+  return Curve(std::move(vertices), true);
+}
+
+}  // namespace evenload

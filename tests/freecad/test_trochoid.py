@@ -1,0 +1,182 @@
+"""The trochoid operation: slots from faces and centrelines, patterns, results, refusals."""
+
+import math
+
+import Part
+import pytest
+from conftest import check_path, moves_of, points_of, reopened
+from FreeCAD import Vector
+from models import block_with, face_of, rectangle, sketch_of
+
+PATTERNS = ("Constant engagement", "Circular", "Cycloid")
+LENGTH, WIDTH = 60.0, 10.0  # mm
+SLOT = rectangle(0, 0, LENGTH, WIDTH)
+ROUND_SLOT = [(5, 0, 0), (55, 0, 1), (55, 10, 0), (5, 10, 1)]
+LINE = [(10, 5, 0), (50, 5, 0)]
+
+
+@pytest.fixture
+def slot(bench):
+    return bench(block_with(face_of(SLOT)))
+
+
+def trochoid(bench, base=None, **properties):
+    return bench.operation(base, kind="trochoid", **properties)
+
+
+def on_line(bench, chain=LINE, **properties):
+    """A trochoid on an open sketch."""
+    sketch = sketch_of(bench.doc, chain, closed=False)
+    return trochoid(bench, [(sketch, "")], **properties)
+
+
+@pytest.mark.parametrize("pattern", PATTERNS)
+@pytest.mark.parametrize("outline", [SLOT, ROUND_SLOT], ids=["square ends", "round ends"])
+def test_a_slot_is_cut_to_its_ends_and_walls(bench, outline, pattern):
+    face = face_of(outline)
+    b = bench(block_with(face))
+    op = b.done(trochoid(b, Pattern=pattern))
+    check_path(op, [face])
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+    assert op.MaxEngagement.Value < 61
+    assert "uncut" not in op.Report
+
+
+def test_the_results_tell_of_one_turn(slot):
+    op = slot.done(trochoid(slot, FeedControl="Constant removal rate"))
+    assert 0.3 < op.TrochoidalStep.Value < 1.5
+    assert 2 <= op.Iterations <= 50
+    # One turn removes step x width x depth; its time counts the way back.
+    nominal = 1.5 * 3 * 255
+    assert 0.5 * nominal < op.RemovalRate < nominal
+
+
+def test_constant_engagement_steps_further_and_removes_more_than_the_other_patterns(slot):
+    found = {}
+    for pattern in PATTERNS:
+        op = slot.done(trochoid(slot, Pattern=pattern, LinkFeed="1500 mm/min"))
+        found[pattern] = op.TrochoidalStep.Value, op.RemovalRate
+        slot.doc.removeObject(op.Name)
+    step, rate = found.pop("Constant engagement")
+    for other_step, other_rate in found.values():
+        assert step > 1.1 * other_step
+        assert rate > 1.1 * other_rate
+
+
+def test_conventional_milling_turns_the_other_way(slot):
+    sweeps = {}
+    for mode in ("Climb", "Conventional"):
+        op = slot.done(trochoid(slot, CutMode=mode))
+        sweeps[mode] = sum({"G2": -1, "G3": 1}.get(name, 0) for name, _, _, _, feed in moves_of(op))
+        slot.doc.removeObject(op.Name)
+    assert sweeps["Climb"] > 10 and sweeps["Conventional"] < -10
+
+
+def test_a_hole_at_the_end_is_the_way_in(slot):
+    op = slot.done(
+        trochoid(slot, Entry="Predrilled hole", EntryPoint=Vector(5, 5, 0), HoleDiameter=9.5)
+    )
+    x, y, _, _ = points_of(op)[0]
+    assert math.hypot(x - 5, y - 5) < 2
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+
+
+SIDE = WIDTH / 2 - 3  # mm: how far the tool's centre may go from the middle
+# With the largest distance of the tool's centre from the middle; where lines meet there is more
+# room on the inside.
+CENTRELINES = {
+    "line": (LINE, SIDE),
+    "arc": ([(5, 5, math.tan(math.pi / 8)), (45, 45, 0)], SIDE),
+    "lines that meet": ([(0, 0, 0), (40, 0, 0), (40, 40, 0)], WIDTH / 2 - 3 / math.sqrt(2)),
+    "s": ([(0, 0, 0.5), (30, 0, -0.5), (60, 0, 0)], SIDE),
+}
+
+
+@pytest.mark.parametrize("name", CENTRELINES)
+def test_an_open_sketch_is_the_centreline_of_a_slot(bench, name):
+    b = bench(block_with(face_of(rectangle(-20, -40, 80, 60))))
+    chain, side = CENTRELINES[name]
+    op = b.done(on_line(b, chain, SlotWidth=WIDTH))
+    line = op.Base[0][0].Shape
+    at_floor = [p for p in points_of(op) if p[2] < -2.999]
+    farthest = max(
+        line.distToShape(Part.Vertex(Vector(x, y, -3)))[0] for x, y, _, _ in at_floor[::5]
+    )
+    assert farthest <= side + 1e-3 and farthest == pytest.approx(side, abs=0.15)
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+
+
+def test_an_edge_is_a_centreline_too(slot):
+    edges = slot.part.Shape.Edges
+    (name,) = [
+        "Edge%d" % n
+        for n, e in enumerate(edges, 1)
+        if e.BoundBox.ZMax < -2.9 and e.BoundBox.ZMin > -3.1 and e.BoundBox.YMax < 0.1
+        if e.BoundBox.YMin > -0.1 and e.BoundBox.XLength > 50
+    ]
+    op = slot.done(trochoid(slot, [(slot.part, (name,))], SlotWidth=8.0))
+    ys = [y for _, y, z, _ in points_of(op) if z < -2.999]
+    assert max(ys) == pytest.approx(1, abs=0.01) and min(ys) == pytest.approx(-1, abs=0.01)
+
+
+def test_an_open_sketch_without_slot_width_is_refused(slot):
+    assert "set SlotWidth" in slot.refused(on_line(slot))
+
+
+def test_a_slot_width_below_the_tool_is_refused(slot):
+    sentence = slot.refused(on_line(slot, SlotWidth=5.0))
+    assert "SlotWidth (5 mm)" in sentence and "6 mm" in sentence
+
+
+def test_a_slot_narrower_than_the_tool_is_refused_with_the_largest_tool(bench):
+    b = bench(block_with(face_of(rectangle(0, 0, 40, 5))))
+    sentence = b.refused(trochoid(b))
+    assert "does not fit" in sentence and "4.99" in sentence
+
+
+REFUSED = {
+    "crosses itself": [(0, 0, 0), (40, 0, 0), (40, 30, 0), (20, -20, 0)],
+    "bends": [(0, 0, 0), (30, 0, 1), (30, 6, 0), (0, 6, 0)],
+}
+
+
+@pytest.mark.parametrize("word", REFUSED)
+def test_a_centreline_that_gives_no_slot_is_refused(slot, word):
+    sentence = slot.refused(on_line(slot, REFUSED[word], SlotWidth=WIDTH))
+    assert word in sentence and "Sketch" in sentence
+
+
+def test_open_and_closed_outlines_are_not_mixed(slot):
+    sketch = sketch_of(slot.doc, LINE, closed=False)
+    sketch.addGeometry(Part.Circle(Vector(10, 30, 0), Vector(0, 0, 1), 8), False)
+    slot.doc.recompute()
+    op = trochoid(slot, [(sketch, "")], SlotWidth=WIDTH)
+    assert "open and closed outlines" in slot.refused(op)
+
+
+def test_several_depths_reach_the_last(slot):
+    op = slot.done(trochoid(slot, StepDown=1.25))
+    levels = {round(z, 4) for _, _, z, _ in points_of(op)}
+    assert {-1.25, -2.5, -3.0} <= levels
+
+
+def test_it_survives_saving_and_recomputes_the_same(slot, tmp_path):
+    op = on_line(slot, SlotWidth=9.0, Pattern="Circular")
+    before = slot.done(op).Path.toGCode()
+    name = op.Name
+    with reopened(slot.doc, tmp_path / "saved.FCStd") as doc:
+        op = doc.getObject(name)
+        assert type(op.Proxy).__name__ == "Trochoid"
+        assert type(op.Proxy).__module__ == "evenload.operations.trochoid"
+        assert op.Pattern == "Circular" and op.SlotWidth.Value == pytest.approx(9)
+        op.touch()
+        doc.recompute()
+        assert op.isValid() and op.Path.toGCode() == before
+
+
+def test_the_posted_program_runs(slot, rs274, tmp_path):
+    from evenload import host
+
+    slot.done(trochoid(slot))
+    text = host.post(slot.job, "linuxcnc", "--no-show-editor --precision 4")
+    assert rs274(text, tmp_path).count("ARC_FEED") > 50
