@@ -20,10 +20,10 @@ namespace {
 constexpr int kFewestPeriods = 4;
 // Steps between two places that are tried for a first period: how much of a step may be lost.
 constexpr double kTrySpacing = 0.25;
-// rad^2: below the limit, times the limit, is what steering aims at here, since it may pass that by
-// kSmoothOverload, and by more where a cusp is met at a small angle.
-constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3);
-constexpr double kMostPassRoom = 0.03;  // of the limit
+// rad^3: below the limit, times its square, is what steering aims at here, since it may pass that
+// by kSmoothOverload, and by more where a cusp is met at a small angle.
+constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
+constexpr double kMostPassRoom = 0.05;  // of the limit
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
 // Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
@@ -46,8 +46,8 @@ struct Way : SlotPattern {
 };
 
 ClearingParams for_passes(ClearingParams params) {
-  params.engagement_angle -=
-      std::min(kPassRoom / params.engagement_angle, kMostPassRoom * params.engagement_angle);
+  const double limit = params.engagement_angle;
+  params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
   return params;
 }
 

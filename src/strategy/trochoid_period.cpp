@@ -88,7 +88,7 @@ class Repeated {
 bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
   std::vector<PlanarRun> runs;
   const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
-  return worst_engagement(runs, profile, kMeanLength) <= params.engagement + kPatternOverload;
+  return worst_engagement(runs, profile, kMeanLength) <= most_engagement(params);
 }
 
 // min, of a period, its feeds set as those of every path.
@@ -112,6 +112,10 @@ double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
 }
 
 }  // namespace
+
+double most_engagement(const TrochoidParams& params) {
+  return params.engagement + kPatternOverload * std::min(1.0, params.engagement / kFullOverload);
+}
 
 double half_room(const TrochoidParams& params) { return 0.5 * params.width - params.tool_radius; }
 

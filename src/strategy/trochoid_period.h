@@ -7,9 +7,9 @@
 //
 // Laws of a finished pattern: cut, link and the next period's cut are tangent to each other; no
 // point of the tool leaves the slot; the engagement, as a mean over kMeanLength mm, exceeds the
-// limit by no more than kPatternOverload once the pattern repeats; links meet nothing. Where the
-// cleared ground holds what the pattern has cleared behind a period, that period keeps the limit,
-// whatever else is cleared besides: engagement falls with the ground that is left.
+// limit by no more than kPatternOverload once the pattern repeats (most_engagement); links meet
+// nothing. Where the cleared ground holds what the pattern has cleared behind a period, that period
+// keeps the limit, whatever else is cleared besides: engagement falls with the ground that is left.
 #pragma once
 
 #include <functional>
@@ -52,8 +52,11 @@ struct PeriodReach {
 };
 PeriodReach reach_of(const TrochoidPattern& pattern);
 
-// rad: exceeding the limit by less is not worth a shorter step.
+// rad: exceeding the limit by less is not worth a shorter step; at small limits in proportion.
 inline constexpr double kPatternOverload = 0.5 * kPi / 180;
+inline constexpr double kFullOverload = kPi / 3;
+// rad: what a pattern may meet.
+double most_engagement(const TrochoidParams& params);
 
 // mm: half the width that the tool's centre has.
 double half_room(const TrochoidParams& params);

@@ -162,7 +162,8 @@ TEST(ClearSlot, TakesAsLongWhereverTheSlotLies) {
     const Region moved = shapes::moved(region, turn, false, 1, {17, -230});
     const TrochoidalPath result = clear(moved, params);
     expect_good(moved, params, result);
-    EXPECT_NEAR(result.path.report.cutting_time, time, 0.05 * time) << turn;
+    // Which end comes first, and where in it the helix, may differ.
+    EXPECT_NEAR(result.path.report.cutting_time, time, 0.08 * time) << turn;
   }
 }
 
