@@ -60,15 +60,18 @@ class Floor:
         return bool(_inside(numpy.array([[x, y]]), polygons)[0])
 
 
-def floors(base, models, stock, tool_diameter, tolerance):
+def floors(base, models, stock, tool_diameter, tolerance, slot=None):
     """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
 
     models: shapes of the job's model, stock: shape of its stock or None, both in place;
-    tool_diameter and tolerance in mm. Raises ValueError with a sentence that names the geometry.
+    tool_diameter and tolerance in mm. slot: callable(chain, name of the geometry) -> the core's
+    Region, what an open outline is the centreline of; without it open outlines are refused. Raises
+    ValueError with a sentence that names the geometry.
     """
     found = []
     for item in _items(base):
-        read = _read(item, tolerance)
+        read = _slots(item, tolerance, slot) if slot else []
+        read = read or _read(item, tolerance)
         if item.is_face and _enclosed(item.shape, models):
             for floor in read:
                 floor.enclosed = True
@@ -213,12 +216,42 @@ def _read(item, tolerance):
         found = occt.regions_from_brep(item.shape.exportBrepToString(), within)
     except occt.ShapeError as error:
         raise ValueError(_sentence(item, error)) from None
-    exact = all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in item.shape.Edges)
-    slack = 0.0 if exact else within
+    slack = _slack(item, within)
     return [
         Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face, slack=slack)
         for z, outer, islands in found
     ]
+
+
+def _slots(item, tolerance, slot):
+    """The floors of slots round open outlines; none where there is no open one."""
+    if item.is_face:
+        return []
+    within = CURVE_SHARE * tolerance
+    occt = compiled.occt()
+    try:
+        curves = occt.curves_from_brep(item.shape.exportBrepToString(), within)
+    except occt.ShapeError as error:
+        raise ValueError(_sentence(item, error)) from None
+    if all(closed for _, _, closed in curves):
+        return []
+    if any(closed for _, _, closed in curves):
+        raise ValueError(
+            "%s has open and closed outlines: put the slots' centrelines into a sketch of their "
+            "own." % item.name
+        )
+    result = []
+    for z, chain, _ in curves:
+        region = slot(chain, item.name)
+        floor = Floor(item.name, z, region.outer, region.islands, False, slack=_slack(item, within))
+        result.append(floor)
+    return result
+
+
+def _slack(item, within):
+    """mm, by which chains made to `within` mm may leave the item's curves."""
+    exact = all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in item.shape.Edges)
+    return 0.0 if exact else within
 
 
 def _sentence(item, error):

@@ -89,36 +89,63 @@ void pair_up(std::vector<End>& ends, double gap, bool use_errors) {
                        gap + " away: close it.");
 }
 
-}  // namespace
-
-std::vector<Loop> join(const std::vector<Piece>& all) {
+std::vector<Piece> without_points(const std::vector<Piece>& all) {
   std::vector<Piece> pieces;
   for (const Piece& piece : all) {
     if (piece.curve.length() > kSamePoint) pieces.push_back(piece);
   }
+  return pieces;
+}
+
+std::vector<End> paired_ends(const std::vector<Piece>& pieces) {
   std::vector<End> ends = ends_of(pieces);
   pair_up(ends, kSamePoint, false);
   pair_up(ends, kJoinGap, true);
+  return ends;
+}
+
+// The curve that is entered at an end, until it closes or nothing follows.
+Loop follow(const std::vector<Piece>& pieces, const std::vector<End>& ends, std::size_t first,
+            std::vector<bool>& used) {
+  std::vector<Vertex> vertices;
+  std::size_t entry = first, last = first;
+  do {
+    const std::size_t i = entry / 2;
+    used[i] = true;
+    const Curve along = entry % 2 == 0 ? pieces[i].curve : pieces[i].curve.reversed();
+    vertices.insert(vertices.end(), along.vertices().begin(), along.vertices().end() - 1);
+    last = entry ^ 1;
+    entry = ends[last].partner;
+  } while (entry != first && entry != kNobody);
+  const bool closed = entry == first;
+  if (!closed) vertices.push_back({ends[last].p, 0, false});
+  return {Curve(std::move(vertices), closed), pieces[first / 2].z, pieces[first / 2].member};
+}
+
+std::vector<Loop> curves_of(const std::vector<Piece>& pieces, const std::vector<End>& ends) {
+  std::vector<Loop> curves;
+  std::vector<bool> used(pieces.size(), false);
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ends[i].partner == kNobody && !used[i / 2]) curves.push_back(follow(pieces, ends, i, used));
+  for (std::size_t i = 0; i < pieces.size(); ++i)
+    if (!used[i]) curves.push_back(follow(pieces, ends, 2 * i, used));
+  return curves;
+}
+
+}  // namespace
+
+std::vector<Loop> join(const std::vector<Piece>& all) {
+  const std::vector<Piece> pieces = without_points(all);
+  const std::vector<End> ends = paired_ends(pieces);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends[i].partner == kNobody) throw_open(ends, i);
   }
+  return curves_of(pieces, ends);
+}
 
-  std::vector<Loop> loops;
-  std::vector<bool> used(pieces.size(), false);
-  for (std::size_t first = 0; first < pieces.size(); ++first) {
-    if (used[first]) continue;
-    std::vector<Vertex> vertices;
-    std::size_t entry = 2 * first;  // the end at which the piece is entered
-    do {
-      const std::size_t i = entry / 2;
-      used[i] = true;
-      const Curve along = entry % 2 == 0 ? pieces[i].curve : pieces[i].curve.reversed();
-      vertices.insert(vertices.end(), along.vertices().begin(), along.vertices().end() - 1);
-      entry = ends[entry ^ 1].partner;
-    } while (entry != 2 * first);
-    loops.push_back({Curve(std::move(vertices), true), pieces[first].z, pieces[first].member});
-  }
-  return loops;
+std::vector<Loop> join_chains(const std::vector<Piece>& all) {
+  const std::vector<Piece> pieces = without_points(all);
+  return curves_of(pieces, paired_ends(pieces));
 }
 
 }  // namespace evenload

@@ -1,4 +1,4 @@
-// Edges that meet end to end, in any order and sense, as closed curves.
+// Edges that meet end to end, in any order and sense, as curves.
 #pragma once
 
 #include <cstddef>
@@ -16,7 +16,7 @@ struct Piece {
 };
 
 struct Loop {
-  Curve curve;  // closed, of either sense
+  Curve curve;  // of either sense
   double z = 0;
   std::size_t member = 0;  // of its first piece
 };
@@ -26,8 +26,11 @@ struct Loop {
 // made to by default.
 inline constexpr double kJoinGap = 1e-3;
 
-// Loops in the order of their first pieces. Throws ShapeError (kOpen, kBranching) with the place
-// and the piece's member.
+// Closed curves in the order of their first pieces. Throws ShapeError (kOpen, kBranching) with the
+// place and the piece's member.
 std::vector<Loop> join(const std::vector<Piece>& pieces);
+
+// The same with open curves, which come first. Throws ShapeError (kBranching).
+std::vector<Loop> join_chains(const std::vector<Piece>& pieces);
 
 }  // namespace evenload

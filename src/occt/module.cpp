@@ -34,6 +34,14 @@ std::vector<std::tuple<double, Chain, std::vector<Chain>>> regions_as_tuples(
   return result;
 }
 
+std::vector<std::tuple<double, Chain, bool>> curves_as_tuples(const std::string& text,
+                                                              double tolerance) {
+  std::vector<std::tuple<double, Chain, bool>> result;
+  for (const LevelCurve& level : curves_from_brep(text, tolerance))
+    result.emplace_back(level.z, chain_of(level.curve), level.curve.closed());
+  return result;
+}
+
 const char* reason(ShapeFault fault) {
   switch (fault) {
     case ShapeFault::kUnreadable:
@@ -63,7 +71,7 @@ const char* reason(ShapeFault fault) {
 
 PYBIND11_MODULE(_occt, module) {
   using namespace evenload;
-  module.doc() = "Regions from FreeCAD's shapes.";
+  module.doc() = "Regions and curves from FreeCAD's shapes.";
   module.attr("OCC_VERSION") = OCC_VERSION_COMPLETE;
 
   // Kept for as long as the process runs: the translator may be asked until the very end.
@@ -94,4 +102,9 @@ PYBIND11_MODULE(_occt, module) {
              "piece that starts there, counter-clockwise positive. Curves other than lines and "
              "circles are within\n"
              "`tolerance` mm. Raises ShapeError.");
+  module.def(
+      "curves_from_brep", &curves_as_tuples, py::arg("text"), py::arg("tolerance"),
+      py::call_guard<py::gil_scoped_release>(),
+      "[(z, chain, closed), ...] of the edges outside of faces, joined end to end where they "
+      "meet, open ones first; chains and errors as for regions_from_brep.");
 }

@@ -210,15 +210,11 @@ std::vector<LevelRegion> nested(const std::vector<Loop>& loops) {
   return regions;
 }
 
-std::vector<LevelRegion> regions_of(const TopoDS_Shape& shape, double tolerance) {
-  const std::vector<TopoDS_Shape> members = members_of(shape);
-  std::vector<LevelRegion> regions;
+// The edges outside of faces.
+std::vector<Piece> loose_pieces(const std::vector<TopoDS_Shape>& members, double tolerance) {
   std::vector<Piece> loose;
   TopTools_MapOfShape seen;
   for (std::size_t i = 0; i < members.size(); ++i) {
-    for (TopExp_Explorer face(members[i], TopAbs_FACE); face.More(); face.Next()) {
-      regions.push_back(region_of_face(TopoDS::Face(face.Current()), tolerance, i));
-    }
     for (TopExp_Explorer explorer(members[i], TopAbs_EDGE, TopAbs_FACE); explorer.More();
          explorer.Next()) {
       const TopoDS_Edge edge = TopoDS::Edge(explorer.Current());
@@ -226,7 +222,19 @@ std::vector<LevelRegion> regions_of(const TopoDS_Shape& shape, double tolerance)
       loose.push_back(loose_piece(edge, tolerance, i));
     }
   }
-  for (LevelRegion& region : nested(join(loose))) regions.push_back(std::move(region));
+  return loose;
+}
+
+std::vector<LevelRegion> regions_of(const TopoDS_Shape& shape, double tolerance) {
+  const std::vector<TopoDS_Shape> members = members_of(shape);
+  std::vector<LevelRegion> regions;
+  for (std::size_t i = 0; i < members.size(); ++i) {
+    for (TopExp_Explorer face(members[i], TopAbs_FACE); face.More(); face.Next()) {
+      regions.push_back(region_of_face(TopoDS::Face(face.Current()), tolerance, i));
+    }
+  }
+  for (LevelRegion& region : nested(join(loose_pieces(members, tolerance))))
+    regions.push_back(std::move(region));
   if (regions.empty()) {
     throw ShapeError(ShapeFault::kEmpty, 0,
                      "There is neither a face nor an edge to work on: pick a face or a sketch.");
@@ -234,17 +242,34 @@ std::vector<LevelRegion> regions_of(const TopoDS_Shape& shape, double tolerance)
   return regions;
 }
 
-}  // namespace
+std::vector<LevelCurve> curves_of(const TopoDS_Shape& shape, double tolerance) {
+  std::vector<LevelCurve> curves;
+  for (Loop& loop : join_chains(loose_pieces(members_of(shape), tolerance)))
+    curves.push_back({loop.z, std::move(loop.curve)});
+  return curves;
+}
 
-std::vector<LevelRegion> regions_from_brep(const std::string& text, double tolerance) {
+// What `work` makes of the shape that the text describes.
+template <typename Work>
+auto from_brep(const std::string& text, double tolerance, const Work& work) {
   if (!(tolerance > 0)) throw std::invalid_argument("The tolerance must be above 0 mm.");
   try {
-    return regions_of(read(text), tolerance);
+    return work(read(text), tolerance);
   } catch (const Standard_Failure& failure) {
     throw ShapeError(ShapeFault::kKernel, 0,
                      std::string("OpenCASCADE could not work on the shape: ") +
                          failure.DynamicType()->Name() + " " + failure.GetMessageString() + ".");
   }
+}
+
+}  // namespace
+
+std::vector<LevelRegion> regions_from_brep(const std::string& text, double tolerance) {
+  return from_brep(text, tolerance, regions_of);
+}
+
+std::vector<LevelCurve> curves_from_brep(const std::string& text, double tolerance) {
+  return from_brep(text, tolerance, curves_of);
 }
 
 }  // namespace evenload

@@ -24,4 +24,13 @@ struct LevelRegion {
 // not above 0, ShapeError for everything that is wrong with the shape.
 std::vector<LevelRegion> regions_from_brep(const std::string& text, double tolerance);
 
+struct LevelCurve {
+  double z = 0;  // mm
+  Curve curve;   // seen from above, open ones before closed ones
+};
+
+// The wires and edges outside of faces, joined end to end where they meet; the same laws and
+// errors, but that a curve may be open.
+std::vector<LevelCurve> curves_from_brep(const std::string& text, double tolerance);
+
 }  // namespace evenload

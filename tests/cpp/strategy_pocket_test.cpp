@@ -5,7 +5,6 @@
 
 #include <utility>
 
-#include "geometry/offset.h"
 #include "geometry_shapes.h"
 #include "strategy/region_clearing.h"
 

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import pytest
 from conftest import freecad
-from evenload.operations.settings import SETTINGS
+from evenload.operations.adaptive import Adaptive
 
 ROOT = Path(__file__).resolve().parents[2]
 PAGE = ROOT / "docs" / "adaptive_operation.md"
@@ -27,4 +27,4 @@ def test_the_table_of_properties_has_every_setting_once(page):
         r"^\| property \|.*\n\|[-|]+\n((?:\|.*\n)+)", page.read_text(), re.MULTILINE
     )
     names = [name for row in table.splitlines() for name in row.split("|")[1].split(",")]
-    assert sorted(map(str.strip, names)) == sorted(setting.name for setting in SETTINGS)
+    assert sorted(map(str.strip, names)) == sorted(setting.name for setting in Adaptive.settings)

@@ -7,7 +7,7 @@ import shutil
 import pytest
 from conftest import Bench, freecad
 from evenload import materials
-from evenload.operations.settings import SETTINGS
+from evenload.operations.adaptive import Adaptive
 from models import SQUARE, block_with, face_of
 
 HERE = os.path.dirname(os.path.abspath(__file__))
@@ -58,7 +58,7 @@ def test_the_command_takes_a_whole_sketch(session):
 
 
 def test_the_panel_shows_every_setting_once(session):
-    assert sorted(session["shown"]) == sorted(setting.name for setting in SETTINGS)
+    assert sorted(session["shown"]) == sorted(setting.name for setting in Adaptive.settings)
 
 
 def test_the_panel_sets_properties_and_computes(session):

@@ -350,3 +350,50 @@ def test_a_tolerance_that_is_not_positive_is_refused(tolerance):
 def test_the_module_was_built_for_this_freecad():
     assert _occt.OCC_VERSION == _build.OCC_VERSION == Part.OCC_VERSION
     assert _occt.__file__.endswith(_build.PYTHON_SUFFIX)
+
+
+# ---- open outlines ----
+
+
+def curves(*parts):
+    text = Part.Compound(list(parts)).exportBrepToString()
+    return _occt.curves_from_brep(text, TOLERANCE)
+
+
+def test_edges_in_any_order_and_sense_are_joined_to_one_open_curve():
+    a, b, c, d = Vector(0, 0, -3), Vector(9, 0, -3), Vector(9, 9, -3), Vector(20, 9, -3)
+    edges = [Part.makeLine(*ends) for ends in ((c, b), (a, b), (d, c))]
+    ((z, chain, closed),) = curves(*edges)
+    assert z == pytest.approx(-3) and not closed
+    ends = [(x, y) for x, y, _, _ in chain]
+    assert ends in ([(20, 9), (9, 9), (9, 0), (0, 0)], [(0, 0), (9, 0), (9, 9), (20, 9)])
+
+
+def test_an_open_arc_keeps_its_bulge():
+    arc = Part.Arc(Vector(5, 0, 0), Vector(0, 5, 0), Vector(-5, 0, 0)).toShape()
+    ((_, chain, closed),) = curves(arc)
+    assert not closed and len(chain) == 2
+    assert chain[0] == pytest.approx((5, 0, 1, False)) and chain[1][:2] == pytest.approx((-5, 0))
+
+
+def test_open_curves_come_before_closed_ones():
+    circle = Part.makeCircle(4, Vector(30, 0, 0))
+    line = Part.makeLine(Vector(0, 0, 0), Vector(9, 0, 0))
+    assert [closed for _, _, closed in curves(circle, line)] == [False, True]
+
+
+def test_edges_of_faces_are_no_curves_of_their_own():
+    face = Part.Face(
+        Part.makePolygon([Vector(0, 0, 0), Vector(9, 0, 0), Vector(9, 9, 0)] + [Vector(0, 0, 0)])
+    )
+    assert curves(face) == []
+
+
+def test_three_edges_that_meet_are_no_curve():
+    meet = Vector(0, 0, 0)
+    edges = [
+        Part.makeLine(meet, end) for end in (Vector(5, 0, 0), Vector(0, 5, 0), Vector(-5, 0, 0))
+    ]
+    with pytest.raises(_occt.ShapeError) as caught:
+        curves(*edges)
+    assert caught.value.reason == "branching"

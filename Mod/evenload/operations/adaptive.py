@@ -1,7 +1,7 @@
 """Adaptive: clears any pocket at constant engagement."""
 
-from evenload import host
 from evenload.operations import base
+from evenload.operations.settings import REST_MACHINING, SETTINGS
 
 NAME = "EvenLoad Adaptive"
 
@@ -12,9 +12,10 @@ class Adaptive(base.Operation):
     """
 
     name = NAME
+    settings = (*SETTINGS, REST_MACHINING)
 
     def generate(self, obj, core, regions, parameters):
-        return core.clear_pocket(regions, **parameters)
+        return core.clear_pocket(regions, **parameters), {}
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
@@ -22,4 +23,4 @@ def Create(name, obj=None, parentJob=None, toolController=None):
     return base.create(Adaptive, name, obj, parentJob, toolController)
 
 
-host.register_operation(NAME, Create, base.setup_properties)
+base.register(Adaptive, Create)

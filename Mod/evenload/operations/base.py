@@ -16,6 +16,7 @@ from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
     HIDDEN_SETTINGS,
+    REST_MACHINING,
     RESULT_SETTINGS,
     SETTINGS,
 )
@@ -41,6 +42,8 @@ class Operation(host.operation_base()):
 
     name = ""  # under which the SetupSheet knows the operation
     settings = SETTINGS
+    results = RESULT_SETTINGS
+    fitted = ()  # names of settings that show what was chosen for the geometry, unless they are set
 
     # Restored proxies come into being without __init__.
     last = None
@@ -62,13 +65,12 @@ class Operation(host.operation_base()):
 
     def initOperation(self, obj):
         if isinstance(obj, FreeCAD.DocumentObject):
-            for setting in (*self.settings, *RESULT_SETTINGS, *HIDDEN_SETTINGS):
+            for setting in (*self.settings, *self.results, *HIDDEN_SETTINGS):
                 self._add(obj, setting)
             self._set_editor_modes(obj)
             return
-        for (
-            setting
-        ) in self.settings:  # FreeCAD's stand-in for an operation, which the SetupSheet asks
+        # FreeCAD's stand-in for an operation, which the SetupSheet asks.
+        for setting in self.settings:
             if setting.in_setup_sheet():
                 obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
                 setattr(obj, setting.name, setting.value)
@@ -89,7 +91,7 @@ class Operation(host.operation_base()):
             setattr(obj, setting.name, setting.value)
 
     def _set_editor_modes(self, obj):
-        for setting in RESULT_SETTINGS:
+        for setting in self.results:
             obj.setEditorMode(setting.name, 1)  # read-only
         for setting in HIDDEN_SETTINGS:
             obj.setEditorMode(setting.name, 2)
@@ -116,7 +118,7 @@ class Operation(host.operation_base()):
     def opOnChanged(self, obj, prop):
         if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
             return
-        if prop in FOLLOWERS and hasattr(obj, "OwnValues"):
+        if prop in (*FOLLOWERS, *self.fitted) and hasattr(obj, "OwnValues"):
             if prop not in obj.OwnValues:
                 obj.OwnValues = obj.OwnValues + [prop]
         elif prop == "ToolController":
@@ -125,7 +127,7 @@ class Operation(host.operation_base()):
             self._set_side_step(obj)
         elif prop == "SideStep":
             self._set_angle(obj)
-        elif prop == "UseRestMachining" and hasattr(obj, "EarlierOperations"):
+        elif prop == REST_MACHINING.name and hasattr(obj, "EarlierOperations"):
             job = host.parent_job(obj)
             if job is not None:
                 rest.link_all(job)
@@ -247,23 +249,18 @@ class Operation(host.operation_base()):
         core = compiled.core()
         tool, data = tools.read(obj.ToolController)
         levels = checks.settings(obj, tool, data)
-        floors = shape.floors(
-            obj.Base,
-            [m.Shape for m in self.model],
-            self.stock.Shape,
-            tool.diameter,
-            obj.Tolerance.Value,
-        )
+        floors = self.floors(obj, tool)
         regions = [floor.region() for floor in floors]
         hole = checks.hole(obj, tool, floors)
         with self._watch(obj) as watch:
             slack = max(floor.slack for floor in floors)
             parameters = self._parameters(obj, tool, data, levels, hole, slack)
             stock, notes = None, []
-            if obj.UseRestMachining:
+            if rest.is_wanted(obj):
                 stock, notes = rest.standing(obj, core, tool, regions, levels, slack)
                 parameters["stock"] = stock
-            toolpath = self.generate(obj, core, regions, {**parameters, "progress": watch})
+            parameters["progress"] = watch
+            toolpath, own = self.generate(obj, core, regions, parameters)
         self._check_entries(obj, tool, toolpath)
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
@@ -272,9 +269,25 @@ class Operation(host.operation_base()):
         self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
         notes += self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
+        for name, value in own.items():
+            self._quietly(obj, name, value)
+
+    def floors(self, obj, tool):
+        """The shape.Floor of every region that the base geometry describes. Raises ValueError with
+        a sentence that names the geometry.
+        """
+        return shape.floors(
+            obj.Base,
+            [m.Shape for m in self.model],
+            self.stock.Shape,
+            tool.diameter,
+            obj.Tolerance.Value,
+        )
 
     def generate(self, obj, core, regions, parameters):
-        """The core's toolpath for the regions."""
+        """(the core's toolpath for the regions, {name: value} of what else it tells: the results of
+        this kind of operation, and its fitted settings)
+        """
         raise NotImplementedError
 
     def _watch(self, obj):
@@ -373,7 +386,7 @@ class Operation(host.operation_base()):
         obj.Report = "\n".join([*notes, *report.notes])
 
     def _clear_results(self, obj):
-        for setting in RESULT_SETTINGS:
+        for setting in self.results:
             setattr(obj, setting.name, setting.value)
 
 
@@ -381,9 +394,10 @@ LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 OUTPUT = 8  # FreeCAD's property attribute for results
 
 
-def setup_properties():
-    """Names of the settings that a job's SetupSheet can keep defaults for."""
-    return [setting.name for setting in SETTINGS if setting.in_setup_sheet()]
+def register(proxy_class, create):
+    """Tells FreeCAD of a kind of operation, so that jobs and templates can keep defaults for it."""
+    names = [setting.name for setting in proxy_class.settings if setting.in_setup_sheet()]
+    host.register_operation(proxy_class.name, create, lambda: names)
 
 
 def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
@@ -427,5 +441,9 @@ def _set(obj, name, value):
     """Assigns only what differs, so that nothing is touched without need."""
     before = getattr(obj, name)
     before = getattr(before, "Value", before)
-    if abs(before - value) > 1e-9 * max(1.0, abs(value)):
+    if isinstance(value, FreeCAD.Vector):
+        differs = (before - value).Length > 1e-9 * max(1.0, value.Length)
+    else:
+        differs = abs(before - value) > 1e-9 * max(1.0, abs(value))
+    if differs:
         setattr(obj, name, value)

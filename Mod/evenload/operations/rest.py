@@ -9,8 +9,14 @@ import FreeCAD
 import Path
 
 from evenload import host
+from evenload.operations.settings import REST_MACHINING
 
 RESOLUTION = 0.05  # mm between the dexels of the simulated stock
+
+
+def is_wanted(op):
+    """Whether an operation clears only what others left; not every kind can."""
+    return getattr(op, REST_MACHINING.name, False)
 
 
 def link_all(job):
@@ -22,7 +28,7 @@ def link_all(job):
     for item in host.operations(job):
         inner = host.operation_under(item)
         if hasattr(inner, "EarlierOperations"):
-            wanted.append((inner, list(earlier) if inner.UseRestMachining else []))
+            wanted.append((inner, list(earlier) if is_wanted(inner) else []))
         earlier.append(item)
     changed = [(op, links) for op, links in wanted if op.EarlierOperations != links]
     for op, _ in changed:

@@ -36,6 +36,7 @@ SETUP_SHEET_TYPES = (
     "App::PropertyLength",
 )
 
+# What all operations have.
 SETTINGS = (
     Setting(
         "EngagementAngle",
@@ -140,12 +141,6 @@ SETTINGS = (
     Setting("StockToLeave", "App::PropertyLength", 0.0, "What stays at the walls"),
     Setting("StockToLeaveAxial", "App::PropertyLength", 0.0, "What stays above FinalDepth"),
     Setting(
-        "UseRestMachining",
-        "App::PropertyBool",
-        False,
-        "Clears only what the job's earlier operations leave",
-    ),
-    Setting(
         "WallPass", "App::PropertyBool", True, "A last pass along the walls takes what is left"
     ),
     Setting(
@@ -161,6 +156,14 @@ SETTINGS = (
         ["Region", "Depth"],
         "Of several regions: each down to its last level, or all level by level",
     ),
+)
+
+# For operations that can work on what others left.
+REST_MACHINING = Setting(
+    "UseRestMachining",
+    "App::PropertyBool",
+    False,
+    "Clears only what the job's earlier operations leave",
 )
 
 RESULT_SETTINGS = (
@@ -216,7 +219,7 @@ HIDDEN_SETTINGS = (
         "OwnValues",
         "App::PropertyStringList",
         [],
-        "Names of the settings that no longer follow the tool",
+        "Names of the settings that no longer follow the tool or the geometry",
         RESULTS,
     ),
     Setting(

@@ -1,0 +1,361 @@
+"""What the panels of all operations share: base geometry, settings, results."""
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from evenload import host
+from evenload.gui import views
+from evenload.operations import settings
+
+_gui = host.gui()
+_translate = FreeCAD.Qt.translate
+
+# What all operations have.
+GROUPS = (
+    (
+        "Cut",
+        (
+            "EngagementAngle",
+            "SideStep",
+            "CutMode",
+            "StockToLeave",
+            "StockToLeaveAxial",
+            "WallPass",
+            "OrderBy",
+        ),
+    ),
+    ("Feeds", ("FeedControl", "MaximumFeed", "Material", "LinkFeed", "LinkLift")),
+    (
+        "Entry",
+        ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
+    ),
+    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs")),
+)
+LABELS = {
+    "EngagementAngle": "Engagement angle",
+    "SideStep": "Side step",
+    "CutMode": "Cut mode",
+    "StockToLeave": "Stock to leave",
+    "StockToLeaveAxial": "Stock at the floor",
+    "WallPass": "Wall pass",
+    "OrderBy": "Order by",
+    "FeedControl": "Feed control",
+    "MaximumFeed": "Maximum feed",
+    "Material": "Material",
+    "LinkFeed": "Link feed",
+    "LinkLift": "Link lift",
+    "Entry": "Entry",
+    "HelixAngle": "Helix angle",
+    "HelixDiameter": "Helix diameter",
+    "EntryPoint": "Hole at",
+    "HoleDiameter": "Hole diameter",
+    "RollRadius": "Roll radius",
+    "MinimumRadius": "Minimum radius",
+    "NarrowPassages": "Narrow passages",
+    "Tolerance": "Tolerance",
+    "Arcs": "Arcs (G2, G3)",
+}
+FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
+NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
+MILLIMETRES = "App::PropertyLength"
+DECIMALS = 4  # of numbers without a unit
+MOST = 100  # of what is counted
+
+
+def with_more(title, names):
+    """GROUPS with more settings at the end of one of them."""
+    return tuple(
+        (other, (*settled, *names) if other == title else settled) for other, settled in GROUPS
+    )
+
+
+def create(operation):
+    """Creates the operation of a module for what is selected and opens its panel, in one undoable
+    step.
+    """
+    doc = FreeCAD.ActiveDocument
+    doc.openTransaction("Create " + operation.NAME)
+    try:
+        obj = operation.Create(operation.NAME.replace(" ", ""))
+        obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
+        obj.ViewObject.Visibility = True
+    except Exception as error:
+        doc.abortTransaction()
+        FreeCAD.Console.PrintError("%s was not created: %s\n" % (operation.NAME, error))
+        return None
+    doc.commitTransaction()
+    obj.ViewObject.Document.setEdit(obj.ViewObject, 0)
+    return obj
+
+
+class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
+    """FreeCAD's page for faces and edges, with whole sketches."""
+
+    def setFields(self, obj):
+        self.form.baseList.blockSignals(True)
+        self.form.baseList.clear()
+        for owner, names in obj.Base:
+            for name in names or ("",):
+                text = "%s.%s" % (owner.Label, name) if name else owner.Label
+                item = QtGui.QListWidgetItem(text)
+                item.setData(self.DataObject, owner)
+                item.setData(self.DataObjectSub, name)
+                self.form.baseList.addItem(item)
+        self.form.baseList.blockSignals(False)
+        self.resizeBaseList()
+
+    def selectionSupportedAsBaseGeometry(self, selection, ignoreErrors):
+        found = any(self._names(item) for item in selection)
+        if not found and not ignoreErrors:
+            FreeCAD.Console.PrintWarning(
+                _translate("EvenLoad", "Select level faces, closed edges or sketches.") + "\n"
+            )
+        return found
+
+    def addBaseGeometry(self, selection):
+        for item in selection:
+            for name in self._names(item):
+                self.obj.Proxy.addBase(self.obj, item.Object, name)
+        return bool(selection)
+
+    def updateBase(self):
+        items = [self.form.baseList.item(i) for i in range(self.form.baseList.count())]
+        self.obj.Base = [
+            (item.data(self.DataObject), str(item.data(self.DataObjectSub) or "")) for item in items
+        ]
+
+    @staticmethod
+    def _names(item):
+        if views.is_outline(item.Object):
+            return [""]
+        return [name for name in item.SubElementNames if name.startswith(("Face", "Edge"))]
+
+
+class OperationPage(_gui.op.TaskPanelPage):
+    """The operation's settings and results.
+
+    What is edited goes into the properties at once, so that the two that follow each other can; the
+    path is computed at Apply and OK.
+    """
+
+    taskPanelBaseGeometryPage = BaseGeometryPage
+    kind = None  # the operation's proxy class
+    groups = GROUPS
+    labels = LABELS
+
+    def getForm(self):
+        self.settings = {setting.name: setting for setting in self.kind.settings}
+        self.result_names = [setting.name for setting in self.kind.results]
+        form = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(form)
+        self.boxes, self.points = {}, {}
+        self.widgets = {}
+        form.toolController = self._combo_box()
+        form.coolantController = self._combo_box()
+        head = QtGui.QFormLayout()
+        head.addRow(_translate("EvenLoad", "Tool controller"), form.toolController)
+        head.addRow(_translate("EvenLoad", "Coolant"), form.coolantController)
+        layout.addLayout(head)
+        for title, names in self.groups:
+            box = QtGui.QGroupBox(_translate("EvenLoad", title))
+            rows = QtGui.QFormLayout(box)
+            for name in names:
+                widget = self._widget(name)
+                widget.setToolTip(_translate("EvenLoad", self.settings[name].doc))
+                rows.addRow(_translate("EvenLoad", self.labels[name]), widget)
+                self.widgets[name] = widget
+            layout.addWidget(box)
+        if self.kind.fitted:
+            self.again = QtGui.QPushButton(_translate("EvenLoad", "Fit all again"))
+            self.again.setToolTip(
+                _translate("EvenLoad", "What was set shall follow the geometry again")
+            )
+            layout.addWidget(self.again)
+        self.results = QtGui.QLabel()
+        self.results.setWordWrap(True)
+        self.results.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        layout.addWidget(self.results)
+        layout.addStretch(1)
+        area = QtGui.QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QtGui.QFrame.NoFrame)
+        area.setWidget(form)
+        area.toolController = form.toolController  # FreeCAD looks for it in the outermost widget
+        area.coolantController = form.coolantController
+        return area
+
+    def _widget(self, name):
+        kind = self.settings[name].type
+        if kind == "App::PropertyEnumeration":
+            widget = self._combo_box()
+            for choice in self.settings[name].value:
+                widget.addItem(_translate("EvenLoad", choice), choice)
+            return widget
+        if kind == "App::PropertyBool":
+            return QtGui.QCheckBox()
+        if kind == "App::PropertyVectorDistance":
+            widget = QtGui.QWidget()
+            row = QtGui.QHBoxLayout(widget)
+            row.setContentsMargins(0, 0, 0, 0)
+            self.points[name] = [self._spin_box(), self._spin_box()]
+            for box in self.points[name]:
+                box.setProperty("unit", "mm")
+                row.addWidget(box)
+            return widget
+        if name in FINE:
+            widget = QtGui.QDoubleSpinBox()
+            widget.setDecimals(4)
+            widget.setSingleStep(0.001)
+            widget.setMaximum(10.0)
+            widget.setSuffix(" mm")
+            return widget
+        if kind == "App::PropertyInteger":
+            widget = QtGui.QSpinBox()
+            widget.setMaximum(MOST)
+            return widget
+        if kind == "App::PropertyFloat":
+            widget = QtGui.QDoubleSpinBox()
+            widget.setDecimals(DECIMALS)
+            widget.setSingleStep(0.05)
+            return widget
+        return self._spin_box()
+
+    @staticmethod
+    def _spin_box():
+        box = FreeCADGui.UiLoader().createWidget("Gui::QuantitySpinBox")
+        box.setSizePolicy(QtGui.QSizePolicy.Expanding, QtGui.QSizePolicy.Fixed)
+        box.setMinimumWidth(NARROWEST)
+        return box
+
+    @staticmethod
+    def _combo_box():
+        box = QtGui.QComboBox()
+        box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+        box.setMinimumWidth(NARROWEST)
+        return box
+
+    def initPage(self, obj):
+        for name, widget in self.widgets.items():
+            if name in FINE:
+                continue
+            if self.settings[name].type in (
+                MILLIMETRES,
+                "App::PropertyAngle",
+                "App::PropertySpeed",
+            ):
+                self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
+
+    def setFields(self, obj):
+        self.setupToolController(obj, self.form.toolController)
+        self.setupCoolant(obj, self.form.coolantController)
+        self._show_settings(obj)
+        self._show_results(obj)
+
+    def getFields(self, obj):
+        self.updateToolController(obj, self.form.toolController)
+        self.updateCoolant(obj, self.form.coolantController)
+        for name in self.widgets:
+            self._take(name)
+
+    def registerSignalHandlers(self, obj):
+        self.form.toolController.activated.connect(lambda _: self._tool_chosen())
+        self.form.coolantController.activated.connect(lambda _: self._coolant_chosen())
+        for name, widget in self.widgets.items():
+            if name in self.boxes or isinstance(widget, QtGui.QAbstractSpinBox):
+                widget.editingFinished.connect(lambda name=name: self._take(name))
+            elif name in self.points:
+                for box in self.points[name]:
+                    box.editingFinished.connect(lambda name=name: self._take(name))
+            elif isinstance(widget, QtGui.QComboBox):
+                widget.activated.connect(lambda _, name=name: self._take(name))
+            else:
+                widget.toggled.connect(lambda _, name=name: self._take(name))
+
+        if self.kind.fitted:
+            self.again.clicked.connect(self._fit_again)
+
+    def updateData(self, obj, prop):
+        if prop in (*self.result_names, *self.kind.fitted):
+            self._show_settings(obj)
+            self._show_results(obj)
+
+    def _tool_chosen(self):
+        self.updateToolController(self.obj, self.form.toolController)
+        self._show_settings(self.obj)
+        self.setDirty()
+
+    def _coolant_chosen(self):
+        self.updateCoolant(self.obj, self.form.coolantController)
+        self.setDirty()
+
+    def _take(self, name):
+        """Takes what is edited in one widget into its property, and shows what follows from it."""
+        obj, widget = self.obj, self.widgets[name]
+        if name in self.boxes:
+            changed = self.boxes[name].updateProperty()
+        else:
+            if name in self.points:
+                x, y = (float(box.property("rawValue")) for box in self.points[name])
+                value = FreeCAD.Vector(x, y, getattr(obj, name).z)
+            elif isinstance(widget, QtGui.QComboBox):
+                value = widget.itemData(widget.currentIndex())
+            elif isinstance(widget, QtGui.QAbstractSpinBox):
+                value = widget.value()
+            else:
+                value = widget.isChecked()
+            before = getattr(obj, name)
+            before = getattr(before, "Value", before)
+            # What is shown of a number is rounded.
+            changed = (round(before, DECIMALS) if isinstance(before, float) else before) != value
+            if changed:
+                setattr(obj, name, value)
+        if changed:
+            self._show_settings(obj)
+            self.setDirty()
+
+    def _show_settings(self, obj):
+        for name, widget in self.widgets.items():
+            value = getattr(obj, name)
+            if name in self.boxes:
+                self.boxes[name].updateSpinBox()
+            elif name in self.points:
+                for box, number in zip(self.points[name], (value.x, value.y)):
+                    box.setProperty("rawValue", number)
+            else:
+                blocked = widget.blockSignals(True)
+                if isinstance(widget, QtGui.QComboBox):
+                    widget.setCurrentIndex(widget.findData(value))
+                elif isinstance(widget, QtGui.QAbstractSpinBox):
+                    widget.setValue(getattr(value, "Value", value))
+                else:
+                    widget.setChecked(value)
+                widget.blockSignals(blocked)
+        hole = obj.Entry in ("Automatic", "Predrilled hole")
+        descent = obj.Entry != "Predrilled hole"
+        for name, enabled in (
+            ("EntryPoint", hole),
+            ("HoleDiameter", hole),
+            ("HelixAngle", descent),
+            ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
+            ("MaximumFeed", obj.FeedControl != "Constant feed"),
+            ("Material", obj.FeedControl == settings.CONSTANT_FORCE),
+        ):
+            self.widgets[name].setEnabled(enabled)
+        if self.kind.fitted:
+            self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
+
+    def _fit_again(self):
+        self.obj.Proxy.follow_tool(self.obj, again=self.kind.fitted)
+        self._show_settings(self.obj)
+        self.setDirty()
+
+    def _show_results(self, obj):
+        lines = []
+        if obj.CuttingTime > 0:
+            lines.append(
+                _translate("EvenLoad", "Time %.1f s (ideal %.1f s), largest engagement %.1f°")
+                % (obj.CuttingTime, obj.IdealTime, obj.MaxEngagement.Value)
+            )
+        lines += obj.Report.splitlines()
+        self.results.setText("\n".join(lines))
