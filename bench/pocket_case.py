@@ -24,9 +24,9 @@ def region(case):
     return _core.Region(outer, [chain(island) for island in case["islands"]])
 
 
-def path_of(case, **parameters):
+def path_of(case, generator=_core.clear_pocket, **parameters):
     """The Toolpath that clears it, at a constant removal rate unless told otherwise; parameters:
-    more of `clear_pocket`'s, before those in the case's own "choices".
+    more of the generator's, before those in the case's own "choices".
     """
     feed, link_feed, maximum_feed = (case[key] for key in FEEDS)
     entry = {}
@@ -36,7 +36,7 @@ def path_of(case, **parameters):
     chosen = {**case.get("choices", {}), **parameters}
     if isinstance(chosen.get("force_coefficients"), (list, tuple)):
         chosen["force_coefficients"] = _core.ForceCoefficients(*chosen["force_coefficients"])
-    return _core.clear_pocket(
+    return generator(
         [region(case)],
         tool_diameter=case["tool"],
         engagement_angle=math.radians(case["engagement_deg"]),

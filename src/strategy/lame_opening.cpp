@@ -38,6 +38,8 @@ constexpr double kFirstDisc = 1, kFirstChannel = 1;
 constexpr double kLeastChannel = 0.05;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
+// rad: a spiral that exceeds the engagement angle by more is none.
+constexpr double kMostOver = 1 * kPi / 180;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
 constexpr double kBeside = 1.02;
 // Between the shapes of two spirals the circle that joins them has this share of its radius to
@@ -263,6 +265,7 @@ class Opening {
   // The spiral through `growth`, from where the tool is.
   void cut(const LameGrowth& growth, double start, bool inwards) {
     const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
+    if (turns.engagement > params_.engagement_angle + kMostOver) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
     add_moves(MoveKind::kCut, turns.moves);
     ++made_.result.passes;
@@ -272,6 +275,16 @@ class Opening {
            << "to " << turns.smallest_pitch << " mm: the engagement angle allows no more there.";
       made_.result.notes.push_back(note.str());
     }
+  }
+
+  [[noreturn]] void refuse_load() const {
+    if (task_.hole)
+      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
+                          "The pre-drilled hole is too tight to start a spiral from: drill it "
+                          "wider, or choose the entry 'Helix'.");
+    refuse(
+        "No Lamé spiral keeps to the engagement angle in this pocket: take the operation "
+        "Adaptive.");
   }
 
   // To the spiral's start: over cleared ground, or down beside it.
