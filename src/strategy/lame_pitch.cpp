@@ -206,7 +206,7 @@ std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
 
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
                      bool inwards) {
-  // Each turn goes as far as the smaller of the steps at its two ends.
+  // As fast as the step here allows, and slower where it is about to become smaller.
   const double knot = 2 * kPi / kKnots;
   std::vector<double> turned{-knot, 0}, shares{0, 0};
   while (shares.back() < 1) {
@@ -214,7 +214,7 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
       throw std::invalid_argument(
           "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch.");
     const double share = shares.back(), here = steps.value(share);
-    const double step = std::min(here, steps.value(share - here));
+    const double step = std::min(here, steps.value(share + here));
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
     turned.push_back(turned.back() + knot);
     shares.push_back(std::min(1.0, share + ramp * step / kKnots));
