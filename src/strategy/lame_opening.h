@@ -13,6 +13,10 @@ struct LameOpening {
   double reached_area = 0;  // mm^2 within reach at all
 };
 
+// The parameters with which clear_region clears what a spiral does not: constant engagement is kept
+// to a degree and a little more, spirals to less than one; so it aims a little lower.
+ClearingParams beside_spiral(ClearingParams params);
+
 // Conditions as for clear_region; `params` and `lame` checked, no rest machining. Throws
 // GeometryError where no spiral can be made.
 LameOpening lame_opening(const RegionTask& task, const ClearingParams& params,

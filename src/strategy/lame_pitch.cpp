@@ -184,9 +184,9 @@ double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const Turn
   return 60 * total;
 }
 
-std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
-                                      const TurnTask& task) {
-  std::optional<LameGrowth> best;
+std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
+                                         const TurnTask& task) {
+  std::optional<PlannedGrowth> best;
   double least = std::numeric_limits<double>::infinity();
   for (LameGrowth growth : growths) {
     const bool one = growth.stages.size() == 1;
@@ -195,10 +195,11 @@ std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
       if (run != 1 && (!one || stage.from.exponent == stage.to.exponent)) continue;
       if (one) growth.stages.front().run = run;
       if (!stays_between(growth)) continue;
-      const double time = time_of(growth, largest_steps(growth, task), task);
+      MonotoneSpline steps = largest_steps(growth, task);
+      const double time = time_of(growth, steps, task);
       if (time >= least) continue;
       least = time;
-      best = growth;
+      best = {growth, std::move(steps)};
     }
   }
   return best;

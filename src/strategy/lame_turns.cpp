@@ -9,14 +9,14 @@
 namespace evenload {
 namespace {
 
-constexpr int kBands = 24;                     // of the growth that are corrected by themselves
-constexpr int kMostRounds = 6;                 // of corrections
-constexpr int kWideningRounds = 2;             // of them may widen steps, too
-constexpr double kWiden = 1.1, kNarrow = 0.6;  // a correction is no larger than these
+constexpr int kBands = 24;                      // of the growth that are corrected by themselves
+constexpr int kMostRounds = 6;                  // of corrections
+constexpr int kWideningRounds = 1;              // of them may widen steps, too
+constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 // rad: what is aimed at lies so far below the limit.
 constexpr double kAim = 0.2 * kPi / 180;
 
-constexpr double kLook = 0.25;           // tool radii between two looks, at most
+constexpr double kLook = 0.4;            // tool radii between two looks, at most
 constexpr double kSure = 0.06;           // the same where the stock may have corners
 constexpr double kClosest = 0.01;        // and at least
 constexpr double kJump = 1 * kPi / 180;  // rad from one to the next: closer ones, then
@@ -41,7 +41,7 @@ class Looks {
         return spiral.share.value(turned + t * (arcs.turned[i] - turned));
       };
       const int count =
-          std::max(2, static_cast<int>(std::ceil(move.length() / (kLook * ground.tool_radius()))));
+          std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground.tool_radius()))));
       double last = engaged(move, 0);
       for (int k = 1; k <= count; ++k) {
         const double from = static_cast<double>(k - 1) / count, to = static_cast<double>(k) / count;
@@ -124,9 +124,10 @@ double smallest(const MonotoneSpline& steps) {
 
 }  // namespace
 
-LameTurns turns_of(const LameGrowth& growth, const TurnTask& task, double start, double tolerance,
-                   ClearedGround& ground) {
-  MonotoneSpline steps = largest_steps(growth, task);
+LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
+                   double tolerance, ClearedGround& ground) {
+  const LameGrowth& growth = planned.growth;
+  MonotoneSpline steps = planned.steps;
   LameTurns best;
   for (int round = 0; round < kMostRounds; ++round) {
     if (task.pitch) steps = limited(steps, *task.pitch / growth.length());

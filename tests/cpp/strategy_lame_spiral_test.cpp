@@ -150,7 +150,7 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
       task.maximum_feed = 1000;
       ClearedGround ground({{-60, -60}, {60, 60}}, 3, nullptr);
       ground.add_disc({}, 5.7);
-      const std::optional<LameGrowth> growth = best_growth({growth_to(last)}, task);
+      const std::optional<PlannedGrowth> growth = best_growth({growth_to(last)}, task);
       ASSERT_TRUE(growth);
       const LameTurns turns = turns_of(*growth, task, 0, 0.004, ground);
       EXPECT_EQ(ground.size(), 1U);  // left as it was
@@ -175,9 +175,9 @@ TEST(LamePitch, ChoosesTheGrowthThatTakesLeastTime) {
   task.maximum_feed = 1000;
   LameGrowth slow = growth_to(curve_of(30, 30, 0.2)), fast = slow;
   slow.stages[0].from.a = slow.stages[0].from.b = 1;  // more to cut
-  const std::optional<LameGrowth> best = best_growth({slow, fast}, task);
+  const std::optional<PlannedGrowth> best = best_growth({slow, fast}, task);
   ASSERT_TRUE(best);
-  EXPECT_EQ(best->stages[0].from.a, 2.7);
+  EXPECT_EQ(best->growth.stages[0].from.a, 2.7);
   // Curves that would cut into the island are none to choose from.
   LameGrowth crossing{{{curve_of(40, 40, 1), curve_of(25, 25, 1)}}};
   crossing.stages.push_back({curve_of(25, 25, 1), curve_of(24, 13, 0.1)});
