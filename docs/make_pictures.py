@@ -8,6 +8,7 @@ numpy and matplotlib, no display and no FreeCAD. The pictures of a topic are a m
 """
 
 import dexel_pictures
+import lame_pictures
 import optimisation_pictures
 import path_pictures
 import rest_pictures
@@ -16,7 +17,8 @@ from picture_parts import built_core
 
 def main():
     core = built_core()
-    for topic in (path_pictures, dexel_pictures, optimisation_pictures, rest_pictures):
+    topics = (path_pictures, dexel_pictures, optimisation_pictures, rest_pictures, lame_pictures)
+    for topic in topics:
         for draw in topic.PICTURES:
             draw(core)
 

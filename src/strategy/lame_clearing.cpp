@@ -86,7 +86,7 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
     }
     RegionTask further = task;
     further.opening = std::move(opening.result);
-    return clear_region(further, checked, watch);
+    return clear_region(further, beside_spiral(checked), watch);
   };
   static_cast<Toolpath&>(result) = clear_by(clearer, regions, clearing, progress);
   result.cleared_share = reached > 0 ? by_spirals / reached : 0;

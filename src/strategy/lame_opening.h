@@ -14,6 +14,10 @@ struct LameOpening {
   LameFigures figures;
 };
 
+// The parameters with which clear_region clears what a spiral does not: constant engagement is kept
+// to a degree and a little more, spirals to less than one; so it aims a little lower.
+ClearingParams beside_spiral(ClearingParams params);
+
 // Conditions as for clear_region; `params` and `lame` checked, no rest machining. Throws
 // GeometryError where no spiral can be made.
 LameOpening lame_opening(const RegionTask& task, const ClearingParams& params,
