@@ -12,13 +12,20 @@ import lame_pictures
 import optimisation_pictures
 import path_pictures
 import rest_pictures
+import trochoid_pictures
 from picture_parts import built_core
 
 
 def main():
     core = built_core()
-    topics = (path_pictures, dexel_pictures, optimisation_pictures, rest_pictures, lame_pictures)
-    for topic in topics:
+    for topic in (
+        path_pictures,
+        dexel_pictures,
+        optimisation_pictures,
+        rest_pictures,
+        trochoid_pictures,
+        lame_pictures,
+    ):
         for draw in topic.PICTURES:
             draw(core)
 

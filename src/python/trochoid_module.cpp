@@ -14,6 +14,7 @@
 #include "python/clearing_params.h"
 #include "strategy/slot_around.h"
 #include "strategy/trochoid.h"
+#include "strategy/trochoid_pattern.h"
 
 namespace py = pybind11;
 
@@ -102,6 +103,18 @@ py::object pattern_from_python(const py::kwargs& arguments) {
   return result;
 }
 
+py::tuple passes_from_python(const py::kwargs& arguments) {
+  Keywords keywords("trochoid_passes", arguments);
+  const TrochoidParams params = params_from(keywords);
+  int most = 10;
+  keywords.optional("most", most);
+  keywords.refuse_others();
+  const PassSequence sequence = iterate_passes(params, params.turn_radius, most);
+  py::list passes;
+  for (const std::vector<Segment>& pass : sequence.passes) passes.append(moves_of(pass));
+  return py::make_tuple(passes, sequence.residuals);
+}
+
 }  // namespace
 
 void bind_trochoid(py::module_& m) {
@@ -123,6 +136,9 @@ void bind_trochoid(py::module_& m) {
         "One period of a trochoid along a slot, and its figures; None where the slot is too "
         "narrow. pattern, tool_diameter, width, engagement_angle (rad), curvature (1/mm), "
         "roll_radius, feed, maximum_feed, link_feed, finish_walls.");
+  m.def("trochoid_passes", &passes_from_python,
+        "(passes, residuals in mm): the passes that settle to the pattern of constant engagement, "
+        "at most `most`, with roll_radius as it is; arguments as for trochoid_pattern.");
 }
 
 }  // namespace evenload

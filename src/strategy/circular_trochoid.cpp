@@ -1,5 +1,6 @@
 #include "strategy/circular_trochoid.h"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -10,8 +11,15 @@
 namespace evenload {
 namespace {
 
-// Bi-arcs that stand for half a loop of a cycloid: their error falls with the cube of their length.
-constexpr int kHalfLoopPieces = 6;
+// Bi-arcs that stand for either part of a loop of a cycloid: their error falls with the cube of
+// their length.
+constexpr int kPiecesOfPart = 6;
+// Half rooms: a cycloid that advances by more than 2 pi of them has no loops, and by nearly as much
+// tiny ones.
+constexpr double kMostAdvance = 4;
+// Of the angle in which a loop meets material beyond a wall: in bent slots it is a little more.
+constexpr double kBeyondRoom = 1.15;
+constexpr double kMostBeyond = 0.45 * kPi;  // rad
 // rad
 constexpr double kMostTurn = kPi;
 
@@ -21,8 +29,16 @@ Vec2 on_loop(const TrochoidParams& params, double s, double angle) {
   return at.p + half_room(params) * unit(at.heading + angle - kPi / 2);
 }
 
+// rad: how far beyond a wall's place a loop still meets material: as long as the tool's centre is
+// farther from the centre of the loop before than that loop's radius.
+double beyond_wall(const TrochoidParams& params, double step) {
+  return std::min(kMostBeyond,
+                  kBeyondRoom * std::asin(std::min(1.0, step / (2 * half_room(params)))));
+}
+
 TrochoidPattern circles(const TrochoidParams& params, double step) {
   const double radius = half_room(params), start = -kPi / 2;
+  const double cut = kPi + beyond_wall(params, step);
   TrochoidPattern pattern;
   pattern.step = step;
   pattern.curvature = params.curvature;
@@ -32,13 +48,14 @@ TrochoidPattern circles(const TrochoidParams& params, double step) {
   const Vec2 from = before.p - radius * left_normal(unit(before.heading));
   pattern.cut.push_back(
       Segment::from_bulge(from, {0, -radius}, std::tan(params.curvature * step / 4)));
-  pattern.cut.push_back(Segment::arc({}, radius, start, kPi));
-  pattern.link.push_back(Segment::arc({}, radius, start + kPi, kPi));
+  pattern.cut.push_back(Segment::arc({}, radius, start, cut));
+  pattern.link.push_back(Segment::arc({}, radius, start + cut, 2 * kPi - cut));
   return pattern;
 }
 
-// Half a loop of the cycloid, begun `angle` rad after the right wall.
-std::vector<Segment> half_loop(const TrochoidParams& params, double step, double angle) {
+// The part of a cycloid's loop from `from` to `to` rad after the right wall.
+std::vector<Segment> part_of_loop(const TrochoidParams& params, double step, double from,
+                                  double to) {
   const auto s_at = [&](double turned) { return step * turned / (2 * kPi); };
   const auto point = [&](double turned) { return on_loop(params, s_at(turned), turned); };
   const auto direction = [&](double turned) {
@@ -49,8 +66,9 @@ std::vector<Segment> half_loop(const TrochoidParams& params, double step, double
                                                      left_normal(unit(whole)));
   };
   std::vector<Segment> moves;
-  for (int i = 0; i < kHalfLoopPieces; ++i) {
-    const double a = angle + kPi * i / kHalfLoopPieces, b = angle + kPi * (i + 1) / kHalfLoopPieces;
+  for (int i = 0; i < kPiecesOfPart; ++i) {
+    const double a = from + (to - from) * i / kPiecesOfPart,
+                 b = from + (to - from) * (i + 1) / kPiecesOfPart;
     const std::optional<BiArc> pair =
         bi_arc({point(a), direction(a)}, {point(b), direction(b)}, kMostTurn);
     EVENLOAD_ASSERT(pair.has_value());
@@ -65,14 +83,17 @@ TrochoidPattern cycloid(const TrochoidParams& params, double step) {
   pattern.step = step;
   pattern.curvature = params.curvature;
   pattern.turn_radius = half_room(params);
-  pattern.cut = half_loop(params, step, 0);
-  pattern.link = half_loop(params, step, kPi);
+  const double beyond = beyond_wall(params, step);
+  pattern.cut = part_of_loop(params, step, -beyond, kPi + beyond);
+  pattern.link = part_of_loop(params, step, kPi + beyond, 2 * kPi - beyond);
   return pattern;
 }
 
-// A loop removes no more at once than a straight cut with a side step as large as its step.
+// A loop removes no more at once than a straight cut with a side step as large as its step; and it
+// must be a loop.
 double most_step(const TrochoidParams& params) {
-  return 2 * side_step(params.engagement, params.tool_radius);
+  return std::min(2 * side_step(params.engagement, params.tool_radius),
+                  kMostAdvance * half_room(params));
 }
 
 }  // namespace

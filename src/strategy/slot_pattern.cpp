@@ -54,6 +54,8 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
   if (!whole) return std::nullopt;
   SlotPattern best;
   best.front = whole->cut;
+  if (kind != TrochoidKind::kConstantEngagement)  // loops cut on beyond the left wall
+    best.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};
   double least = time_per_length(figures_of(*whole, slot), *whole, slot, 0);
   best.pattern = std::move(*whole);
   if (kind == TrochoidKind::kConstantEngagement) {

@@ -20,6 +20,10 @@ namespace {
 constexpr int kFewestPeriods = 4;
 // Steps between two places that are tried for a first period: how much of a step may be lost.
 constexpr double kTrySpacing = 0.25;
+// rad^2: below the limit, times the limit, is what steering aims at here, since it may pass that by
+// kSmoothOverload, and by more where a cusp is met at a small angle.
+constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3);
+constexpr double kMostPassRoom = 0.02;  // of the limit
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
 // Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
@@ -41,6 +45,12 @@ struct Way : SlotPattern {
   double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
 };
 
+ClearingParams for_passes(ClearingParams params) {
+  params.engagement_angle -=
+      std::min(kPassRoom / params.engagement_angle, kMostPassRoom * params.engagement_angle);
+  return params;
+}
+
 class SlotClearing {
  public:
   SlotClearing(TrochoidKind kind, const RegionTask& task, const ClearingParams& params,
@@ -48,6 +58,7 @@ class SlotClearing {
       : kind_(kind),
         task_(task),
         params_(params),
+        passes_(for_passes(params)),
         report_(report),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
@@ -59,12 +70,12 @@ class SlotClearing {
   }
 
   RegionResult run() {
-    if (task_.rest || !task_.before.empty()) return clear_region(task_, params_, progress_);
+    if (task_.rest || !task_.before.empty()) return clear_region(task_, passes_, progress_);
     find_ways();
     if (start()) follow_ways();
     RegionTask rest = task_;
     rest.opening = std::move(opening_);
-    return clear_region(rest, params_, progress_);
+    return clear_region(rest, passes_, progress_);
   }
 
  private:
@@ -171,7 +182,7 @@ class SlotClearing {
     try {
       task.opening = opening_;
       task.stretch_helix = true;
-      RegionResult cleared = clear_region(task, params_, progress_);
+      RegionResult cleared = clear_region(task, passes_, progress_);
       take(std::move(cleared));
       return !opening_.runs.empty();
     } catch (const GeometryError&) {
@@ -353,6 +364,7 @@ class SlotClearing {
   TrochoidKind kind_;
   const RegionTask& task_;
   const ClearingParams& params_;
+  ClearingParams passes_;
   TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;

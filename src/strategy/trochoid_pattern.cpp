@@ -195,7 +195,9 @@ PassSequence iterate(Passes& passes, const TrochoidParams& params, int most) {
     std::vector<Segment> pass = passes.next();
     if (pass.empty()) break;
     const Front front = passes.front_of(pass);
-    if (k > 0) {
+    // One that ends on its way across leaves a front to the next that has yet to be taken.
+    if (!std::isfinite(mean_of(front))) continue;
+    if (!result.passes.empty()) {
       double least = std::numeric_limits<double>::infinity(), most_advance = -least;
       for (int i = 0; i < kFrontLooks; ++i) {
         least = std::min(least, front[i] - last[i]);

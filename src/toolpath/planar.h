@@ -32,7 +32,7 @@ struct Descent {
   bool over_cleared_ground = false;  // plunge where this level is already cleared by our own moves
   // helix: from its centre to the centre of the half circle that `at` is the middle of; zero for a
   // circle
-  Vec2 stretch;
+  Vec2 stretch = {};
 };
 
 // What is cut between coming down and going up. The moves follow each other without gaps.

@@ -1,0 +1,187 @@
+// Laws of the trochoidal patterns: that of constant engagement, the circular one, the cycloid.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+#include "cutting/engagement.h"
+#include "strategy/circular_trochoid.h"
+#include "strategy/links.h"
+#include "strategy/slot_pattern.h"
+#include "strategy/trochoid_pattern.h"
+
+namespace evenload {
+namespace {
+
+constexpr double kDegree = kPi / 180;
+constexpr TrochoidKind kKinds[] = {TrochoidKind::kConstantEngagement, TrochoidKind::kCircular,
+                                   TrochoidKind::kCycloid};
+
+// Tool 6 mm; `width` in its diameters.
+TrochoidParams slot(double width, double degrees, double curvature = 0) {
+  TrochoidParams params;
+  params.width = 6 * width;
+  params.engagement = degrees * kDegree;
+  params.curvature = curvature;
+  params.turn_radius = 1;
+  return params;
+}
+
+// rad: the most that a circle meets which is `step` mm ahead of the one before, by the cosine
+// theorem: from the place outside, on the line through its own centre, to where the tool's circle
+// crosses the border that the circle before has left.
+double peak_of_circle(const TrochoidParams& params, double step) {
+  const double room = half_room(params), r = params.tool_radius, border = 0.5 * params.width;
+  double peak = 0;
+  for (double turned = -kPi / 2; turned <= kPi / 2; turned += 1e-4) {
+    const Vec2 from_before = Vec2{step, 0} + room * unit(turned);
+    const double d = norm(from_before);
+    const double cosine = (border * border - d * d - r * r) / (2 * d * r);
+    if (std::abs(cosine) > 1) continue;
+    peak = std::max(peak, angle_of(from_before) + std::acos(cosine) - turned);
+  }
+  return peak;
+}
+
+TEST(TrochoidPattern, OfCirclesHasTheStepOfTheClosedForm) {
+  for (const double width : {1.25, 1.5, 2.0, 3.0})
+    for (const double degrees : {30.0, 60.0, 90.0}) {
+      const TrochoidParams params = slot(width, degrees);
+      const auto pattern = circular_pattern(params);
+      ASSERT_TRUE(pattern);
+      double low = 0, high = 6;
+      while (high - low > 1e-6) {
+        const double middle = 0.5 * (low + high);
+        (peak_of_circle(params, middle) > params.engagement + kPatternOverload ? high : low) =
+            middle;
+      }
+      EXPECT_NEAR(pattern->step, low, 0.01 * low) << width << " " << degrees;
+    }
+}
+
+void expect_joined(const Segment& a, const Segment& b) {
+  EXPECT_LT(distance(a.b, b.a), 1e-6);
+  // Circles and cycloids are joined by bi-arcs, whose directions are rounded.
+  EXPECT_LT(norm(a.tangent(1) - b.tangent(0)), 1e-4);
+}
+
+TEST(TrochoidPattern, IsTangentStaysInTheSlotAndKeepsTheLimitOnceItRepeats) {
+  for (const TrochoidKind kind : kKinds)
+    for (const double width : {1.1, 1.25, 1.5, 2.0, 3.0})
+      for (const double degrees : {30.0, 60.0, 90.0, 120.0})
+        for (const double curvature : {0.0, 0.03, -0.03}) {
+          const TrochoidParams params = slot(width, degrees, curvature);
+          const auto pattern = make_pattern(kind, params);
+          const std::string name = std::to_string(static_cast<int>(kind)) + " " +
+                                   std::to_string(width) + " " + std::to_string(degrees) + " " +
+                                   std::to_string(curvature);
+          if (!pattern && width < 1.25 && degrees < 60) continue;  // hardly advances
+          ASSERT_TRUE(pattern) << name;
+          SCOPED_TRACE(name);
+          EXPECT_LE(figures_of(*pattern, params).max_engagement,
+                    params.engagement + kPatternOverload + 1e-9);
+          std::vector<Segment> period = pattern->cut;
+          period.insert(period.end(), pattern->link.begin(), pattern->link.end());
+          period.push_back(placed(pattern->cut.front(), place_along(curvature, pattern->step)));
+          const Area centres({strip_of(params, 40, 40)});
+          for (std::size_t i = 1; i < period.size(); ++i) {
+            expect_joined(period[i - 1], period[i]);
+            for (const double t : {0.25, 0.5, 0.75, 1.0})
+              EXPECT_GT(centres.signed_distance(period[i].point(t)), -1e-3);
+          }
+        }
+}
+
+TEST(TrochoidPattern, RemovesWidthTimesStep) {
+  for (const double curvature : {0.0, 0.02, -0.02}) {
+    const TrochoidParams params = slot(1.5, 60, curvature);
+    const auto pattern = constant_engagement_pattern(params);
+    ASSERT_TRUE(pattern);
+    const PatternFigures figures = figures_of(*pattern, params);
+    EXPECT_NEAR(figures.area_per_length * figures.cut_length, params.width * pattern->step, 1e-9);
+    // A cut at the limit everywhere would remove the bound; none removes more.
+    EXPECT_LT(figures.area_per_length, 1.01 * side_step(params.engagement, params.tool_radius));
+  }
+}
+
+TEST(TrochoidPattern, OfConstantEngagementIsFoundByPassesThatSettle) {
+  for (const double width : {1.25, 1.5, 2.0, 3.0}) {
+    const TrochoidParams params = slot(width, 60);
+    const PassSequence sequence = iterate_passes(params, 0.4 * half_room(params), 25);
+    ASSERT_GE(sequence.residuals.size(), 2u) << width;
+    // Monotonically, but for what the steering's own tolerance moves a pass by.
+    const double noise = 0.01 * params.tool_radius;
+    for (std::size_t i = 1; i < sequence.residuals.size(); ++i)
+      EXPECT_LT(sequence.residuals[i], sequence.residuals[i - 1] + noise) << width << " " << i;
+    EXPECT_LT(sequence.residuals.back(), noise) << width;
+    EXPECT_LT(sequence.residuals.back(), 0.2 * sequence.residuals.front()) << width;
+    EXPECT_GT(sequence.advance, 0) << width;
+  }
+}
+
+TEST(TrochoidPattern, OfConstantEngagementHasLongerStepsAndLessWayThanCircles) {
+  struct Asked {
+    double width, step, rate;  // tool diameters, mm, times the rate of the circular one
+  };
+  for (const Asked& asked :
+       {Asked{1.25, 0.387, 1.35}, Asked{1.5, 0.656, 1.40}, Asked{2.0, 0.983, 1.50},
+        Asked{2.5, 1.144, 1.52}, Asked{3.0, 1.236, 1.53}}) {
+    const TrochoidParams params = slot(asked.width, 60);
+    const auto ours = constant_engagement_pattern(params), circles = circular_pattern(params);
+    ASSERT_TRUE(ours && circles);
+    EXPECT_GT(ours->step, 0.95 * asked.step) << asked.width;
+    const PatternFigures figures = figures_of(*ours, params);
+    // Circles leave scallops along both walls, which two passes must take.
+    const PatternFigures round = figures_of(*circles, params);
+    const double with_walls =
+        params.width * circles->step / (round.time + 2 * circles->step / params.feed);
+    EXPECT_GT(figures.removal / with_walls, 0.95 * asked.rate) << asked.width;
+    EXPECT_LT((figures.cut_length + figures.link_length) / ours->step,
+              (round.cut_length + round.link_length) / circles->step)
+        << asked.width;
+  }
+}
+
+TEST(SlotPattern, LeavesNoMoreBesideAWallThanOnePassTakesAtTheLimit) {
+  for (const double width : {1.5, 2.0, 3.0})
+    for (const double curvature : {0.0, 0.02}) {
+      const TrochoidParams params = slot(width, 60, curvature);
+      const auto pattern = slot_pattern(TrochoidKind::kConstantEngagement, params);
+      ASSERT_TRUE(pattern);
+      EXPECT_LE(pattern->beside, most_beside(params));
+      EXPECT_LT(most_beside(params), side_step(params.engagement, params.tool_radius));
+      EXPECT_GT(pattern->removal, 0);
+    }
+  EXPECT_LT(most_beside(slot(3, 60, 0.02)), most_beside(slot(3, 60)));
+  EXPECT_EQ(slot_pattern(TrochoidKind::kCircular, slot(2, 60))->beside, 0);
+}
+
+void expect_refused(const TrochoidParams& params, const std::string& words) {
+  for (const TrochoidKind kind : kKinds) {
+    try {
+      make_pattern(kind, params);
+      ADD_FAILURE() << "not refused: " << words;
+    } catch (const std::invalid_argument& error) {
+      EXPECT_NE(std::string(error.what()).find(words), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(TrochoidPattern, IsRefusedForSlotsThatTheToolDoesNotFit) {
+  expect_refused(slot(1, 60), "no wider than the tool");
+  expect_refused(slot(2, 60, 0.2), "bends more tightly");
+  expect_refused(slot(2, 0), "between 0 and 180");
+  expect_refused(slot(2, 180), "between 0 and 180");
+  TrochoidParams params = slot(2, 60);
+  params.width = std::nan("");
+  expect_refused(params, "finite");
+  params = slot(2, 60);
+  params.maximum_feed = 100;
+  expect_refused(params, "maximum feed");
+}
+
+}  // namespace
+}  // namespace evenload
