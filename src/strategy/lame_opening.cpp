@@ -255,7 +255,7 @@ class Opening {
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
     add_moves(MoveKind::kCut, turns.moves);
     ++made_.result.passes;
-    made_.figures = {growth.stages.back().to, growth.stages.front().from.exponent,
+    made_.figures = {growth.growth.stages.back().to, growth.growth.stages.front().from.exponent,
                      turns.largest_pitch};
     if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6)) {
       std::ostringstream note;
