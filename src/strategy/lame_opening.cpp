@@ -93,6 +93,7 @@ class Opening {
       clear_stock_around_island();
     else
       clear_ring();
+    made_.cleared_area = std::max(made_.cleared_area, made_.spiral_area);
     return std::move(made_);
   }
 
@@ -240,7 +241,8 @@ class Opening {
                             "hole there, or choose the entry 'Automatic'.");
       first.hole.reset();
     }
-    made_.result = clear_region(first, beside_spiral(params_), progress_);
+    Progress half([&](double done) { return progress_.report(kFirstHalf * done); });
+    made_.result = clear_region(first, beside_spiral(params_), half);
     made_.result.uncut_area = 0;  // of the first region only: told of at the end
     for (const PlanarRun& run : made_.result.runs) {
       add_descent(run.descent, ground_);
@@ -363,7 +365,9 @@ void Opening::clear_ring() {
   const PlannedGrowth growth = best_of(growths, false);
   const LameCurve& first = growth.growth.stages.front().from;
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
+  if (progress_.cancelled() || made_.result.runs.empty()) return;
   made_.spiral_area = outside - grown_lame_area(first, radius_);
+  made_.cleared_area = outside - kept_area();
   const PlanarRun& run = made_.result.runs.back();
   const Vec2 here = run.moves.empty() ? run.descent.at : run.moves.back().segment.b;
   cut(growth, angle_of(here - first.centre), false);

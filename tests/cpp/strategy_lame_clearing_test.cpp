@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, EveryLamePocket,
                          testing::Values("lame_square35", "lame_hex50", "lame_square_island",
                                          "lame_hex_island", "square60", "boss_open",
                                          "square_island"),
-                         [](const auto& info) { return info.param; });
+                         [](const auto& each) { return each.param; });
 
 TEST(LameClearing, IsTheSameForPocketsThatAreTurnedShiftedAndMirrored) {
   const Case original = corpus::load("lame_square35");
@@ -118,6 +118,38 @@ TEST(LameClearing, LeavesTheRestWhereThatIsWished) {
   EXPECT_NEAR(path.report.uncut_area, found.left_area, 0.05 * found.left_area);
   ASSERT_FALSE(path.report.notes.empty());
   EXPECT_NE(path.report.notes.front().find("Rest is 'Leave'"), std::string::npos);
+}
+
+TEST(LameClearing, OfARingLeavesWhatNeitherChannelNorSpiralReach) {
+  const Case pocket = corpus::load("square_island");
+  LameParams lame;
+  lame.rest = LameRest::kLeave;
+  const LameToolpath path = spiral(pocket, pocket.params(), lame);
+  const Findings found = corpus::judge(pocket, path);
+  EXPECT_NEAR(path.report.uncut_area, found.left_area, 0.01 * found.reachable_area);
+  EXPECT_LT(path.cleared_share, 1 - found.left_share);  // the channel is no part of it
+}
+
+TEST(LameClearing, CanBeCancelledAtAnyTimeAndItsProgressNeverTurnsBack) {
+  for (const char* name : {"lame_hex50", "square_island", "lame_hex_island"}) {
+    const Case pocket = corpus::load(name);
+    int reports = 0;
+    double before = 0;
+    Progress all([&](double done) {
+      ++reports;
+      EXPECT_GE(done, before - 1e-9);
+      EXPECT_LE(done, 1 + 1e-9);
+      before = done;
+      return true;
+    });
+    clear_with_lame_spiral({pocket.region}, pocket.params(), {}, all);
+    for (const int at : {1, reports / 2, reports}) {
+      int count = 0;
+      Progress some([&](double) { return ++count < at; });
+      const LameToolpath path = clear_with_lame_spiral({pocket.region}, pocket.params(), {}, some);
+      EXPECT_EQ(path.report.termination, Termination::kCancelled) << name;
+    }
+  }
 }
 
 TEST(LameClearing, KeepsWhatIsSet) {
