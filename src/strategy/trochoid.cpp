@@ -23,7 +23,7 @@ constexpr double kTrySpacing = 0.25;
 // rad^2: below the limit, times the limit, is what steering aims at here, since it may pass that by
 // kSmoothOverload, and by more where a cusp is met at a small angle.
 constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3);
-constexpr double kMostPassRoom = 0.02;  // of the limit
+constexpr double kMostPassRoom = 0.03;  // of the limit
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
 // Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
