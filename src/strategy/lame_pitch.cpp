@@ -124,9 +124,12 @@ double step_at(const LameGrowth& growth, const TurnTask& task, double share, dou
 }
 
 std::vector<double> levels_of(const LameGrowth& growth) {
-  const int count = kLevels * static_cast<int>(growth.stages.size());
-  std::vector<double> levels;
-  for (int i = 0; i <= count; ++i) levels.push_back(static_cast<double>(i) / count);
+  const std::vector<double> joints = growth.joints();
+  std::vector<double> levels{0};
+  for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+    for (int i = 1; i <= kLevels; ++i)
+      levels.push_back(joints[k] + i * (joints[k + 1] - joints[k]) / kLevels);
+  levels.back() = 1;
   return levels;
 }
 

@@ -13,7 +13,7 @@ constexpr double kMostTurn = kPi / 3;         // rad of the polar angle that two
 constexpr double kLeastTurn = 1e-4;           // rad: shorter pieces are taken as they are
 constexpr double kShrink = 0.7, kGrow = 1.3;  // of a step after one that failed, or fitted
 constexpr double kSafety = 0.9;  // of the tolerance: between the looks it may be a little more
-constexpr int kLooks = 8;        // at the deviation of a pair of arcs
+constexpr int kLooks = 6;        // at the deviation of a pair of arcs
 // Share of a stage within which its exponent comes to rest at a joint.
 constexpr double kJointShare = 0.3;
 // Semi-axes continued backwards never fall below this share of the first ones.
@@ -77,6 +77,14 @@ double LameGrowth::length() const {
   double sum = 0;
   for (const LameStage& stage : stages) sum += larger_change(stage);
   return sum;
+}
+
+std::vector<double> LameGrowth::joints() const {
+  std::vector<double> shares{0};
+  for (const LameStage& stage : stages)
+    shares.push_back(shares.back() + larger_change(stage) / length());
+  shares.back() = 1;
+  return shares;
 }
 
 LameCurve LameGrowth::at(double share) const {

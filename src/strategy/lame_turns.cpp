@@ -14,6 +14,7 @@ constexpr int kMostRounds = 6;                  // of corrections
 constexpr int kWideningRounds = 1;              // of them may widen steps, too
 constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 // rad: what is aimed at lies so far below the limit.
+constexpr double kCoarse = 3;  // tolerances within which the first arcs follow: they are never cut
 constexpr double kAim = 0.2 * kPi / 180;
 
 constexpr double kLook = 0.4;            // tool radii between two looks, at most
@@ -139,12 +140,12 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
   for (int round = 0; round < kMostRounds; ++round) {
     if (task.pitch) steps = limited(steps, *task.pitch / growth.length());
     LameSpiral spiral = spiral_of(growth, steps, start, task.inwards);
-    LameArcs arcs = arcs_of(spiral, tolerance);
+    LameArcs arcs = arcs_of(spiral, round == 0 ? kCoarse * tolerance : tolerance);
     const std::vector<Look> looks = Looks(spiral, arcs, task, ground).found();
     double most = 0;
     for (const Look& look : looks) most = std::max(most, look.engagement);
     const bool good = most <= task.engagement + kTurnTolerance;
-    if (round == 0 || good || most < best.engagement) {
+    if (round <= kWideningRounds || good || most < best.engagement) {
       const Range range = range_of(steps);
       best = {std::move(spiral), std::move(arcs.moves), most, range.least * growth.length(),
               range.most * growth.length()};
