@@ -29,12 +29,12 @@ def region(case):
     return _core.Region(outer, [chain(island) for island in case["islands"]])
 
 
-def path_of(case, **parameters):
+def path_of(case, generator=None, **parameters):
     """The Toolpath that clears it, at a constant removal rate unless told otherwise; parameters:
-    more of `clear_pocket`'s, before those in the case's own "choices". The case's "operation" says
-    which of the core's generators makes it.
+    more of the generator's, before those in the case's own "choices". generator: the core's; else
+    the one for the case's "operation", which is adaptive where it does not say.
     """
-    generate = GENERATORS[case.get("operation", "adaptive")]
+    generate = generator or GENERATORS[case.get("operation", "adaptive")]
     feed, link_feed, maximum_feed = (case[key] for key in FEEDS)
     entry = {}
     if case.get("hole"):

@@ -8,6 +8,7 @@ numpy and matplotlib, no display and no FreeCAD. The pictures of a topic are a m
 """
 
 import dexel_pictures
+import lame_pictures
 import optimisation_pictures
 import path_pictures
 import rest_pictures
@@ -23,6 +24,7 @@ def main():
         optimisation_pictures,
         rest_pictures,
         trochoid_pictures,
+        lame_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)

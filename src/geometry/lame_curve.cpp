@@ -155,4 +155,21 @@ double lame_length(const LameCurve& curve) {
   });
 }
 
+double grown_lame_area(const LameCurve& curve, double by) {
+  return lame_area(curve) + by * lame_length(curve) + kPi * by * by;
+}
+
+double least_lame_radius(const LameCurve& curve) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const double angle : lame_angles(curve))
+    least = std::min(least, lame_radius(curve, angle).r);
+  return least;
+}
+
+double largest_lame_radius(const LameCurve& curve) {
+  double most = 0;
+  for (const double angle : lame_angles(curve)) most = std::max(most, lame_radius(curve, angle).r);
+  return most;
+}
+
 }  // namespace evenload

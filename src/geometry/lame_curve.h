@@ -56,5 +56,12 @@ double least_curvature_radius(const LameCurve& curve);
 // mm^2 inside the curve, and mm of its length, to 1e-4 of themselves.
 double lame_area(const LameCurve& curve);
 double lame_length(const LameCurve& curve);
+// mm^2 inside the curve moved outwards by `by` mm. For by < 0 inwards: exact where it has no
+// tighter corners than that.
+double grown_lame_area(const LameCurve& curve, double by);
+
+// mm, of the curve's points from its centre.
+double least_lame_radius(const LameCurve& curve);
+double largest_lame_radius(const LameCurve& curve);
 
 }  // namespace evenload

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <limits>
+#include <optional>
 
 #include "cutting/engagement.h"
 #include "geometry/bi_arc.h"
@@ -18,9 +20,11 @@ constexpr double kBlockPrice = 0.023;
 constexpr std::size_t kFewest = 3, kMost = 5;
 // How many times as far along the first tangent as along the last the joints lie that are tried.
 constexpr double kRatios[] = {0.35, 1, 2.8};
-// Share of the tool's radius: the longest row, and what lies between two looks.
+// Shares of the tool's radius: the longest row, and what lies between two looks, along moves whose
+// time alone matters as well.
 constexpr double kLongestRow = 4;
 constexpr double kLook = 0.05;
+constexpr double kOldLook = 0.12;
 constexpr int kFewestLooks = 4;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
@@ -106,12 +110,15 @@ class FewerMoves {
                is_promising(move, first, last) && is_inside(move, centres_, kOnBorder);
       });
       if (!serves) continue;
-      Met met_first, met_second;
-      if (!look_along(way[0], &met_first) || !look_along(way[1], &met_second)) continue;
+      const double limit = params_.engagement_angle + kSmoothOverload;
+      const std::optional<Met> met_first = look_along(way[0], kLook, limit);
+      if (!met_first) continue;
+      const std::optional<Met> met_second = look_along(way[1], kLook, limit);
+      if (!met_second) continue;
       const std::size_t row = last - first + 1;
       double gain = kBlockPrice * static_cast<double>(row - way.size());
       for (std::size_t k = first; k <= last; ++k) gain += loss_of(met_along(k));
-      gain -= loss_of(met_first) + loss_of(met_second);
+      gain -= loss_of(*met_first) + loss_of(*met_second);
       if (gain > best.gain) best = {std::move(way), gain, row};
     }
   }
@@ -122,37 +129,32 @@ class FewerMoves {
   }
 
   const Met& met_along(std::size_t k) {
-    for (std::size_t i = met_.size(); i <= k; ++i) {
-      Met met;
-      look_along(moves_[i], &met);
-      met_.push_back(met);
-    }
+    for (std::size_t i = met_.size(); i <= k; ++i)
+      met_.push_back(*look_along(moves_[i], kOldLook, std::numeric_limits<double>::infinity()));
     return met_[k];
   }
 
-  // False when the limit is passed.
-  bool look_along(const Segment& move, Met* met) {
+  // Looks at a move until more than `limit` rad is met; nothing then.
+  std::optional<Met> look_along(const Segment& move, double look, double limit) {
     const double length = move.length();
-    const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (kLook * radius_))));
-    bool within = true;
-    double widest = 0, width = 0;
+    const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (look * radius_))));
+    double widest = 0, sum = 0;
     for (int i = 0; i < n; ++i) {
       const double t = (i + 0.5) / n, heading = angle_of(move.tangent(t));
       ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
-      double here = 0, wide = 0;
+      double engaged = 0, width = 0;
       for (const AngularInterval& arc : arcs_) {
-        here += arc.width();
-        wide += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
+        engaged += arc.width();
+        width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
       }
-      within = within && here <= params_.engagement_angle + kSmoothOverload;
-      width += wide;
-      widest = std::max(widest, wide);
+      if (engaged > limit) return std::nullopt;
+      sum += width;
+      widest = std::max(widest, width);
     }
     const double feed = widest * params_.maximum_feed <= full_width_ * params_.feed
                             ? params_.maximum_feed
                             : full_width_ * params_.feed / widest;
-    *met = {length / feed * 60, width / n * length};
-    return within;
+    return Met{length / feed * 60, sum / n * length};
   }
 
   // What is expected without a look at the ground: in the middle of a new move hardly more is met,

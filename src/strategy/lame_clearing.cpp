@@ -1,5 +1,6 @@
 #include "strategy/lame_clearing.h"
 
+#include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <sstream>
@@ -52,7 +53,7 @@ LameParams mirrored(LameParams p) {
 }
 
 void leave_rest(const LameOpening& opening, RegionResult& result) {
-  result.uncut_area = opening.reached_area - opening.spiral_area;
+  result.uncut_area = std::max(0.0, opening.reached_area - opening.cleared_area);
   std::ostringstream note;
   note << std::fixed << std::setprecision(1) << "Left uncut: " << result.uncut_area
        << " mm² that the spiral does not reach, for Rest is 'Leave'.";
@@ -84,9 +85,11 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
       leave_rest(opening, opening.result);
       return std::move(opening.result);
     }
+    if (!watch.report(kFirstHalf)) return std::move(opening.result);
     RegionTask further = task;
     further.opening = std::move(opening.result);
-    return clear_region(further, checked, watch);
+    Progress half([&](double done) { return watch.report(kFirstHalf + (1 - kFirstHalf) * done); });
+    return clear_region(further, beside_spiral(checked), half);
   };
   static_cast<Toolpath&>(result) = clear_by(clearer, regions, clearing, progress);
   result.cleared_share = reached > 0 ? by_spirals / reached : 0;

@@ -4,8 +4,8 @@
 // What lies on the wrong side of the outline weighs more and more, so that the curve settles on
 // touching it; what is left of that is taken off the semi-axes. Laws: the curve lies on its side of
 // the outline everywhere, `margin` mm away from it; a wished value is kept exactly; no radius of
-// curvature is below the least one unless a wished exponent demands it; turned and shifted outlines
-// give turned and shifted curves.
+// curvature is below the least one unless a wished exponent, or too little room, demands it; turned
+// and shifted outlines give turned and shifted curves.
 #pragma once
 
 #include <optional>

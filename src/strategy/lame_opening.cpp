@@ -38,6 +38,10 @@ constexpr double kFirstDisc = 1, kFirstChannel = 1;
 constexpr double kLeastChannel = 0.05;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
+// Share of the engagement angle.
+constexpr double kBesideSpiral = 0.993;
+// rad: a spiral that exceeds the engagement angle by more is none.
+constexpr double kMostOver = 1 * kPi / 180;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
 constexpr double kBeside = 1.02;
 // Between the shapes of two spirals the circle that joins them has this share of its radius to
@@ -50,24 +54,6 @@ double area_of(const std::vector<Region>& regions) {
   double sum = 0;
   for (const Region& region : regions) sum += region.area();
   return sum;
-}
-
-// Of what a curve grown by `by` mm holds; below 0 it shrinks.
-double grown_area(const LameCurve& curve, double by) {
-  return lame_area(curve) + by * lame_length(curve) + kPi * by * by;
-}
-
-double least_radius_of(const LameCurve& curve) {
-  double least = std::numeric_limits<double>::infinity();
-  for (const double angle : lame_angles(curve))
-    least = std::min(least, lame_radius(curve, angle).r);
-  return least;
-}
-
-double largest_radius_of(const LameCurve& curve) {
-  double most = 0;
-  for (const double angle : lame_angles(curve)) most = std::max(most, lame_radius(curve, angle).r);
-  return most;
 }
 
 // A circle with the curve's segments and rotation.
@@ -107,6 +93,7 @@ class Opening {
       clear_stock_around_island();
     else
       clear_ring();
+    made_.cleared_area = std::max(made_.cleared_area, made_.spiral_area);
     return std::move(made_);
   }
 
@@ -177,10 +164,10 @@ class Opening {
 
   void clear_pocket_of_one_wall() {
     const LameCurve last = fitted(task_.centres.outer, fit_task(LameSide::kInside));
-    made_.spiral_area = grown_area(last, radius_);
+    made_.spiral_area = grown_lame_area(last, radius_);
     check_share(made_.spiral_area / made_.reached_area);
     Circle first{task_.hole.value_or(last.centre), 0};
-    const double room = least_radius_of(last);
+    const double room = least_lame_radius(last);
     if (task_.hole) {
       first.radius = enter_hole();
     } else if (params_.entry == EntryKind::kPredrilledHole) {
@@ -254,7 +241,8 @@ class Opening {
                             "hole there, or choose the entry 'Automatic'.");
       first.hole.reset();
     }
-    made_.result = clear_region(first, params_, progress_);
+    Progress half([&](double done) { return progress_.report(kFirstHalf * done); });
+    made_.result = clear_region(first, beside_spiral(params_), half);
     made_.result.uncut_area = 0;  // of the first region only: told of at the end
     for (const PlanarRun& run : made_.result.runs) {
       add_descent(run.descent, ground_);
@@ -262,13 +250,14 @@ class Opening {
     }
   }
 
-  // The spiral through `growth`, from where the tool is.
-  void cut(const LameGrowth& growth, double start, bool inwards) {
+  // The spiral through a growth, from where the tool is.
+  void cut(const PlannedGrowth& growth, double start, bool inwards) {
     const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
+    if (turns.engagement > params_.engagement_angle + kMostOver) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
     add_moves(MoveKind::kCut, turns.moves);
     ++made_.result.passes;
-    made_.figures = {growth.stages.back().to, growth.stages.front().from.exponent,
+    made_.figures = {growth.growth.stages.back().to, growth.growth.stages.front().from.exponent,
                      turns.largest_pitch};
     if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6)) {
       std::ostringstream note;
@@ -276,6 +265,16 @@ class Opening {
            << "to " << turns.smallest_pitch << " mm: the engagement angle allows no more there.";
       made_.result.notes.push_back(note.str());
     }
+  }
+
+  [[noreturn]] void refuse_load() const {
+    if (task_.hole)
+      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
+                          "The pre-drilled hole is too tight to start a spiral from: drill it "
+                          "wider, or choose the entry 'Helix'.");
+    refuse(
+        "No Lamé spiral keeps to the engagement angle in this pocket: take the operation "
+        "Adaptive.");
   }
 
   // To the spiral's start: over cleared ground, or down beside it.
@@ -309,7 +308,7 @@ class Opening {
   static std::vector<LameGrowth> joined(const LameCurve& from, const LameCurve& to);
   static std::optional<LameCurve> alike_curve(const Curve& outline, LameFitTask task,
                                               const LameCurve& other);
-  LameGrowth best_of(const std::vector<LameGrowth>& growths, bool inwards) const;
+  PlannedGrowth best_of(const std::vector<LameGrowth>& growths, bool inwards) const;
   LameCurve within_channel(LameCurve first, const LameCurve& last) const;
   double kept_area() const;
 
@@ -335,17 +334,17 @@ void Opening::clear_stock_around_island() {
   outer.wishes = {};
   const LameCurve first = fitted(outside, outer);
 
-  const double area = stock().outer.signed_area(), inside = grown_area(last, -radius_);
+  const double area = stock().outer.signed_area(), inside = grown_lame_area(last, -radius_);
   made_.reached_area = area - kept_area();
   made_.spiral_area = area - inside;
   check_share(made_.spiral_area / made_.reached_area);
-  check_share(made_.spiral_area / (grown_area(first, -radius_) - inside));
+  check_share(made_.spiral_area / (grown_lame_area(first, -radius_) - inside));
 
   std::vector<LameGrowth> growths = joined(first, last);
   if (const std::optional<LameCurve> alike = alike_curve(outside, outer, last))
     growths.push_back({{{*alike, last}}});
-  const LameGrowth growth = best_of(growths, true);
-  const LameCurve& from = growth.stages.front().from;
+  const PlannedGrowth growth = best_of(growths, true);
+  const LameCurve& from = growth.growth.stages.front().from;
   cut(growth, from.rotation + kPi / from.segments, true);
 }
 
@@ -356,24 +355,26 @@ void Opening::clear_ring() {
   around.wishes = {};
   const LameCurve last = fitted(task_.centres.outer, fit_task(LameSide::kInside));
   const LameCurve beside = around_island(around);
-  const double outside = grown_area(last, radius_);
-  check_share((outside - grown_area(beside, -radius_)) / made_.reached_area);
+  const double outside = grown_lame_area(last, radius_);
+  check_share((outside - grown_lame_area(beside, -radius_)) / made_.reached_area);
 
   std::vector<LameGrowth> growths = joined(within_channel(beside, last), last);
   if (const std::optional<LameCurve> alike =
           alike_curve(task_.centres.islands.front().reversed(), around, last))
     growths.push_back({{{within_channel(*alike, last), last}}});
-  const LameGrowth growth = best_of(growths, false);
-  const LameCurve& first = growth.stages.front().from;
+  const PlannedGrowth growth = best_of(growths, false);
+  const LameCurve& first = growth.growth.stages.front().from;
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
-  made_.spiral_area = outside - grown_area(first, radius_);
+  if (progress_.cancelled() || made_.result.runs.empty()) return;
+  made_.spiral_area = outside - grown_lame_area(first, radius_);
+  made_.cleared_area = outside - kept_area();
   const PlanarRun& run = made_.result.runs.back();
   const Vec2 here = run.moves.empty() ? run.descent.at : run.moves.back().segment.b;
   cut(growth, angle_of(here - first.centre), false);
 }
 
-LameGrowth Opening::best_of(const std::vector<LameGrowth>& growths, bool inwards) const {
-  const std::optional<LameGrowth> best = best_growth(growths, turn_task(inwards));
+PlannedGrowth Opening::best_of(const std::vector<LameGrowth>& growths, bool inwards) const {
+  const std::optional<PlannedGrowth> best = best_growth(growths, turn_task(inwards));
   if (!best)
     refuse(
         "No Lamé spiral leads from one outline of this pocket to the other: take the operation "
@@ -399,7 +400,7 @@ std::vector<LameGrowth> Opening::joined(const LameCurve& from, const LameCurve& 
   const bool inwards = from.a > to.a;
   const LameCurve &inner = inwards ? to : from, &outer = inwards ? from : to;
   const double apart = distance(from.centre, to.centre);
-  const double low = largest_radius_of(inner), high = least_radius_of(outer) - apart;
+  const double low = largest_lame_radius(inner), high = least_lame_radius(outer) - apart;
   std::vector<LameGrowth> growths;
   if (high - low < kCircleRoom * high) return growths;
   for (const double share : kCircles) {
@@ -413,7 +414,7 @@ std::vector<LameGrowth> Opening::joined(const LameCurve& from, const LameCurve& 
 // The first curve of a ring, as far from the island's wall as a channel is cleared for it.
 LameCurve Opening::within_channel(LameCurve first, const LameCurve& last) const {
   const double room =
-      least_radius_of(last) - distance(first.centre, last.centre) - largest_radius_of(first);
+      least_lame_radius(last) - distance(first.centre, last.centre) - largest_lame_radius(first);
   const double width = std::min(kFirstChannel * radius_, 0.5 * room);
   if (width < kLeastChannel * radius_)
     refuse(
@@ -430,6 +431,11 @@ double Opening::kept_area() const {
 }
 
 }  // namespace
+
+ClearingParams beside_spiral(ClearingParams params) {
+  params.engagement_angle *= kBesideSpiral;
+  return params;
+}
 
 LameOpening lame_opening(const RegionTask& task, const ClearingParams& params,
                          const LameParams& lame, Progress& progress) {

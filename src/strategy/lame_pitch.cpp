@@ -124,9 +124,12 @@ double step_at(const LameGrowth& growth, const TurnTask& task, double share, dou
 }
 
 std::vector<double> levels_of(const LameGrowth& growth) {
-  const int count = kLevels * static_cast<int>(growth.stages.size());
-  std::vector<double> levels;
-  for (int i = 0; i <= count; ++i) levels.push_back(static_cast<double>(i) / count);
+  const std::vector<double> joints = growth.joints();
+  std::vector<double> levels{0};
+  for (std::size_t k = 0; k + 1 < joints.size(); ++k)
+    for (int i = 1; i <= kLevels; ++i)
+      levels.push_back(joints[k] + i * (joints[k + 1] - joints[k]) / kLevels);
+  levels.back() = 1;
   return levels;
 }
 
@@ -184,9 +187,9 @@ double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const Turn
   return 60 * total;
 }
 
-std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
-                                      const TurnTask& task) {
-  std::optional<LameGrowth> best;
+std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
+                                         const TurnTask& task) {
+  std::optional<PlannedGrowth> best;
   double least = std::numeric_limits<double>::infinity();
   for (LameGrowth growth : growths) {
     const bool one = growth.stages.size() == 1;
@@ -195,10 +198,11 @@ std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
       if (run != 1 && (!one || stage.from.exponent == stage.to.exponent)) continue;
       if (one) growth.stages.front().run = run;
       if (!stays_between(growth)) continue;
-      const double time = time_of(growth, largest_steps(growth, task), task);
+      MonotoneSpline steps = largest_steps(growth, task);
+      const double time = time_of(growth, steps, task);
       if (time >= least) continue;
       least = time;
-      best = growth;
+      best = {growth, std::move(steps)};
     }
   }
   return best;
@@ -206,7 +210,7 @@ std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths,
 
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
                      bool inwards) {
-  // Each turn goes as far as the smaller of the steps at its two ends.
+  // As fast as the step here allows, and slower where it is about to become smaller.
   const double knot = 2 * kPi / kKnots;
   std::vector<double> turned{-knot, 0}, shares{0, 0};
   while (shares.back() < 1) {
@@ -214,7 +218,7 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
       throw std::invalid_argument(
           "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch.");
     const double share = shares.back(), here = steps.value(share);
-    const double step = std::min(here, steps.value(share - here));
+    const double step = std::min(here, steps.value(share + here));
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
     turned.push_back(turned.back() + knot);
     shares.push_back(std::min(1.0, share + ramp * step / kKnots));

@@ -32,9 +32,15 @@ MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task);
 // s: what the turns take with these steps, nearly.
 double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const TurnTask& task);
 
+struct PlannedGrowth {
+  LameGrowth growth;
+  MonotoneSpline steps;  // its largest_steps()
+};
+
 // Of the growths that never leave the room between their first and last curve the one with the
 // least time; growths of one stage with the best of a few runs. Nothing where there is none.
-std::optional<LameGrowth> best_growth(const std::vector<LameGrowth>& growths, const TurnTask& task);
+std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
+                                         const TurnTask& task);
 
 // The spiral with these steps, `start` rad being the polar angle where it begins. Throws
 // std::invalid_argument where it would take more than kMostTurns turns.

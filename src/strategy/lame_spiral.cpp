@@ -12,7 +12,8 @@ namespace {
 constexpr double kMostTurn = kPi / 3;         // rad of the polar angle that two arcs may span
 constexpr double kLeastTurn = 1e-4;           // rad: shorter pieces are taken as they are
 constexpr double kShrink = 0.7, kGrow = 1.3;  // of a step after one that failed, or fitted
-constexpr int kLooks = 8;                     // at the deviation of a pair of arcs
+constexpr double kSafety = 0.9;  // of the tolerance: between the looks it may be a little more
+constexpr int kLooks = 6;        // at the deviation of a pair of arcs
 // Share of a stage within which its exponent comes to rest at a joint.
 constexpr double kJointShare = 0.3;
 // Semi-axes continued backwards never fall below this share of the first ones.
@@ -78,6 +79,14 @@ double LameGrowth::length() const {
   return sum;
 }
 
+std::vector<double> LameGrowth::joints() const {
+  std::vector<double> shares{0};
+  for (const LameStage& stage : stages)
+    shares.push_back(shares.back() + larger_change(stage) / length());
+  shares.back() = 1;
+  return shares;
+}
+
 LameCurve LameGrowth::at(double share) const {
   const auto [stage, s] = place_in(*this, share);
   const LameCurve &from = stage->from, &to = stage->to;
@@ -122,7 +131,7 @@ LameArcs arcs_of(const LameSpiral& spiral, double tolerance) {
     if (spiral.end - to < kLeastTurn) to = spiral.end;
     const PlanePoint there = spiral.place(to);
     const std::optional<BiArc> pair = bi_arc(here, there, kPi);
-    if (step > kLeastTurn && (!pair || deviation(spiral, *pair, from, to) > tolerance)) {
+    if (step > kLeastTurn && (!pair || deviation(spiral, *pair, from, to) > kSafety * tolerance)) {
       step *= kShrink;
       continue;
     }

@@ -38,7 +38,8 @@ struct LameStage {
 struct LameGrowth {
   std::vector<LameStage> stages;
 
-  double length() const;  // mm
+  double length() const;               // mm
+  std::vector<double> joints() const;  // shares at which stages begin and end: 0, ..., 1
   // Below 0 the first stage's semi-axes are continued backwards.
   LameCurve at(double share) const;
 };

@@ -9,42 +9,82 @@
 namespace evenload {
 namespace {
 
-constexpr int kBands = 24;                     // of the growth that are corrected by themselves
-constexpr int kMostRounds = 6;                 // of corrections
-constexpr int kWideningRounds = 2;             // of them may widen steps, too
-constexpr double kWiden = 1.1, kNarrow = 0.6;  // a correction is no larger than these
+constexpr int kBands = 24;                      // of the growth that are corrected by themselves
+constexpr int kMostRounds = 6;                  // of corrections
+constexpr int kWideningRounds = 1;              // of them may widen steps, too
+constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 // rad: what is aimed at lies so far below the limit.
+constexpr double kCoarse = 3;  // tolerances within which the first arcs follow: they are never cut
 constexpr double kAim = 0.2 * kPi / 180;
+
+constexpr double kLook = 0.4;            // tool radii between two looks, at most
+constexpr double kSure = 0.06;           // the same where the stock may have corners
+constexpr double kClosest = 0.01;        // and at least
+constexpr double kJump = 1 * kPi / 180;  // rad from one to the next: closer ones, then
 
 struct Look {
   double share;       // of the growth
   double engagement;  // rad
 };
 
-// Looks along the arcs, each in what those before it have cleared.
-std::vector<Look> looks_along(const LameSpiral& spiral, const LameArcs& arcs,
-                              ClearedGround& ground) {
-  std::vector<Look> looks;
-  std::vector<AngularInterval> engaged;
-  const std::size_t before = ground.size();
-  double turned = 0;
-  for (std::size_t i = 0; i < arcs.moves.size(); ++i) {
-    const Segment& move = arcs.moves[i];
-    for (const double t : {0.5, 1.0}) {
-      const double heading = angle_of(move.tangent(t));
-      // The arc itself has cleared nothing ahead of its own end.
-      if (t == 1) ground.add(move);
-      ground.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, engaged);
-      double sum = 0;
-      for (const AngularInterval& part : engaged) sum += part.high - part.low;
-      const double share = spiral.share.value(turned + t * (arcs.turned[i] - turned));
-      looks.push_back({share, sum});
+// Looks along the arcs of a spiral, each in what those before it have cleared.
+class Looks {
+ public:
+  Looks(const LameSpiral& spiral, const LameArcs& arcs, const TurnTask& task, ClearedGround& ground)
+      : ground_(ground),
+        closer_from_(0.5 * task.engagement),
+        sure_((task.inwards ? kSure : kLook) * ground.tool_radius()) {
+    const std::size_t before = ground.size();
+    double turned = 0;
+    for (std::size_t i = 0; i < arcs.moves.size(); ++i) {
+      const Segment& move = arcs.moves[i];
+      const auto share = [&](double t) {
+        return spiral.share.value(turned + t * (arcs.turned[i] - turned));
+      };
+      const int count =
+          std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground.tool_radius()))));
+      double last = engaged(move, 0);
+      for (int k = 1; k <= count; ++k) {
+        const double from = static_cast<double>(k - 1) / count, to = static_cast<double>(k) / count;
+        const double here = engaged(move, to);
+        found_.push_back({share(to), std::max(here, between(move, from, last, to, here))});
+        last = here;
+      }
+      ground.add(move);
+      turned = arcs.turned[i];
     }
-    turned = arcs.turned[i];
+    while (ground.size() > before) ground.remove_last();
   }
-  while (ground.size() > before) ground.remove_last();
-  return looks;
-}
+
+  std::vector<Look> found() && { return std::move(found_); }
+
+ private:
+  double engaged(const Segment& move, double t) {
+    const double heading = angle_of(move.tangent(t));
+    ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_);
+    double sum = 0;
+    for (const AngularInterval& part : arcs_) sum += part.high - part.low;
+    return sum;
+  }
+
+  // The most between two looks: closer ones where a peak may hide there, since it changes fast or
+  // corners of the stock are met.
+  double between(const Segment& move, double from, double e_from, double to, double e_to) {
+    const double most = std::max(e_from, e_to);
+    const double length = (to - from) * move.length();
+    const bool even = length <= sure_ && std::abs(e_to - e_from) < kJump;
+    if (most < closer_from_ || even || length < kClosest * ground_.tool_radius()) return most;
+    const double middle = 0.5 * (from + to), here = engaged(move, middle);
+    return std::max(
+        {here, between(move, from, e_from, middle, here), between(move, middle, here, to, e_to)});
+  }
+
+  ClearedGround& ground_;
+  double closer_from_;  // rad
+  double sure_;         // mm
+  std::vector<Look> found_;
+  std::vector<AngularInterval> arcs_;
+};
 
 // The steps times what the looks within a turn of them ask for.
 MonotoneSpline corrected(const MonotoneSpline& steps, const std::vector<Look>& looks,
@@ -92,19 +132,20 @@ Range range_of(const MonotoneSpline& steps) {
 
 }  // namespace
 
-LameTurns turns_of(const LameGrowth& growth, const TurnTask& task, double start, double tolerance,
-                   ClearedGround& ground) {
-  MonotoneSpline steps = largest_steps(growth, task);
+LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
+                   double tolerance, ClearedGround& ground) {
+  const LameGrowth& growth = planned.growth;
+  MonotoneSpline steps = planned.steps;
   LameTurns best;
   for (int round = 0; round < kMostRounds; ++round) {
     if (task.pitch) steps = limited(steps, *task.pitch / growth.length());
     LameSpiral spiral = spiral_of(growth, steps, start, task.inwards);
-    LameArcs arcs = arcs_of(spiral, tolerance);
-    const std::vector<Look> looks = looks_along(spiral, arcs, ground);
+    LameArcs arcs = arcs_of(spiral, round == 0 ? kCoarse * tolerance : tolerance);
+    const std::vector<Look> looks = Looks(spiral, arcs, task, ground).found();
     double most = 0;
     for (const Look& look : looks) most = std::max(most, look.engagement);
     const bool good = most <= task.engagement + kTurnTolerance;
-    if (round == 0 || good || most < best.engagement) {
+    if (round <= kWideningRounds || good || most < best.engagement) {
       const Range range = range_of(steps);
       best = {std::move(spiral), std::move(arcs.moves), most, range.least * growth.length(),
               range.most * growth.length()};

@@ -18,11 +18,11 @@ struct LameTurns {
   double smallest_pitch = 0, largest_pitch = 0;
 };
 
-// The spiral through `growth`, from the polar angle `start` on, as arcs within `tolerance` mm.
+// The spiral through a growth, from the polar angle `start` on, as arcs within `tolerance` mm.
 // `ground`: what is cleared before; left as it was. Law: the engagement at the arcs' ends and
 // middles exceeds the limit by no more than kTurnTolerance, unless the first curve itself does.
-LameTurns turns_of(const LameGrowth& growth, const TurnTask& task, double start, double tolerance,
-                   ClearedGround& ground);
+LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
+                   double tolerance, ClearedGround& ground);
 inline constexpr double kTurnTolerance = 0.5 * kPi / 180;
 
 }  // namespace evenload

@@ -34,6 +34,15 @@ constexpr int kSparseLooks = 8;
 constexpr double kRetractPrice = 0.3;
 // A way along a wall, which is less gentle, counts so many times its length.
 constexpr double kGrazingPrice = 1.5;
+// Looks for the wall that a straight way cuts into; shares of the turn radius: how far beside it a
+// link passes, and the tightest turn there.
+constexpr int kRoundLooks = 32;
+constexpr double kBerth = 0.3;
+constexpr double kTightestRound = 0.5;
+// mm: of the ends of a link that leaves a wall slowly.
+constexpr double kLongestEnds = 0.4;
+// mm: centres this near are one.
+constexpr double kSameCircle = 1e-6;
 // A turn of just under a full circle is a turn of nothing with a rounding error.
 constexpr double kFullTurn = 2 * kPi - 1e-6;
 
@@ -72,14 +81,21 @@ bool turn_straight_turn(const Pose& a, const Pose& b, double radius, double side
   return true;
 }
 
-// A bi-arc. False when there is none that turns no more tightly than `tightest` mm.
+// A bi-arc, or one arc where that leads there. False when there is none that turns no more tightly
+// than `tightest` mm.
 bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segment>& moves) {
   const std::optional<BiArc> pair =
       bi_arc({a.p, unit(a.heading)}, {b.p, unit(b.heading)}, kMostTurn);
   if (!pair) return false;
   for (const Segment& s : {pair->first, pair->second})
     if (s.is_arc() && s.radius < tightest) return false;
-  moves = {pair->first, pair->second};
+  const Segment &one = pair->first, &two = pair->second;
+  const bool same = one.is_arc() && two.is_arc() && one.sweep * two.sweep > 0 &&
+                    distance(one.centre, two.centre) < kSameCircle;
+  if (same)
+    moves = {Segment::arc(one.centre, one.radius, one.start_angle, one.sweep + two.sweep)};
+  else
+    moves = {one, two};
   return true;
 }
 
@@ -177,6 +193,36 @@ std::vector<Candidate> candidates(const Pose& from, const Pose& to,
   return result;
 }
 
+// mm: so far from an end a turn has left a wall that it began along.
+double ends_of(double turn_radius) { return std::sqrt(4 * kLinkDistance * turn_radius); }
+
+// Two bi-arcs by way of a place beside the wall that the straight way cuts deepest into, which is a
+// corner or an island. Empty where nothing is cut into, or the arcs would be tighter than
+// `tightest` mm.
+std::vector<Segment> way_round(const Area& centres, const Pose& from, const Pose& to, double berth,
+                               double tightest) {
+  const Vec2 straight = to.p - from.p;
+  BoundaryIndex::Hit deepest;
+  double depth = 0;
+  for (int i = 1; i < kRoundLooks; ++i) {
+    const Vec2 p = from.p + static_cast<double>(i) / kRoundLooks * straight;
+    const BoundaryIndex::Hit hit = centres.nearest(p);
+    const double outside = -centres.signed_distance(p, hit);
+    if (outside <= depth) continue;
+    depth = outside;
+    deepest = hit;
+  }
+  if (depth <= berth) return {};
+  const Vec2 wall = centres.segment_at(deepest).tangent(deepest.t);
+  const double side = dot(wall, straight) < 0 ? -1 : 1;  // walls run with the ground on their left
+  const Pose beside{deepest.point + berth * left_normal(wall), angle_of(side * wall)};
+  std::vector<Segment> moves, rest;
+  if (!turn_turn(from, beside, tightest, moves) || !turn_turn(beside, to, tightest, rest))
+    return {};
+  moves.insert(moves.end(), rest.begin(), rest.end());
+  return moves;
+}
+
 }  // namespace
 
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
@@ -186,13 +232,18 @@ std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centr
                             std::initializer_list<double>{0.2 * turn_radius},
                             std::initializer_list<double>{0.05 * turn_radius}}) {
     for (const Candidate& candidate : candidates(from, to, radii, longest)) {
-      // So far from an end a turn has left a wall that it began along.
-      const double ends =
-          space == LinkSpace::kClear ? std::sqrt(4 * kLinkDistance * turn_radius) : longest;
+      const double ends = space == LinkSpace::kClear ? ends_of(turn_radius) : longest;
       if (is_free(ground, centres, candidate.moves, ends)) return candidate.moves;
     }
   }
-  return {};
+  const std::vector<Segment> round =
+      way_round(centres, from, to, kBerth * turn_radius, kTightestRound * turn_radius);
+  if (round.empty() || length_of(round) > longest) return {};
+  const double widest = 1 / std::max(1e-9, std::min(std::abs(round.front().curvature()),
+                                                    std::abs(round.back().curvature())));
+  const double ends =
+      space == LinkSpace::kClear ? std::min(ends_of(widest), kLongestEnds) : longest;
+  return is_free(ground, centres, round, ends) ? round : std::vector<Segment>{};
 }
 
 double length_of_retract(double gap, const ClearingParams& params) {

@@ -29,6 +29,7 @@ constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 // A share of the allowed error above which a step shrinks as much as it may at once.
 constexpr double kHopeless = kGrowth * kGrowth / (kLeastGrowth * kLeastGrowth);
+constexpr int kLongerTries = 2;
 constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 // The engagement that the last step is taken to have ended with, from the limit.
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
@@ -187,20 +188,29 @@ std::optional<Steering::Step> Steering::try_step(const Contact& first, Error* er
   }
 }
 
-// Fewer moves: a step as long as the error of `step` lets hope for, where that is worth it and
-// turns out well; else `step` itself.
+// Fewer moves: a step about as long as will do, where that is worth it; else `step` itself.
 Steering::Step Steering::longer_than(const Step& step, const Contact& first, Error* error) const {
   const double length = step.move.length();
   const double longest =
       std::min(kLargestStep * radius_, kMostTurn / std::max(1e-9, std::abs(step.curvature)));
-  const double growth = std::min(growth_after(*error), longest / length);
-  if (growth < kWorthLonger || !is_steady(step)) return step;
-  const Step longer = solve(growth * length);
-  if (longer.held_back || longer.above > kOverload || !is_steady(longer)) return step;
-  const Error its_error = error_of(longer, first, 1);
-  if (its_error.share > 1) return step;
-  *error = its_error;
-  return longer;
+  Step best = step;
+  double good = 1, bad = longest / length * kWorthLonger;  // shares of `length`
+  double next = std::min(growth_after(*error), longest / length);
+  for (int i = 0; i < kLongerTries && next >= kWorthLonger * good && is_steady(best); ++i) {
+    const Step longer = solve(next * length);
+    Error its_error{2, false};
+    if (!longer.held_back && longer.above <= kOverload && is_steady(longer))
+      its_error = error_of(longer, first, 1);
+    if (its_error.share > 1) {
+      bad = next;
+    } else {
+      best = longer;
+      *error = its_error;
+      good = next;
+    }
+    next = std::sqrt(good * bad);
+  }
+  return best;
 }
 
 void Steering::step_free() {

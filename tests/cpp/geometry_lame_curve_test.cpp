@@ -154,6 +154,14 @@ TEST(LameCurve, MeasuresItsAreaAndLength) {
   EXPECT_NEAR(lame_area(curve_of(5, 4, 0.4)), 80 * g * g / std::tgamma(1.4), 8e-3);
 }
 
+TEST(LameCurve, MovedOutOrInIsOneOfARadiusMoreOrLess) {
+  EXPECT_NEAR(grown_lame_area(curve_of(5, 5, 1), 2), 49 * kPi, 1e-3);
+  EXPECT_NEAR(grown_lame_area(curve_of(5, 5, 1), -2), 9 * kPi, 1e-3);
+  EXPECT_NEAR(least_lame_radius(curve_of(7, 3, 1)), 3, 1e-12);
+  EXPECT_NEAR(largest_lame_radius(curve_of(7, 3, 1)), 7, 1e-12);
+  EXPECT_NEAR(largest_lame_radius(curve_of(5, 5, 0.2, 6)), 5 * std::pow(2, 0.4), 1e-9);
+}
+
 TEST(LameCurve, RefusesWhatIsNone) {
   EXPECT_THROW(check_lame_curve(curve_of(0, 1, 1)), std::invalid_argument);
   EXPECT_THROW(check_lame_curve(curve_of(1, NAN, 1)), std::invalid_argument);

@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "geometry_shapes.h"
@@ -117,6 +119,35 @@ TEST(Links, TakeTwoArcsWhereThreePiecesAreHardlyShorter) {
   const std::vector<Segment> turn = shortest_link(now(ground), centres, from, back, kTurn, 1e3);
   EXPECT_LE(turn.size(), 2u);
   for (const Segment& move : turn) EXPECT_GE(move.radius, 0.5 * kTurn - 1e-9);
+}
+
+TEST(Links, GoRoundAnIslandThatIsInTheirWay) {
+  const Area centres({make_region(rectangle(-20, -20, 20, 20), {shapes::circle({0, -1}, 4)})});
+  ClearedGround ground({{-23, -23}, {23, 23}}, kRadius, nullptr);
+  ground.add_disc({0, 0}, 60);
+  const Pose from{{-10, 0}, 0}, to{{10, 0}, 0};
+  const std::vector<Segment> link = shortest_link(now(ground), centres, from, to, kTurn, 25);
+  ASSERT_EQ(link.size(), 4u);
+  EXPECT_LE(distance(link.front().a, from.p), 1e-9);
+  EXPECT_LE(distance(link.back().b, to.p), 1e-9);
+  for (std::size_t k = 1; k < link.size(); ++k)
+    EXPECT_LE(norm(link[k - 1].tangent(1) - link[k].tangent(0)), 1e-6);
+  for (const Segment& move : link) {
+    EXPECT_GE(1 / std::max(1e-9, std::abs(move.curvature())), 0.5 * kTurn - 1e-9);
+    for (int i = 0; i <= 50; ++i) EXPECT_GE(centres.signed_distance(move.point(i / 50.0)), 0);
+  }
+  EXPECT_TRUE(shortest_link(now(ground), centres, from, to, kTurn, 20.5).empty());
+}
+
+TEST(Links, AreOneArcWhereOneLeadsThere) {
+  const Area centres({make_region(rectangle(0, 0, 40, 40))});
+  ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
+  ground.add_disc({20, 20}, 60);
+  const Segment arc = Segment::arc({20, 20}, 6, 0, 1.2);
+  const Pose from{arc.a, kPi / 2}, to{arc.b, kPi / 2 + 1.2};
+  const std::vector<Segment> link = shortest_link(now(ground), centres, from, to, kTurn, 1e3);
+  ASSERT_EQ(link.size(), 1u);
+  EXPECT_NEAR(link.front().radius, 6, 1e-6);
 }
 
 }  // namespace

@@ -1,0 +1,266 @@
+// Pockets cleared with Lamé spirals, by a judge that shares no code with them.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <string>
+
+#include "geometry/lame_curve.h"
+#include "judged.h"
+#include "strategy/lame_clearing.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+using corpus::Case;
+using path_check::Findings;
+
+constexpr double kDegree = kPi / 180;
+
+LameToolpath spiral(const Case& pocket, const ClearingParams& params, const LameParams& lame = {}) {
+  Progress watch;
+  return clear_with_lame_spiral({pocket.region}, params, lame, watch);
+}
+
+void expect_within_limits(const Case& pocket, const Toolpath& path, const Findings& found) {
+  EXPECT_EQ(path.report.termination, Termination::kComplete);
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 1 * kDegree);
+  EXPECT_LE(found.gouge, 0.005);
+  EXPECT_LE(found.left_share, 0.0005);
+  EXPECT_LE(found.link_engagement, 1 * kDegree);
+  EXPECT_EQ(found.bad_plunges, 0);
+  EXPECT_LE(found.arc_mismatch, 5e-6);
+  EXPECT_LE(found.removal_rate, corpus::most_rate(pocket));
+  EXPECT_GE(found.climb_length, 0.995 * (found.climb_length + found.conventional_length));
+  EXPECT_EQ(found.kinks, 0);
+}
+
+// The first cuts of a path after which it links or rises for the first time.
+std::vector<Move> first_cuts(const Toolpath& path) {
+  std::vector<Move> cuts;
+  for (const Move& move : path.moves) {
+    if (move.kind == MoveKind::kCut) cuts.push_back(move);
+    if (move.kind != MoveKind::kCut && !cuts.empty()) break;
+  }
+  return cuts;
+}
+
+class EveryLamePocket : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryLamePocket, IsClearedWithinTheLimitsAndTheTime) {
+  const Case pocket = corpus::load(GetParam());
+  const LameToolpath path = spiral(pocket, pocket.params());
+  expect_within_limits(pocket, path, corpus::judge(pocket, path));
+  EXPECT_LE(path.report.cutting_time, 1.2 * path.report.ideal_time);
+  EXPECT_GT(path.cleared_share, 0.6);
+  EXPECT_LE(path.cleared_share, 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, EveryLamePocket,
+                         testing::Values("lame_square35", "lame_hex50", "lame_square_island",
+                                         "lame_hex_island", "square60", "boss_open",
+                                         "square_island"),
+                         [](const auto& each) { return each.param; });
+
+TEST(LameClearing, IsTheSameForPocketsThatAreTurnedShiftedAndMirrored) {
+  const Case original = corpus::load("lame_square35");
+  const double time = spiral(original, original.params()).report.cutting_time;
+  for (const bool mirrored : {false, true}) {
+    const Case pocket = corpus::moved(original, 0.4, mirrored, {200, -30});
+    ClearingParams params = pocket.params();
+    params.cut_mode = mirrored ? CutMode::kConventional : CutMode::kClimb;
+    const LameToolpath path = spiral(pocket, params);
+    const Findings found = corpus::judge(pocket, path);
+    EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 1 * kDegree);
+    EXPECT_LE(found.gouge, 0.005);
+    EXPECT_LE(found.left_share, 0.0005);
+    EXPECT_NEAR(path.report.cutting_time, time, 0.03 * time);
+    const double wrong = mirrored ? found.climb_length : found.conventional_length;
+    EXPECT_LE(wrong, 0.005 * (found.climb_length + found.conventional_length));
+  }
+}
+
+TEST(LameClearing, ASpiralHasNoLinksAndNoTurnTighterThanTheMinimumRadius) {
+  const Case pocket = corpus::load("lame_hex50");
+  for (const double radius : {0.9, 8.0}) {
+    ClearingParams params = pocket.params();
+    params.minimum_radius = radius;
+    LameParams lame;
+    lame.rest = LameRest::kLeave;
+    const LameToolpath path = spiral(pocket, params, lame);
+    EXPECT_EQ(path.report.links, 0);
+    EXPECT_EQ(path.report.retracts, 0);
+    EXPECT_EQ(path.report.passes, 1);
+    // In the outer turns: the first ones are as tight as the entry.
+    double tightest = std::numeric_limits<double>::infinity();
+    double x = 0, y = 0;
+    for (const Move& move : path.moves) {
+      if (move.kind == MoveKind::kCut && move.sweep != 0 && std::hypot(x, y) > 12)
+        tightest = std::min(tightest, std::hypot(move.x - move.cx, move.y - move.cy));
+      x = move.x;
+      y = move.y;
+    }
+    EXPECT_GE(tightest, radius);
+  }
+}
+
+TEST(LameClearing, LeavesTheRestWhereThatIsWished) {
+  const Case pocket = corpus::load("lame_hex50");
+  LameParams lame;
+  lame.rest = LameRest::kLeave;
+  const LameToolpath path = spiral(pocket, pocket.params(), lame);
+  const Findings found = corpus::judge(pocket, path);
+  EXPECT_EQ(path.report.termination, Termination::kIncomplete);
+  EXPECT_NEAR(found.left_share, 1 - path.cleared_share, 0.002);
+  EXPECT_NEAR(path.report.uncut_area, found.left_area, 0.05 * found.left_area);
+  ASSERT_FALSE(path.report.notes.empty());
+  EXPECT_NE(path.report.notes.front().find("Rest is 'Leave'"), std::string::npos);
+}
+
+TEST(LameClearing, OfARingLeavesWhatNeitherChannelNorSpiralReach) {
+  const Case pocket = corpus::load("square_island");
+  LameParams lame;
+  lame.rest = LameRest::kLeave;
+  const LameToolpath path = spiral(pocket, pocket.params(), lame);
+  const Findings found = corpus::judge(pocket, path);
+  EXPECT_NEAR(path.report.uncut_area, found.left_area, 0.01 * found.reachable_area);
+  EXPECT_LT(path.cleared_share, 1 - found.left_share);  // the channel is no part of it
+}
+
+TEST(LameClearing, CanBeCancelledAtAnyTimeAndItsProgressNeverTurnsBack) {
+  for (const char* name : {"lame_hex50", "square_island", "lame_hex_island"}) {
+    const Case pocket = corpus::load(name);
+    int reports = 0;
+    double before = 0;
+    Progress all([&](double done) {
+      ++reports;
+      EXPECT_GE(done, before - 1e-9);
+      EXPECT_LE(done, 1 + 1e-9);
+      before = done;
+      return true;
+    });
+    clear_with_lame_spiral({pocket.region}, pocket.params(), {}, all);
+    for (const int at : {1, reports / 2, reports}) {
+      int count = 0;
+      Progress some([&](double) { return ++count < at; });
+      const LameToolpath path = clear_with_lame_spiral({pocket.region}, pocket.params(), {}, some);
+      EXPECT_EQ(path.report.termination, Termination::kCancelled) << name;
+    }
+  }
+}
+
+TEST(LameClearing, KeepsWhatIsSet) {
+  const Case pocket = corpus::load("square60");
+  LameParams lame;
+  lame.segments = 6;
+  lame.semi_axis_a = 20;
+  lame.exponent_end = 0.8;
+  lame.rotation = 0.3;
+  lame.centre = Vec2{31, 29};
+  lame.rest = LameRest::kLeave;
+  const LameToolpath path = spiral(pocket, pocket.params(), lame);
+  const LameCurve last{{31, 29}, 20, 20, 0.8, 6, 0.3};
+  std::vector<Move> cuts = first_cuts(path);
+  ASSERT_GT(cuts.size(), 20U);
+  for (std::size_t i = cuts.size() - 10; i < cuts.size(); ++i) {
+    const Vec2 d = Vec2{cuts[i].x, cuts[i].y} - last.centre;
+    EXPECT_NEAR(norm(d), lame_radius(last, angle_of(d)).r, 0.006);
+  }
+  // The exponent with which it starts: in the helix's circle fits a smaller curve.
+  lame.exponent_start = 0.5;
+  EXPECT_NE(first_cuts(spiral(pocket, pocket.params(), lame)).size(), cuts.size());
+}
+
+TEST(LameClearing, ASmallerPitchMakesMoreTurnsAndALargerOneIsToldOf) {
+  const Case pocket = corpus::load("lame_hex50");
+  const LameToolpath fitted = spiral(pocket, pocket.params());
+  LameParams lame;
+  lame.pitch = 0.4;
+  const LameToolpath fine = spiral(pocket, pocket.params(), lame);
+  EXPECT_GT(fine.report.cut_length, 1.5 * fitted.report.cut_length);
+  lame.pitch = 3;
+  const LameToolpath coarse = spiral(pocket, pocket.params(), lame);
+  EXPECT_NEAR(coarse.report.cut_length, fitted.report.cut_length, 0.01 * fitted.report.cut_length);
+  const auto& notes = coarse.report.notes;
+  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
+    return note.find("Pitch is smaller than set") == 0;
+  }));
+}
+
+TEST(LameClearing, BeginsInAHoleOrOnARamp) {
+  Case pocket = corpus::load("lame_hex50");
+  ClearingParams params = pocket.params();
+  params.entry = EntryKind::kRamp;
+  expect_within_limits(pocket, spiral(pocket, params),
+                       corpus::judge(pocket, spiral(pocket, params)));
+  for (const Vec2 place : {Vec2{0, 0}, Vec2{6, -3}})
+    for (const double diameter : {8.0, 11.0}) {
+      pocket.hole = corpus::Hole{place, diameter};
+      params = pocket.params();
+      const LameToolpath path = spiral(pocket, params);
+      expect_within_limits(pocket, path, corpus::judge(pocket, path));
+      EXPECT_LE(path.report.cutting_time, 1.2 * path.report.ideal_time);
+    }
+}
+
+TEST(LameClearing, RefusesAHoleThatIsTooTightToTurnIn) {
+  Case pocket = corpus::load("lame_hex50");
+  pocket.hole = corpus::Hole{{0, 0}, 6};
+  try {
+    spiral(pocket, pocket.params());
+    ADD_FAILURE();
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
+    EXPECT_NE(std::string(error.what()).find("drill it wider"), std::string::npos);
+  }
+}
+
+TEST(LameClearing, RefusesPocketsThatNoCurveResembles) {
+  for (const char* name : {"lshape", "comb", "slot9", "two_rooms"}) {
+    const Case pocket = corpus::load(name);
+    try {
+      spiral(pocket, pocket.params());
+      ADD_FAILURE() << name;
+    } catch (const GeometryError& error) {
+      EXPECT_EQ(error.code(), GeometryErrorCode::kNoLameCurve) << name;
+      EXPECT_NE(std::string(error.what()).find("take the operation Adaptive"), std::string::npos);
+    }
+  }
+}
+
+TEST(LameClearing, RefusesParametersOutOfRange) {
+  const Case pocket = corpus::load("lame_hex50");
+  const auto refused = [&](auto set) {
+    LameParams lame;
+    set(lame);
+    EXPECT_THROW(spiral(pocket, pocket.params(), lame), std::invalid_argument);
+  };
+  refused([](LameParams& p) { p.segments = 2; });
+  refused([](LameParams& p) { p.segments = 13; });
+  refused([](LameParams& p) { p.semi_axis_a = 0; });
+  refused([](LameParams& p) { p.semi_axis_b = NAN; });
+  refused([](LameParams& p) { p.exponent_start = 1.1; });
+  refused([](LameParams& p) { p.exponent_end = 0.01; });
+  refused([](LameParams& p) { p.rotation = INFINITY; });
+  refused([](LameParams& p) { p.pitch = 0; });
+  refused([](LameParams& p) { p.centre = Vec2{NAN, 0}; });
+  refused([](LameParams& p) {
+    p.segments = 6;
+    p.semi_axis_a = 10;
+    p.semi_axis_b = 11;
+  });
+  ClearingParams rest = pocket.params();
+  rest.stock = std::vector<Region>{pocket.region};
+  EXPECT_THROW(spiral(pocket, rest), std::invalid_argument);
+  LameParams too_long;
+  too_long.semi_axis_a = 30;
+  too_long.segments = 4;
+  too_long.centre = Vec2{0, 0};
+  EXPECT_THROW(spiral(pocket, pocket.params(), too_long), GeometryError);
+}
+
+}  // namespace
+}  // namespace evenload
