@@ -27,6 +27,7 @@ CURVE_SHARE = 0.25
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
 MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
+LEAST_OVERLAP = 1e-4  # mm2: less of two floors that touch is rounding
 UPRIGHT = 1e-9  # of unit vectors: what rises in a right angle
 ACROSS = 10  # rows of points on the ground up to there
 FAN = (-80, -50, -25, 0, 25, 50, 80)  # degrees from an edge's normal, at its ends
@@ -64,20 +65,26 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None):
     """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
 
     models: shapes of the job's model, stock: shape of its stock or None, both in place;
-    tool_diameter and tolerance in mm. slot: callable(chain, name of the geometry) -> the core's
-    Region, what an open outline is the centreline of; without it open outlines are refused. Raises
-    ValueError with a sentence that names the geometry.
+    tool_diameter and tolerance in mm. slot: callable(chain, closed, name of the geometry) -> the
+    core's Region of the slot round a sketch's or edges' curve, or None where it is an outline;
+    slots that meet are one floor. Without it open curves are refused. Raises ValueError with a
+    sentence that names the geometry.
     """
-    found = []
+    found, slots = [], []
     for item in _items(base):
-        read = _slots(item, tolerance, slot) if slot else []
-        read = read or _read(item, tolerance)
+        read = _slots(item, tolerance, slot) if slot and not item.is_face else []
+        slots += read
+        if read:
+            continue
+        read = _read(item, tolerance)
         if item.is_face and _enclosed(item.shape, models):
             for floor in read:
                 floor.enclosed = True
         found += read
+    found += _united(slots)
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
+    _refuse_overlaps(found)
     walls = _Walls(models, stock)
     for floor in found:
         if floor.is_face:
@@ -224,28 +231,71 @@ def _read(item, tolerance):
 
 
 def _slots(item, tolerance, slot):
-    """The floors of slots round open outlines; none where there is no open one."""
-    if item.is_face:
-        return []
+    """The floors of slots round an item's curves; none where they are outlines."""
     within = CURVE_SHARE * tolerance
     occt = compiled.occt()
     try:
         curves = occt.curves_from_brep(item.shape.exportBrepToString(), within)
     except occt.ShapeError as error:
         raise ValueError(_sentence(item, error)) from None
-    if all(closed for _, _, closed in curves):
-        return []
-    if any(closed for _, _, closed in curves):
-        raise ValueError(
-            "%s has open and closed outlines: put the slots' centrelines into a sketch of their "
-            "own." % item.name
-        )
-    result = []
-    for z, chain, _ in curves:
-        region = slot(chain, item.name)
-        floor = Floor(item.name, z, region.outer, region.islands, False, slack=_slack(item, within))
-        result.append(floor)
+    slack, result = _slack(item, within), []
+    for z, chain, closed in curves:
+        region = slot(chain, closed, item.name)
+        if region is not None:
+            outer, islands = list(region.outer), [list(island) for island in region.islands]
+            result.append(Floor(item.name, z, outer, islands, False, slack=slack))
     return result
+
+
+def _united(slots):
+    """The slots, those at one height that overlap as one floor."""
+    result = []
+    for z in dict.fromkeys(round(slot.z, 5) for slot in slots):
+        level = [slot for slot in slots if round(slot.z, 5) == z]
+        if len(level) == 1:
+            result += level
+            continue
+        faces = [_face_of(slot) for slot in level]
+        fused = Part.Compound(faces[0].fuse(faces[1:]).removeSplitter().Faces)
+        name = " and ".join(dict.fromkeys(slot.name for slot in level))
+        slack = max(slot.slack for slot in level)
+        result += [
+            Floor(name, z, list(outer), [list(island) for island in islands], False, slack=slack)
+            for _, outer, islands in compiled.occt().regions_from_brep(
+                fused.exportBrepToString(), SAME_HEIGHT
+            )
+        ]
+    return result
+
+
+def _refuse_overlaps(found):
+    """Raises ValueError where two floors at one height overlap, which would be cut as one."""
+    for i, floor in enumerate(found):
+        for other in found[:i]:
+            if abs(floor.z - other.z) > SAME_HEIGHT:
+                continue
+            a, b = _face_of(floor), _face_of(other)
+            if a.BoundBox.intersect(b.BoundBox) and a.common(b).Area > LEAST_OVERLAP:
+                raise ValueError(
+                    "%s and %s overlap: draw what they enclose together as one, or use two "
+                    "operations." % (other.name, floor.name)
+                )
+
+
+def _face_of(floor):
+    """A floor as a face of FreeCAD's."""
+    face = Part.Face(_wire_of(floor.outer, floor.z))
+    holes = [Part.Face(_wire_of(island, floor.z)) for island in floor.islands]
+    return face.cut(holes) if holes else face
+
+
+def _wire_of(chain, z):
+    edges = []
+    for (x0, y0, bulge, *_), (x1, y1, *_) in zip(chain, chain[1:] + chain[:1]):
+        start, end = FreeCAD.Vector(x0, y0, z), FreeCAD.Vector(x1, y1, z)
+        middle = (start + end) / 2 + FreeCAD.Vector(y1 - y0, x0 - x1, 0) * (bulge / 2)
+        edges.append(Part.Arc(start, middle, end).toShape() if bulge else Part.makeLine(start, end))
+    return Part.Wire(edges)
 
 
 def _slack(item, within):

@@ -43,8 +43,10 @@ std::vector<End> ends_of(const std::vector<Piece>& pieces) {
   return ends;
 }
 
+enum class Junctions { kRefused, kLeftOpen };
+
 // Marries the single ends that lie within max(gap, their errors) of each other.
-void pair_up(std::vector<End>& ends, double gap, bool use_errors) {
+void pair_up(std::vector<End>& ends, double gap, bool use_errors, Junctions junctions) {
   std::vector<std::size_t> order;
   double reach = gap;
   for (std::size_t i = 0; i < ends.size(); ++i) {
@@ -67,6 +69,7 @@ void pair_up(std::vector<End>& ends, double gap, bool use_errors) {
         if (apart(a, b) <= limit) near.push_back(order[j]);
       }
     }
+    if (near.size() > 1 && junctions == Junctions::kLeftOpen) continue;
     if (near.size() > 1) {
       throw ShapeError(ShapeFault::kBranching, a.member,
                        "More than two edges meet at " + place(a) +
@@ -97,10 +100,13 @@ std::vector<Piece> without_points(const std::vector<Piece>& all) {
   return pieces;
 }
 
-std::vector<End> paired_ends(const std::vector<Piece>& pieces) {
+std::vector<End> paired_ends(const std::vector<Piece>& pieces, Junctions junctions) {
   std::vector<End> ends = ends_of(pieces);
-  pair_up(ends, kSamePoint, false);
-  pair_up(ends, kJoinGap, true);
+  pair_up(ends, kSamePoint, false, junctions);
+  pair_up(ends, kJoinGap, true, junctions);
+  // At a junction an end may have been chosen by one that it did not choose.
+  for (std::size_t i = 0; i < ends.size(); ++i)
+    if (ends[i].partner != kNobody && ends[ends[i].partner].partner != i) ends[i].partner = kNobody;
   return ends;
 }
 
@@ -136,7 +142,7 @@ std::vector<Loop> curves_of(const std::vector<Piece>& pieces, const std::vector<
 
 std::vector<Loop> join(const std::vector<Piece>& all) {
   const std::vector<Piece> pieces = without_points(all);
-  const std::vector<End> ends = paired_ends(pieces);
+  const std::vector<End> ends = paired_ends(pieces, Junctions::kRefused);
   for (std::size_t i = 0; i < ends.size(); ++i) {
     if (ends[i].partner == kNobody) throw_open(ends, i);
   }
@@ -145,7 +151,7 @@ std::vector<Loop> join(const std::vector<Piece>& all) {
 
 std::vector<Loop> join_chains(const std::vector<Piece>& all) {
   const std::vector<Piece> pieces = without_points(all);
-  return curves_of(pieces, paired_ends(pieces));
+  return curves_of(pieces, paired_ends(pieces, Junctions::kLeftOpen));
 }
 
 }  // namespace evenload

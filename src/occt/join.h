@@ -30,7 +30,7 @@ inline constexpr double kJoinGap = 1e-3;
 // place and the piece's member.
 std::vector<Loop> join(const std::vector<Piece>& pieces);
 
-// The same with open curves, which come first. Throws ShapeError (kBranching).
+// The same with open curves, which come first; where more than two ends meet the curves end.
 std::vector<Loop> join_chains(const std::vector<Piece>& pieces);
 
 }  // namespace evenload

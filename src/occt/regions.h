@@ -29,8 +29,8 @@ struct LevelCurve {
   Curve curve;   // seen from above, open ones before closed ones
 };
 
-// The wires and edges outside of faces, joined end to end where they meet; the same laws and
-// errors, but that a curve may be open.
+// The wires and edges outside of faces, joined end to end where two of them meet; the same laws
+// and errors, but that a curve may be open, as it is where more than two meet.
 std::vector<LevelCurve> curves_from_brep(const std::string& text, double tolerance);
 
 }  // namespace evenload

@@ -389,11 +389,11 @@ def test_edges_of_faces_are_no_curves_of_their_own():
     assert curves(face) == []
 
 
-def test_three_edges_that_meet_are_no_curve():
+def test_curves_end_where_three_edges_meet():
     meet = Vector(0, 0, 0)
     edges = [
         Part.makeLine(meet, end) for end in (Vector(5, 0, 0), Vector(0, 5, 0), Vector(-5, 0, 0))
     ]
-    with pytest.raises(_occt.ShapeError) as caught:
-        curves(*edges)
-    assert caught.value.reason == "branching"
+    found = curves(*edges, Part.makeLine(Vector(5, 0, 0), Vector(9, 9, 0)))
+    assert sorted(len(chain) for _, chain, _ in found) == [2, 2, 3]
+    assert not any(closed for _, _, closed in found)

@@ -6,7 +6,7 @@ import Part
 import pytest
 from conftest import check_path, moves_of, points_of, reopened
 from FreeCAD import Vector
-from models import block_with, face_of, rectangle, sketch_of
+from models import block_with, face_of, floors_of, rectangle, sketch_of
 
 PATTERNS = ("Constant engagement", "Circular", "Cycloid")
 LENGTH, WIDTH = 60.0, 10.0  # mm
@@ -146,12 +146,63 @@ def test_a_centreline_that_gives_no_slot_is_refused(slot, word):
     assert word in sentence and "Sketch" in sentence
 
 
-def test_open_and_closed_outlines_are_not_mixed(slot):
-    sketch = sketch_of(slot.doc, LINE, closed=False)
-    sketch.addGeometry(Part.Circle(Vector(10, 30, 0), Vector(0, 0, 1), 8), False)
-    slot.doc.recompute()
-    op = trochoid(slot, [(sketch, "")], SlotWidth=WIDTH)
-    assert "open and closed outlines" in slot.refused(op)
+def centres_on(op, points):
+    """For each (x, y), whether the tool's centre comes by at the floor."""
+    at_floor = [(x, y) for x, y, z, _ in points_of(op) if z < -2.999]
+    return [min(math.dist(p, q) for q in at_floor) < 1.5 for p in points]
+
+
+@pytest.mark.parametrize("together", [True, False], ids=["one sketch", "two sketches"])
+def test_centrelines_that_cross_are_one_slot(bench, together):
+    b = bench(block_with(face_of(rectangle(-20, -40, 80, 60))))
+    across = [(30, -25, 0), (30, 35, 0)]
+    first = sketch_of(b.doc, LINE, closed=False)
+    if together:
+        first.addGeometry(Part.LineSegment(Vector(30, -25, 0), Vector(30, 35, 0)), False)
+        base = [(first, "")]
+    else:
+        base = [(first, ""), (sketch_of(b.doc, across, closed=False), "")]
+    b.doc.recompute()
+    op = b.done(trochoid(b, base, SlotWidth=WIDTH))
+    assert all(centres_on(op, [(10, 5), (50, 5), (30, -25), (30, 35)]))
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+    area = 2 * (40 + 60) * WIDTH / 2 + 2 * math.pi * 25 - WIDTH**2
+    assert op.RemovedVolume.Value == pytest.approx(3 * area, rel=0.01)
+
+
+def test_a_t_of_centrelines_is_one_slot(bench):
+    b = bench(block_with(face_of(rectangle(-20, -40, 80, 60))))
+    sketch = sketch_of(b.doc, [(0, 0, 0), (30, 0, 0)], closed=False)
+    for end in (Vector(60, 0, 0), Vector(30, 40, 0)):
+        sketch.addGeometry(Part.LineSegment(Vector(30, 0, 0), end), False)
+    b.doc.recompute()
+    op = b.done(trochoid(b, [(sketch, "")], SlotWidth=WIDTH))
+    assert all(centres_on(op, [(0, 0), (60, 0), (30, 40)]))
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+
+
+def test_a_closed_centreline_gives_a_ring(bench):
+    b = bench(block_with(face_of(rectangle(-40, -40, 40, 40))))
+    sketch = b.doc.addObject("Sketcher::SketchObject", "Ring")
+    sketch.addGeometry(Part.Circle(Vector(0, 0, 0), Vector(0, 0, 1), 20), False)
+    sketch.Placement.Base = Vector(0, 0, -3)
+    b.doc.recompute()
+    op = b.done(trochoid(b, [(sketch, "")], SlotWidth=WIDTH))
+    radii = [math.hypot(x, y) for x, y, z, _ in points_of(op) if z < -2.999]
+    assert min(radii) == pytest.approx(18, abs=0.01) and max(radii) == pytest.approx(22, abs=0.01)
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+
+
+def test_a_slot_width_that_a_face_does_not_need_is_told(slot):
+    op = slot.done(trochoid(slot, SlotWidth=8.0))
+    assert "SlotWidth was not used for Face" in op.Report
+
+
+def test_a_face_and_a_slot_that_overlap_are_refused(slot):
+    (floor,) = floors_of(slot.model.Shape)
+    sketch = sketch_of(slot.doc, [(30, 5, 0), (30, 40, 0)], closed=False)
+    op = trochoid(slot, [(slot.model, (floor,)), (sketch, "")], SlotWidth=8.0)
+    assert "overlap" in slot.refused(op)
 
 
 def test_several_depths_reach_the_last(slot):

@@ -27,8 +27,8 @@ class Trochoid(base.Operation):
             "SlotWidth",
             "App::PropertyLength",
             0.0,
-            "Width of the slot round an open sketch or edge; faces and closed outlines have their "
-            "own",
+            "Width of the slot round a sketch or edges, which are its centreline once this is set; "
+            "faces have their own",
             GROUP,
         ),
     )
@@ -58,8 +58,10 @@ class Trochoid(base.Operation):
     )
 
     def floors(self, obj, tool):
-        def slot(chain, name):
+        def slot(chain, closed, name):
             if not obj.SlotWidth.Value > 0:
+                if closed:
+                    return None
                 raise ValueError(
                     "%s is open, the centreline of a slot: set SlotWidth, or close it." % name
                 )
@@ -70,11 +72,11 @@ class Trochoid(base.Operation):
                 )
             try:
                 middle = [vertex[:3] for vertex in chain]
-                return compiled.core().slot_around(middle, width=obj.SlotWidth.Value)
+                return compiled.core().slot_around(middle, width=obj.SlotWidth.Value, closed=closed)
             except ValueError as error:
                 raise ValueError("%s: %s" % (name, error)) from None
 
-        return shape.floors(
+        found = shape.floors(
             obj.Base,
             [m.Shape for m in self.model],
             self.stock.Shape,
@@ -82,6 +84,12 @@ class Trochoid(base.Operation):
             obj.Tolerance.Value,
             slot,
         )
+        for floor in found:
+            if floor.is_face and obj.SlotWidth.Value > 0:
+                floor.notes.append(
+                    "SlotWidth was not used for %s: a face has its own width." % floor.name
+                )
+        return found
 
     def generate(self, obj, core, regions, parameters):
         toolpath, figures = core.clear_slot(regions, pattern=obj.Pattern.lower(), **parameters)
