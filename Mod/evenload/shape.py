@@ -81,7 +81,8 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None):
             for floor in read:
                 floor.enclosed = True
         found += read
-    found += _united(slots)
+    for united in _united(slots):
+        found += _within_stock(united, stock)
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     _refuse_overlaps(found)
@@ -265,6 +266,35 @@ def _united(slots):
                 fused.exportBrepToString(), SAME_HEIGHT
             )
         ]
+    return result
+
+
+def _within_stock(slot, stock):
+    """The floors that the stock leaves of a slot, open where it runs out of the stock."""
+    if stock is None:
+        return [slot]
+    outlines = [wire for wire in stock.slice(UP, slot.z + ABOVE_FLOOR) if wire.isClosed()]
+    face, ground = _face_of(slot), [Part.Face(outline) for outline in outlines]
+    for each in ground:
+        each.translate(UP * -ABOVE_FLOOR)
+    inside = face.common(ground) if ground else Part.Shape()
+    if not inside.Faces:
+        raise ValueError(
+            "%s lies outside the stock: move it, or make the stock larger." % slot.name
+        )
+    if inside.Area > face.Area - LEAST_OVERLAP:
+        return [slot]
+    border = Part.Compound([wire for each in ground for wire in each.Wires])
+    result = []
+    for _, outer, islands in compiled.occt().regions_from_brep(
+        Part.Compound(inside.removeSplitter().Faces).exportBrepToString(), SAME_HEIGHT
+    ):
+        edges = _wire_of(outer, slot.z).OrderedEdges
+        middles = [edge.valueAt(0.5 * (edge.FirstParameter + edge.LastParameter)) for edge in edges]
+        outside = [border.distToShape(Part.Vertex(p))[0] < SAME_HEIGHT for p in middles]
+        chain = [(*vertex[:3], is_open) for vertex, is_open in zip(outer, outside)]
+        islands = [list(island) for island in islands]
+        result.append(Floor(slot.name, slot.z, chain, islands, False, slack=slot.slack))
     return result
 
 

@@ -193,6 +193,24 @@ def test_a_closed_centreline_gives_a_ring(bench):
     assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
 
 
+def test_a_slot_that_runs_out_of_the_stock_is_entered_from_outside(bench):
+    b = bench(Part.makeBox(60, 40, 12, Vector(0, 0, -12)))
+    sketch = sketch_of(b.doc, [(-20, 20, 0), (45, 20, 0)], closed=False)
+    op = b.done(trochoid(b, [(sketch, "")], SlotWidth=WIDTH))
+    at_floor = [(x, y) for x, y, z, _ in points_of(op) if z < -2.999]
+    assert at_floor[0][0] < -3 and -12 < min(x for x, _ in at_floor)
+    assert max(x for x, _ in at_floor) == pytest.approx(47, abs=0.01)
+    assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
+    area = 45 * WIDTH + math.pi * 25 / 2
+    assert op.RemovedVolume.Value == pytest.approx(3 * area, rel=0.01)
+
+
+def test_a_slot_outside_the_stock_is_refused(bench):
+    b = bench(Part.makeBox(60, 40, 12, Vector(0, 0, -12)))
+    sketch = sketch_of(b.doc, [(-80, 20, 0), (-45, 20, 0)], closed=False)
+    assert "outside the stock" in b.refused(trochoid(b, [(sketch, "")], SlotWidth=WIDTH))
+
+
 def test_a_slot_width_that_a_face_does_not_need_is_told(slot):
     op = slot.done(trochoid(slot, SlotWidth=8.0))
     assert "SlotWidth was not used for Face" in op.Report
