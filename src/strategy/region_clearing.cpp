@@ -173,11 +173,13 @@ class RegionClearing {
     }
     if (task_.hole) {
       enter_hole();
-      if (result_.passes == 0 && leftover_to_cut())
+      if (result_.passes > 0 || !leftover_to_cut()) return;
+      if (hole_first)
         throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
                             "The pre-drilled hole is too tight to start from: drill it wider, or "
                             "choose the entry 'Automatic' or 'Helix'.");
-      return;
+      result_.runs.clear();
+      result_.notes.push_back("The pre-drilled hole is too tight to start from: it was not used.");
     }
     if (params_.entry == EntryKind::kPredrilledHole) {
       samples_.update(everywhere.low, everywhere.high);

@@ -2,12 +2,14 @@
 // from.
 #include <gtest/gtest.h>
 
+#include <string>
 #include <utility>
 
 #include "corpus.h"
 #include "geometry_shapes.h"
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
+#include "support/errors.h"
 
 namespace evenload {
 namespace {
@@ -82,6 +84,20 @@ TEST(PocketTest, TheToolComesDownByRapidsWhereTheGroundIsClearedAlready) {
   }
   EXPECT_GE(rapid, path.report.retracts);
   EXPECT_LE(fed, 1) << "into the hole";
+}
+
+TEST(PocketTest, AHoleTooTightToStartFromIsNotUsedWhereTheEntryIsAutomatic) {
+  ClearingParams params;
+  params.entry_point = Vec2{15, 12};
+  params.hole_diameter = params.tool_diameter;
+  const std::vector<Region> regions = {make_region(rectangle(0, 0, 30, 24))};
+  Progress progress;
+  const Toolpath path = clear_pocket(regions, params, progress);
+  EXPECT_EQ(path.report.uncut_area, 0);
+  ASSERT_EQ(path.report.notes.size(), 1u);
+  EXPECT_NE(path.report.notes[0].find("too tight to start from"), std::string::npos);
+  params.entry = EntryKind::kPredrilledHole;
+  EXPECT_THROW(clear_pocket(regions, params, progress), GeometryError);
 }
 
 }  // namespace

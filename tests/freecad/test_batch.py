@@ -129,6 +129,30 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
         FreeCAD.closeDocument(doc.Name)
 
 
+@pytest.mark.parametrize(
+    "kind, own",
+    [
+        ("trochoid", {"Pattern": "Circular", "SlotWidth": 8}),
+        ("lame_spiral", {"Segments": 4, "ExponentEnd": 0.6, "Rest": "Leave"}),
+    ],
+)
+def test_the_other_operations_take_their_own_parameters(folder, kind, own):
+    job = a_job(folder)
+    job["operation"]["type"] = kind
+    job["operation"]["parameters"].update(own)
+    job["output"]["document"] = "out/job.FCStd"
+    report, _ = run(folder, job)
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    doc = FreeCAD.openDocument(str(folder / "out" / "job.FCStd"))
+    try:
+        (op,) = [o for o in doc.Objects if all(hasattr(o, name) for name in own)]
+        for name, value in own.items():
+            found = getattr(op, name)
+            assert getattr(found, "Value", found) == value
+    finally:
+        FreeCAD.closeDocument(doc.Name)
+
+
 def test_the_picture_is_a_png(folder):
     job = a_job(folder)
     job["output"]["picture"] = "out/plate.png"
