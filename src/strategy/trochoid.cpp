@@ -35,6 +35,8 @@ constexpr double kLook = 0.1;
 constexpr double kLongestEnd = 8;
 // Share of a step: what is thinner in front of a period is a scallop.
 constexpr double kScallop = 0.25;
+// Share of a step: what is thinner is no material where a period shall cut nothing.
+constexpr double kThin = 0.002;
 // Of unit vectors: towards the front, not the walls.
 constexpr double kAcross = 0.5;
 // Share of the tool's radius: between two looks for material along a middle.
@@ -238,7 +240,7 @@ class SlotClearing {
     std::optional<double> last;
     for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
          s += kTrySpacing * way.pattern.step)
-      if (is_clear(cut_at(way, s)))
+      if (is_clear(cut_at(way, s), kThin * way.pattern.step))
         last = s;
       else if (last)
         break;
@@ -267,12 +269,12 @@ class SlotClearing {
     return false;
   }
 
-  bool is_clear(const std::vector<Segment>& moves) const {
+  // `thin` mm: what is no thicker does not count.
+  bool is_clear(const std::vector<Segment>& moves, double thin) const {
     for (const Segment& move : moves) {
       const int n = static_cast<int>(std::ceil(move.length() / (kLook * radius_)));
       for (int i = 0; i <= n; ++i)
-        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), params_.tolerance))
-          return false;
+        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), thin)) return false;
     }
     return true;
   }

@@ -73,7 +73,7 @@ void expect_good(const Region& region, const ClearingParams& params, const Troch
 }
 
 TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
-  for (const double width : {6.4, 6.6, 7.5, 9.0, 12.0, 18.0})
+  for (const double width : {6.2, 6.4, 6.6, 7.5, 9.0, 12.0, 18.0})
     for (const double degrees : {30.0, 60.0, 90.0}) {
       if (degrees < 60 && width < 9) continue;  // thousands of periods
       SCOPED_TRACE(std::to_string(width) + " mm, " + std::to_string(degrees));
@@ -188,6 +188,19 @@ void expect_fallback(const Region& region, TrochoidKind kind, const std::string&
                              : kind == TrochoidKind::kCycloid ? "Pattern Cycloid was not used"
                                                               : "pass by pass.";
   EXPECT_NE(note.find(unused), std::string::npos) << note;
+}
+
+TEST(ClearSlot, KeepsTheLimitWhereTheFirstPeriodBeginsWhateverTheTolerance) {
+  for (const double width : {6.2, 6.3, 7.5}) {
+    SCOPED_TRACE(width);
+    const Region region = slot_around(line(30), width, SlotEnds::kRound);
+    ClearingParams params = params_at();
+    params.tolerance = 0.1;
+    const TrochoidalPath result = clear(region, params);
+    EXPECT_LT(result.path.report.max_engagement, params.engagement_angle + 1 * kDegree);
+    EXPECT_LT(judge(region, params, result).cut_engagement, params.engagement_angle + 1 * kDegree);
+    EXPECT_GT(result.report.length, 15);
+  }
 }
 
 TEST(ClearSlot, TellsWhereAndWhyNoPatternIsRepeated) {
