@@ -11,6 +11,7 @@
 #include "path_check.h"
 #include "strategy/slot_around.h"
 #include "strategy/trochoid.h"
+#include "strategy/trochoid_pattern.h"
 #include "support/errors.h"
 #include "toolpath/helix.h"
 
@@ -85,6 +86,8 @@ TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
       EXPECT_GT(result.report.step, 0);
       EXPECT_GT(result.report.iterations, 1);
       EXPECT_GT(result.report.removal_rate, 0);
+      EXPECT_EQ(note_with(result, "the trochoid's advance still differed") != "",
+                result.report.residual >= kSettled * 3);
     }
 }
 
@@ -214,6 +217,18 @@ TEST(ClearSlot, TellsWhereAndWhyNoPatternIsRepeated) {
   expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short");
   expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short",
                   CutMode::kConventional);
+}
+
+TEST(ClearSlot, TellsOnceWhatIsLeftUncutWhenAllIsDone) {
+  ClearingParams params = params_at();
+  params.wall_pass = false;
+  const TrochoidalPath result = clear(slot_around(line(50), 9, SlotEnds::kSquare), params);
+  EXPECT_GT(result.report.length, 15);
+  EXPECT_GT(result.path.report.uncut_area, 0);
+  int told = 0;
+  for (const std::string& note : result.path.report.notes)
+    told += note.find("Left uncut") != std::string::npos;
+  EXPECT_EQ(told, 1);
 }
 
 TEST(ClearSlot, TellsOfEachRegionByItself) {
