@@ -1,14 +1,21 @@
 #include "strategy/trochoid_notes.h"
 
+#include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace evenload {
+namespace {
+
+// mm: nearer to zero it would be shown with a sign.
+double shown(double at) { return std::abs(at) < 0.005 ? 0 : at; }
+
+}  // namespace
 
 std::string fallback_note(TrochoidKind kind, Vec2 place, const std::string& why) {
   std::ostringstream note;
-  note << std::fixed << std::setprecision(2) << "No trochoid was repeated near (" << place.x << ", "
-       << place.y << "), " << why << ": this region was cleared pass by pass";
+  note << std::fixed << std::setprecision(2) << "No trochoid was repeated near (" << shown(place.x)
+       << ", " << shown(place.y) << "), " << why << ": this region was cleared pass by pass";
   if (kind == TrochoidKind::kCircular) note << ", Pattern Circular was not used";
   if (kind == TrochoidKind::kCycloid) note << ", Pattern Cycloid was not used";
   note << ".";
