@@ -74,14 +74,17 @@ class RegionClearing {
     else
       go_on();
     if (task_.rest || !result_.runs.empty()) clear_all();
-    if (!progress_.cancelled()) report();
+    if (!progress_.cancelled()) {
+      if (!task_.is_part) report_uncut();
+      report_tight_turns();
+    }
     return std::move(result_);
   }
 
  private:
   Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
 
-  void report() {
+  void report_uncut() {
     if (!leftover_.prepared()) prepare_leftover();
     result_.uncut_area = leftover_.area(ground_);
     if (result_.uncut_area > 0) {
@@ -94,6 +97,9 @@ class RegionClearing {
                    : "for the turned-off WallPass, or where the tool has too little room to turn.");
       result_.notes.push_back(note.str());
     }
+  }
+
+  void report_tight_turns() {
     if (tightest_ < limits().widest * (1 - 1e-9))
       result_.tight_turns.add({1, tightest_, shown(tightest_at_)});
   }

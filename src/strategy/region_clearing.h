@@ -31,6 +31,7 @@ struct RegionTask {
   bool rest = false;           // earlier cuts left the material: the rest of the ground is cleared
   std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region; not with `rest`
   bool stretch_helix = false;  // an entry's, along the room
+  bool is_part = false;        // more is cleared later: what is left is neither measured nor noted
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
   std::vector<Region> around;  // where links may go; empty: within `centres`
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.

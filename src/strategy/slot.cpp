@@ -8,8 +8,8 @@
 namespace evenload {
 namespace {
 
-// mm and rad: of walls that run beside each other.
-constexpr double kParallel = 1e-6;
+// rad: of walls that run beside each other.
+constexpr double kParallel = 1e-4;
 // Looks along a stretch, in halves of its room; where it ends is found to kEnd mm.
 constexpr double kLook = 0.5;
 constexpr double kEnd = 1e-6;
@@ -29,9 +29,10 @@ Segment line_or_arc(const Segment& middle, double from, double to) {  // mm alon
 // The middle of what two walls share; both have the inside on their left.
 std::optional<SlotStretch> between_lines(const Segment& right, const Segment& left) {
   const Vec2 u = right.tangent(0), n = left_normal(u);
-  if (dot(u, left.tangent(0)) > -1 + kParallel * kParallel) return std::nullopt;
+  if (dot(u, left.tangent(0)) > -1 + 0.5 * kParallel * kParallel) return std::nullopt;
   const double first = dot(left.a - right.a, n), last = dot(left.b - right.a, n);
-  if (first <= kSameWall || std::abs(first - last) > kSameWall) return std::nullopt;
+  if (std::min(first, last) <= kSameWall || std::abs(first - last) > kSameWidth)
+    return std::nullopt;
   const double from = std::max(0.0, dot(left.b - right.a, u)),
                to = std::min(right.length(), dot(left.a - right.a, u));
   if (to <= from) return std::nullopt;
@@ -42,8 +43,9 @@ std::optional<SlotStretch> between_lines(const Segment& right, const Segment& le
 
 std::optional<SlotStretch> between_arcs(const Segment& right, const Segment& left) {
   const double side = right.sweep > 0 ? 1 : -1;
-  if (left.sweep * side > 0 || distance(right.centre, left.centre) > kSameWall) return std::nullopt;
-  const double across = side * (right.radius - left.radius);
+  const double aside = distance(right.centre, left.centre);
+  if (left.sweep * side > 0 || aside > 0.5 * kSameWidth) return std::nullopt;
+  const double across = side * (right.radius - left.radius) - aside;  // at the narrowest place
   if (across <= kSameWall) return std::nullopt;
   // Angles from the right wall's start on, in its sense.
   const double whole = std::abs(right.sweep);
@@ -91,9 +93,9 @@ std::optional<SlotStretch> whole(const Area& centres, const SlotStretch& found, 
 }
 
 bool is_same(const SlotStretch& a, const SlotStretch& b) {
-  return std::abs(a.half_room - b.half_room) < kSameWall &&
-         b.middle.distance_to(a.middle.point(0.5)) < kSameWall &&
-         a.middle.distance_to(b.middle.point(0.5)) < kSameWall;
+  return std::abs(a.half_room - b.half_room) < kSameWidth &&
+         b.middle.distance_to(a.middle.point(0.5)) < kSameWidth &&
+         a.middle.distance_to(b.middle.point(0.5)) < kSameWidth;
 }
 
 }  // namespace

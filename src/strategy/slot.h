@@ -24,9 +24,11 @@ Pose pose_on(const SlotStretch& stretch, double s);
 // The longest first. Laws: a disc of `half_room` about any place of the middle lies within the
 // centres and touches them on both sides somewhere along the stretch; a stretch goes on through
 // junctions as far as the disc fits; none has more than `widest` mm of half_room, nor is shorter
-// than twice its half_room. Walls that differ by less than kSameWall mm from parallel ones count.
+// than twice its half_room. Walls whose distance changes by less than kSameWidth mm count, at the
+// narrowest place's; what that leaves beside them is no part of the stretch.
 std::vector<SlotStretch> find_slots(const Area& centres, double widest);
-inline constexpr double kSameWall = 1e-4;
+inline constexpr double kSameWidth = 5e-3;
+inline constexpr double kSameWall = 1e-4;  // mm: of places on walls, and lengths
 
 // The part of the outer border from one of its places on to another, without closing it.
 std::vector<Segment> border_between(const Curve& border, const WallPlace& from,

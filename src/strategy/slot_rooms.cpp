@@ -5,11 +5,9 @@
 namespace evenload {
 namespace {
 
-constexpr double kOnWall = 1e-4;  // mm
-
 std::optional<WallPlace> place_on_wall(const Area& centres, Vec2 p) {
   const BoundaryIndex::Hit hit = centres.nearest(p);
-  if (hit.distance > kOnWall) return std::nullopt;
+  if (hit.distance > kSameWidth) return std::nullopt;
   return WallPlace{hit.curve, hit.segment, hit.t};
 }
 

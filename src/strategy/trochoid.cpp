@@ -2,15 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <optional>
+#include <string>
 #include <utility>
 
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
 #include "strategy/links.h"
+#include "strategy/mirror.h"
 #include "strategy/slot.h"
 #include "strategy/slot_rooms.h"
+#include "strategy/trochoid_notes.h"
+#include "strategy/trochoid_pattern.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -30,6 +35,8 @@ constexpr double kLook = 0.1;
 constexpr double kLongestEnd = 8;
 // Share of a step: what is thinner in front of a period is a scallop.
 constexpr double kScallop = 0.25;
+// Share of a step: what is thinner is no material where a period shall cut nothing.
+constexpr double kThin = 0.002;
 // Of unit vectors: towards the front, not the walls.
 constexpr double kAcross = 0.5;
 // Share of the tool's radius: between two looks for material along a middle.
@@ -38,7 +45,6 @@ constexpr double kSameArea = 1e-6;  // mm^2
 // mm and 1/mm: of half rooms and curvatures.
 constexpr double kAlike = 1e-9;
 
-// A stretch with the pattern that fits it, in the direction of its middle.
 // A stretch with the pattern that fits it, in the direction of its middle.
 struct Way : SlotPattern {
   SlotStretch stretch;
@@ -70,22 +76,51 @@ class SlotClearing {
   }
 
   RegionResult run() {
-    if (task_.rest || !task_.before.empty()) return clear_region(task_, passes_, progress_);
-    find_ways();
-    if (start()) follow_ways();
+    const double before = report_.length;
+    if (!task_.rest && task_.before.empty()) {
+      find_ways();
+      if (start()) follow_ways();
+    }
+    const bool is_repeated = report_.length > before;
     RegionTask rest = task_;
     rest.opening = std::move(opening_);
-    return clear_region(rest, passes_, progress_);
+    RegionResult result = clear_region(rest, passes_, progress_);
+    if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
+    return result;
   }
 
  private:
+  // ---- where no pattern is repeated ----
+
+  std::string told_fallback() const {
+    const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
+                                        : task_.centres.outer.vertices()[0].p;
+    return fallback_note(kind_, task_.mirrored ? mirrored(place) : place, why_none());
+  }
+
+  std::string why_none() const {
+    if (task_.rest || !task_.before.empty())
+      return "where earlier cuts left the material in pieces of any shape";
+    if (!longest_stretch_) {
+      if (find_slots(centres_, std::numeric_limits<double>::infinity()).empty())
+        return "where no walls stay equally far apart, straight or as arcs about one centre, for "
+               "as long as the slot is wide";
+      return "where the walls are more than four tool diameters apart";
+    }
+    if (is_too_short_) return "where the slot is too short for a few periods";
+    if (ways_.empty()) return "where the tool has too little room to turn in the slot";
+    return "where no ground for a first period could be cleared";
+  }
+
   // ---- the ways ----
 
   void find_ways() {
     for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
+      if (!longest_stretch_) longest_stretch_ = stretch;
       add_way(stretch);
       add_way(stretch.reversed());
     }
+    is_too_short_ = is_too_short_ && ways_.empty();
   }
 
   void add_way(const SlotStretch& stretch) {
@@ -103,7 +138,10 @@ class SlotClearing {
     const std::optional<SlotPattern> pattern = pattern_for(slot);
     if (!pattern) return;
     const Way way{*pattern, stretch};
-    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) return;
+    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
+      is_too_short_ = true;
+      return;
+    }
     ways_.push_back(way);
   }
 
@@ -179,6 +217,7 @@ class SlotClearing {
     RegionTask task = task_;
     task.centres = room;
     task.around = {task_.centres};
+    task.is_part = true;
     try {
       task.opening = opening_;
       task.stretch_helix = true;
@@ -201,7 +240,7 @@ class SlotClearing {
     std::optional<double> last;
     for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
          s += kTrySpacing * way.pattern.step)
-      if (is_clear(cut_at(way, s)))
+      if (is_clear(cut_at(way, s), kThin * way.pattern.step))
         last = s;
       else if (last)
         break;
@@ -230,12 +269,12 @@ class SlotClearing {
     return false;
   }
 
-  bool is_clear(const std::vector<Segment>& moves) const {
+  // `thin` mm: what is no thicker does not count.
+  bool is_clear(const std::vector<Segment>& moves, double thin) const {
     for (const Segment& move : moves) {
       const int n = static_cast<int>(std::ceil(move.length() / (kLook * radius_)));
       for (int i = 0; i <= n; ++i)
-        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), params_.tolerance))
-          return false;
+        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), thin)) return false;
     }
     return true;
   }
@@ -320,7 +359,6 @@ class SlotClearing {
         ground_.add(run.moves[k].segment);
     }
     opening_ = std::move(grown);
-    opening_.uncut_area = 0;
     if (opening_.runs.empty()) return;
     const PlanarRun& run = opening_.runs.back();
     here_ = {run.descent.at, 0};
@@ -352,13 +390,25 @@ class SlotClearing {
 
   void note(const Way& way, double length) {
     report_.length += length;
-    if (length <= longest_) return;
-    longest_ = length;
+    note_residual(way);
+    if (length <= report_.longest) return;
+    report_.longest = length;
     report_.step = way.pattern.step;
-    report_.iterations =
-        way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
-    report_.residual = way.pattern.residuals.empty() ? 0 : way.pattern.residuals.back();
+    report_.iterations = iterations(way);
+    report_.residual = iterations(way) == 0 ? 0 : way.pattern.residuals.back();
     report_.removal_rate = way.removal * (params_.top - params_.levels.front());
+  }
+
+  static int iterations(const Way& way) {
+    return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
+  }
+
+  // Once for all ways of one pattern.
+  void note_residual(const Way& way) {
+    if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
+    const std::string note = unsettled_note(iterations(way), way.pattern.residuals.back());
+    std::vector<std::string>& notes = opening_.notes;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
 
   TrochoidKind kind_;
@@ -373,7 +423,8 @@ class SlotClearing {
   std::vector<Way> ways_;  // the longest first, both directions of each
   RegionResult opening_;
   Pose here_;
-  double longest_ = 0;  // mm that were followed at once
+  std::optional<SlotStretch> longest_stretch_;
+  bool is_too_short_ = false;  // every stretch with a pattern
 };
 
 }  // namespace

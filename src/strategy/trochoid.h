@@ -7,6 +7,9 @@
 // 3. slot_pattern is repeated along the stretch, and the room at its other end cleared; then along
 //    every other stretch that it can begin in over cleared ground, whichever way.
 // 4. What is left, the walls, and places of varying width, is cleared pass by pass.
+//
+// A note tells of every region in which no pattern is repeated, and of patterns that have not
+// settled.
 #pragma once
 
 #include <vector>
@@ -16,13 +19,16 @@
 
 namespace evenload {
 
+// Of the longest way along which a pattern was repeated at once, in any region; all 0 where none
+// was.
 struct TrochoidReport {
-  double step = 0;      // mm, of the pattern that was used on the longest way; 0: none was
-  int iterations = 0;   // passes until the pattern was settled; 0 for those found in one go
-  double residual = 0;  // mm, at the end of the iteration
-  double removal_rate =
-      0;              // mm^3/min at the first level: walls finished, entry and ends not counted
-  double length = 0;  // mm of slot along which a pattern is repeated
+  double step = 0;          // mm, of its pattern
+  int iterations = 0;       // passes that were steered; 0 for patterns found in one go
+  double residual = 0;      // mm, at the end of the iteration
+  double removal_rate = 0;  // mm^3/min at the first level: the slot's width times its depth over
+                            // the time per mm, links and wall passes in it, entry and ends not
+  double longest = 0;       // mm, of this way
+  double length = 0;        // mm of slot along which patterns are repeated, all regions together
 };
 
 struct TrochoidalPath {

@@ -114,6 +114,22 @@ TEST(FindSlots, GoesStraightOnThroughJunctions) {
   EXPECT_NEAR(found[1].middle.length(), 60 - 10, 1e-3);   // into the other one
 }
 
+TEST(FindSlots, TakesWallsAFewMicrometresOutOfParallelAtTheNarrowestPlace) {
+  const Area taper =
+      centres_of(make_region(shapes::polygon({{0, 0}, {80, 0}, {80, 10.004}, {0, 10}})));
+  const std::vector<SlotStretch> found = find_slots(taper, 9);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_GT(found[0].middle.length(), 69);
+  const Area bent(
+      offset({make_region(shapes::circle({0, 0}, 40), {shapes::circle({0.002, 0}, 30)})}, -3));
+  const std::vector<SlotStretch> ring = find_slots(bent, 9);
+  ASSERT_FALSE(ring.empty());
+  for (const double t : {0.0, 0.3, 0.7, 1.0}) {
+    EXPECT_GE(taper.signed_distance(found[0].middle.point(t)), found[0].half_room - 2e-4);
+    EXPECT_GE(bent.signed_distance(ring[0].middle.point(t)), ring[0].half_room - 2e-4);
+  }
+}
+
 TEST(FindSlots, FindsNoneWhereTheWidthChangesOrIsTooLarge) {
   const Region taper = make_region(shapes::polygon({{0, -4}, {80, -7}, {80, 7}, {0, 4}}));
   EXPECT_TRUE(find_slots(centres_of(taper), 9).empty());

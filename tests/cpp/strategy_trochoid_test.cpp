@@ -11,6 +11,7 @@
 #include "path_check.h"
 #include "strategy/slot_around.h"
 #include "strategy/trochoid.h"
+#include "strategy/trochoid_pattern.h"
 #include "support/errors.h"
 #include "toolpath/helix.h"
 
@@ -47,6 +48,13 @@ path_check::Findings judge(const Region& region, const ClearingParams& params,
   return path_check::check_path(stock, 0.5 * params.tool_diameter, result.path.moves);
 }
 
+// The first note with these words; empty where there is none.
+std::string note_with(const TrochoidalPath& result, const std::string& words) {
+  for (const std::string& note : result.path.report.notes)
+    if (note.find(words) != std::string::npos) return note;
+  return "";
+}
+
 // What every path must keep, whatever its pattern.
 void expect_good(const Region& region, const ClearingParams& params, const TrochoidalPath& result) {
   const path_check::Findings found = judge(region, params, result);
@@ -61,10 +69,12 @@ void expect_good(const Region& region, const ClearingParams& params, const Troch
       params.cut_mode == CutMode::kClimb ? found.conventional_length : found.climb_length;
   EXPECT_LT(wrong, 0.005 * (found.climb_length + found.conventional_length));
   EXPECT_EQ(result.path.report.termination, Termination::kComplete);
+  EXPECT_EQ(note_with(result, "Left uncut"), "");
+  EXPECT_EQ(note_with(result, "No trochoid").empty(), result.report.step > 0);
 }
 
 TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
-  for (const double width : {6.6, 7.5, 9.0, 12.0, 18.0})
+  for (const double width : {6.2, 6.4, 6.6, 7.5, 9.0, 12.0, 18.0})
     for (const double degrees : {30.0, 60.0, 90.0}) {
       if (degrees < 60 && width < 9) continue;  // thousands of periods
       SCOPED_TRACE(std::to_string(width) + " mm, " + std::to_string(degrees));
@@ -76,6 +86,8 @@ TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
       EXPECT_GT(result.report.step, 0);
       EXPECT_GT(result.report.iterations, 1);
       EXPECT_GT(result.report.removal_rate, 0);
+      EXPECT_EQ(note_with(result, "the trochoid's advance still differed") != "",
+                result.report.residual >= kSettled * 3);
     }
 }
 
@@ -165,6 +177,91 @@ TEST(ClearSlot, TakesAsLongWhereverTheSlotLies) {
     // Which end comes first, and where in it the helix, may differ.
     EXPECT_NEAR(result.path.report.cutting_time, time, 0.08 * time) << turn;
   }
+}
+
+void expect_fallback(const Region& region, TrochoidKind kind, const std::string& words,
+                     CutMode mode = CutMode::kClimb) {
+  ClearingParams params = params_at();
+  params.cut_mode = mode;
+  const TrochoidalPath result = clear(region, params, kind);
+  EXPECT_EQ(result.report.step, 0);
+  const std::string note = note_with(result, "No trochoid");
+  EXPECT_NE(note.find(words), std::string::npos) << note;
+  const std::string unused = kind == TrochoidKind::kCircular  ? "Pattern Circular was not used"
+                             : kind == TrochoidKind::kCycloid ? "Pattern Cycloid was not used"
+                                                              : "pass by pass.";
+  EXPECT_NE(note.find(unused), std::string::npos) << note;
+}
+
+TEST(ClearSlot, KeepsTheLimitWhereTheFirstPeriodBeginsWhateverTheTolerance) {
+  for (const double width : {6.2, 6.3, 7.5}) {
+    SCOPED_TRACE(width);
+    const Region region = slot_around(line(30), width, SlotEnds::kRound);
+    ClearingParams params = params_at();
+    params.tolerance = 0.1;
+    const TrochoidalPath result = clear(region, params);
+    EXPECT_LT(result.path.report.max_engagement, params.engagement_angle + 1 * kDegree);
+    EXPECT_LT(judge(region, params, result).cut_engagement, params.engagement_angle + 1 * kDegree);
+    EXPECT_GT(result.report.length, 15);
+  }
+}
+
+TEST(ClearSlot, TellsWhereAndWhyNoPatternIsRepeated) {
+  const TrochoidKind ours = TrochoidKind::kConstantEngagement, circles = TrochoidKind::kCircular,
+                     cycloid = TrochoidKind::kCycloid;
+  const Region taper = make_region(shapes::polygon({{0, -4}, {50, -7}, {50, 7}, {0, 4}}));
+  expect_fallback(taper, ours, "no walls stay equally far apart");
+  expect_fallback(make_region(shapes::rectangle(0, 0, 60, 32)), circles,
+                  "more than four tool diameters apart");
+  const Region brief = slot_around(line(4), 9, SlotEnds::kRound);
+  expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short");
+  expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short",
+                  CutMode::kConventional);
+}
+
+TEST(ClearSlot, TellsOnceWhatIsLeftUncutWhenAllIsDone) {
+  ClearingParams params = params_at();
+  params.wall_pass = false;
+  const TrochoidalPath result = clear(slot_around(line(50), 9, SlotEnds::kSquare), params);
+  EXPECT_GT(result.report.length, 15);
+  EXPECT_GT(result.path.report.uncut_area, 0);
+  int told = 0;
+  for (const std::string& note : result.path.report.notes)
+    told += note.find("Left uncut") != std::string::npos;
+  EXPECT_EQ(told, 1);
+}
+
+TEST(ClearSlot, TellsOfEachRegionByItself) {
+  Progress progress;
+  const Region slot = slot_around(line(50), 9, SlotEnds::kRound);
+  const Region brief =
+      shapes::moved(slot_around(line(4), 9, SlotEnds::kRound), 0, false, 1, {80, 0});
+  const TrochoidalPath alone = clear(slot, params_at());
+  const TrochoidalPath both =
+      clear_slot({slot, brief}, TrochoidKind::kConstantEngagement, params_at(), progress);
+  EXPECT_NE(note_with(both, "No trochoid").find("near (82.00, 0.00)"), std::string::npos);
+  EXPECT_EQ(note_with(alone, "No trochoid"), "");
+  // Figures are of the longest way, whichever region comes last.
+  const Region half =
+      shapes::moved(slot_around(line(30), 12, SlotEnds::kRound), 0, false, 1, {0, 40});
+  const TrochoidalPath two =
+      clear_slot({slot, half}, TrochoidKind::kConstantEngagement, params_at(), progress);
+  EXPECT_EQ(two.report.step, alone.report.step);
+  EXPECT_EQ(two.report.longest, alone.report.longest);
+  EXPECT_GT(two.report.length, alone.report.length);
+}
+
+TEST(ClearSlot, RepeatsItsPatternBetweenWallsThatAreNotQuiteParallel) {
+  for (const double width : {7.5, 10.0})
+    for (const double off : {0.0005, 0.004, -0.004}) {
+      SCOPED_TRACE(std::to_string(width) + " mm, " + std::to_string(off));
+      const Region taper =
+          make_region(shapes::polygon({{0, 0}, {60, 0}, {60, width + off}, {0, width}}));
+      const ClearingParams params = params_at();
+      const TrochoidalPath result = clear(taper, params);
+      expect_good(taper, params, result);
+      EXPECT_GT(result.report.length, 30);
+    }
 }
 
 TEST(ClearSlot, RefusesASlotNarrowerThanTheToolAsEveryStrategyDoes) {
