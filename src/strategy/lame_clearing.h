@@ -36,8 +36,8 @@ struct LameFigures {
 };
 
 struct LameToolpath : Toolpath {
-  double cleared_share = 0;  // of the ground within reach, by spirals
-  LameFigures figures;       // of the spiral that clears most
+  double cleared_share = 0;            // of the ground within reach, by spirals
+  std::optional<LameFigures> figures;  // of the spiral that clears most; nothing where none is made
 };
 
 // Laws: as for clear_pocket; the engagement angle and the parameters of both strategies are kept;
