@@ -1,6 +1,7 @@
 // Clears pockets with Lamé spirals [Tancsa 2023]: one spiral from the entry's circle out to the
-// largest Lamé curve that fits, without a link or a retract; around an island from outside in. What
-// it cannot reach, corners and crescents along the walls, is cleared at constant engagement.
+// largest Lamé curve that fits, itself without a link or a retract; around an island from outside
+// in. What it cannot reach, corners and crescents along the walls, is cleared at constant
+// engagement.
 #pragma once
 
 #include <optional>

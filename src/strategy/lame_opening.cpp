@@ -31,8 +31,7 @@ constexpr double kLongest = 2;
 constexpr double kCornerRadius = 1.2;
 // Tool radii: the width of the channel of tool centres that is cleared around a ring's island
 // before its spiral, and what it is at least.
-constexpr double kFirstChannel = 1;
-constexpr double kLeastChannel = 0.05;
+constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 // Tool radii that a spiral of a set size grows by, at least.
 constexpr double kLeastGrowth = 0.1;
 // Shares of the way from the largest curve's exponent to the circle's: curves that are tried.

@@ -90,6 +90,19 @@ def test_an_island_is_cut_from_outside_in(bench, name):
     assert op.MaxEngagement.Value < 61
 
 
+def test_without_a_spiral_the_fitted_properties_stay_and_the_report_says_so(bench):
+    rooms = [(0, 0), (40, 0), (40, 17), (50, 17), (50, 0), (90, 0)]
+    rooms += [(90, 40), (50, 40), (50, 23.4), (40, 23.4), (40, 40), (0, 40)]
+    b = bench(block_with(face_of([(x, y, 0) for x, y in rooms])))
+    op = spiral(b)
+    before = [op.Segments, op.SemiAxisA.Value, op.Pitch.Value]
+    op.NarrowPassages = "Cut at reduced feed"
+    b.done(op)
+    assert "No spiral was made" in op.Report
+    assert op.ClearedShare == 0
+    assert [op.Segments, op.SemiAxisA.Value, op.Pitch.Value] == before
+
+
 def test_a_ring_is_cut_between_both_walls(bench):
     face = face_of(circle(0, 0, 25), [circle(0, 0, 8)])
     b = bench(block_with(face))
