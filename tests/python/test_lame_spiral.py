@@ -25,7 +25,7 @@ def clear(**more):
 
 
 def test_a_square_is_cleared_nearly_all_by_the_spiral():
-    path = clear()
+    path = clear(feed_control="constant removal rate")
     assert path.report.termination == "complete"
     assert 0.9 < path.cleared_share < 1
     assert path.report.max_engagement < math.radians(61)
@@ -64,7 +64,7 @@ def test_several_levels_repeat_the_spiral():
     "given, sentence",
     [
         ({"segments": 1}, "Segments must lie between 3 and 12"),
-        ({"exponent_end": 2.0}, "exponents must lie between 0.05 and 1"),
+        ({"exponent_end": 2.0}, "ExponentEnd must lie between 0.05 and 1"),
         ({"rest": "keep"}, "rest must be one of"),
         ({"semi_axis_a": 30.0}, "keeps clear of the walls"),
     ],
