@@ -31,8 +31,7 @@ std::string small_share_sentence(double share, const LameParams& lame) {
   if (lame.segments || lame.exponent_end || lame.rotation)
     return "With the set Segments, ExponentEnd or Rotation the largest spiral would clear " +
            cleared + ": leave them unset, or take the operation Adaptive.";
-  return "No Lamé curve resembles this pocket: the largest spiral would clear " + cleared +
-         "; take the operation Adaptive.";
+  return "A Lamé spiral would clear only " + cleared + ": take the operation Adaptive.";
 }
 
 std::string small_size_note(double share) {

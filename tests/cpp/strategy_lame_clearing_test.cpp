@@ -279,7 +279,7 @@ TEST(LameClearing, SaysSoWhereNoSpiralIsMade) {
 
 TEST(LameClearing, RefusesRingsThatAreMostlyChannel) {
   const ClearingParams params = corpus::load("lame_square35").params();
-  for (const double width : {7.0, 8.0}) {
+  for (const double width : {7.0, 8.0, 12.0}) {
     const std::string sentence = refusal({ring(20 + width, 20)}, params);
     EXPECT_NE(sentence.find("take the operation Adaptive"), std::string::npos) << width;
   }
