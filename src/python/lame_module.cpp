@@ -54,7 +54,8 @@ void bind_lame(py::module_& module) {
   py::class_<LameToolpath, Toolpath>(module, "LameToolpath")
       .def_readonly("cleared_share", &LameToolpath::cleared_share,
                     "of the ground within reach, by spirals")
-      .def_readonly("figures", &LameToolpath::figures, "of the spiral that clears most");
+      .def_readonly("figures", &LameToolpath::figures,
+                    "of the spiral that clears most; None where none is made");
   module.def("clear_with_lame_spiral", &clear_from_python, py::arg("regions"),
              (std::string("The toolpath that clears the regions with Lamé spirals. Its own keyword "
                           "arguments, fitted where they are missing or None: segments, "

@@ -5,14 +5,19 @@
 #include <iomanip>
 #include <sstream>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "geometry/lame_curve.h"
 #include "strategy/lame_opening.h"
 #include "strategy/pocket.h"
+#include "support/errors.h"
 
 namespace evenload {
 namespace {
+
+constexpr double kRounding = 1e-3;  // of areas
+constexpr double kSlow = 1.3;       // ideal times
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -60,6 +65,51 @@ void leave_rest(const LameOpening& opening, RegionResult& result) {
   result.notes.push_back(note.str());
 }
 
+// mm^2 that the tool reaches at all.
+double reached_area(const std::vector<Region>& regions, const ClearingParams& clearing) {
+  double sum = 0;
+  for (const Region& region :
+       reachable_ground(regions, clearing.tool_diameter, clearing.stock_to_leave))
+    sum += region.area();
+  return sum;
+}
+
+// Regions with narrow passages are cleared without an opening: `reached` mm^2 is of the others, and
+// becomes that of all.
+void note_missing_spirals(const std::vector<Region>& regions, const ClearingParams& clearing,
+                          double& reached, LameToolpath& result) {
+  const bool left = clearing.entry == EntryKind::kPredrilledHole && regions.size() > 1;
+  const bool open = std::any_of(regions.begin(), regions.end(), [](const Region& region) {
+    const std::vector<Vertex>& v = region.outer.vertices();
+    return std::any_of(v.begin(), v.end(), [](const Vertex& x) { return x.open; });
+  });
+  if (!open && !left) {
+    const double all = reached_area(regions, clearing);
+    if (result.figures && all < reached * (1 + kRounding)) return;
+    reached = std::max(reached, all);
+  } else if (result.figures) {
+    return;
+  }
+  result.report.notes.push_back(
+      std::string(result.figures ? "A region has no spiral" : "No spiral was made") +
+      ": with narrow passages it is cleared at constant engagement; set NarrowPassages to 'Skip "
+      "and report' for a spiral.");
+}
+
+// Of several regions the one that is refused is named.
+LameOpening opening_of(const RegionTask& task, const ClearingParams& clearing,
+                       const LameParams& params, bool of_several, Progress& progress) {
+  try {
+    return lame_opening(task, clearing, params, progress);
+  } catch (const GeometryError& error) {
+    if (!of_several) throw;
+    std::ostringstream sentence;
+    sentence << std::fixed << std::setprecision(2) << "The region near (" << error.where().x << ", "
+             << error.where().y << "): " << error.what();
+    throw GeometryError(error.code(), error.where(), sentence.str());
+  }
+}
+
 }  // namespace
 
 LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
@@ -74,12 +124,12 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
   LameToolpath result;
   double by_spirals = 0, reached = 0, most = 0;
   const auto clearer = [&](const RegionTask& task, const ClearingParams& checked, Progress& watch) {
-    LameOpening opening = lame_opening(task, checked, seen, watch);
+    LameOpening opening = opening_of(task, checked, seen, regions.size() > 1, watch);
     by_spirals += opening.spiral_area;
     reached += opening.reached_area;
-    if (opening.spiral_area > most) {
+    if (opening.figures && opening.spiral_area > most) {
       most = opening.spiral_area;
-      result.figures = mirror ? mirrored(opening.figures) : opening.figures;
+      result.figures = mirror ? mirrored(*opening.figures) : *opening.figures;
     }
     if (params.rest == LameRest::kLeave) {
       leave_rest(opening, opening.result);
@@ -92,6 +142,14 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
     return clear_region(further, beside_spiral(checked), half);
   };
   static_cast<Toolpath&>(result) = clear_by(clearer, regions, clearing, progress);
+  if (!progress.cancelled() && clearing.narrow_passages != NarrowPassages::kSkip)
+    note_missing_spirals(regions, clearing, reached, result);
+  if (clearing.feed_control == FeedControl::kConstantFeed &&
+      result.report.termination == Termination::kComplete &&
+      result.report.cutting_time > kSlow * result.report.ideal_time)
+    result.report.notes.push_back(
+        "At a constant feed the uneven turns of this spiral are slow: the feed control 'Constant "
+        "removal rate' or the operation Adaptive is faster.");
   result.cleared_share = reached > 0 ? by_spirals / reached : 0;
   return result;
 }

@@ -1,6 +1,7 @@
 // Clears pockets with Lamé spirals [Tancsa 2023]: one spiral from the entry's circle out to the
-// largest Lamé curve that fits, without a link or a retract; around an island from outside in. What
-// it cannot reach, corners and crescents along the walls, is cleared at constant engagement.
+// largest Lamé curve that fits, itself without a link or a retract; around an island from outside
+// in. What it cannot reach, corners and crescents along the walls, is cleared at constant
+// engagement.
 #pragma once
 
 #include <optional>
@@ -36,8 +37,8 @@ struct LameFigures {
 };
 
 struct LameToolpath : Toolpath {
-  double cleared_share = 0;  // of the ground within reach, by spirals
-  LameFigures figures;       // of the spiral that clears most
+  double cleared_share = 0;            // of the ground within reach, by spirals
+  std::optional<LameFigures> figures;  // of the spiral that clears most; nothing where none is made
 };
 
 // Laws: as for clear_pocket; the engagement angle and the parameters of both strategies are kept;

@@ -15,6 +15,8 @@ namespace evenload {
 namespace {
 
 constexpr int kSamples = 72;  // along the outline
+// Numbers of segments that are tried where none is wished: with more, curves are nearly circles.
+constexpr std::array<int, 6> kSegments = {4, 3, 5, 6, 7, 8};
 // How much more what is on the wrong side weighs, from one round to the next.
 constexpr std::array<double, 3> kWrongSide = {30, 1e3, 3e4};
 constexpr int kSteps = 10;               // of the method, in one round
@@ -316,8 +318,9 @@ std::optional<LameCurve> fit_lame_curve(const Curve& outline, const LameFitTask&
   const Vec2 centre = w.centre.value_or(centroid(outline));
   const BoundaryIndex index({outline});
   std::vector<std::pair<double, Fit>> fits;
-  for (const int m : {4, 3, 5, 6, 7, 8}) {
-    if (w.segments && m != *w.segments) continue;
+  std::vector<int> tried(kSegments.begin(), kSegments.end());
+  if (w.segments) tried = {*w.segments};
+  for (const int m : tried) {
     if (m % 2 != 0 && wished.a != wished.b && w.semi_axis_a && w.semi_axis_b) continue;
     for (const LameCurve& first : first_curves(points, centre, m, w)) {
       Fit fit(points, task, first);

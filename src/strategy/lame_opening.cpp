@@ -3,16 +3,16 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <limits>
 #include <optional>
-#include <sstream>
 #include <utility>
 
+#include "cutting/engagement.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
 #include "strategy/lame_fit.h"
+#include "strategy/lame_refusals.h"
 #include "strategy/lame_turns.h"
 #include "strategy/links.h"
 #include "support/errors.h"
@@ -26,16 +26,18 @@ constexpr double kArcShare = 0.8;
 constexpr double kArcRadius = 1.03;
 // The spiral is no longer than this times its width: a longer one cuts with its ends only.
 constexpr double kLongest = 2;
-constexpr const char* kKinds =
-    "A Lamé spiral clears pockets without islands, or with one island and an outline that is all "
-    "wall or all open: take the operation Adaptive.";
 // Tool radii: the spiral's corners are no tighter, although the minimum radius may be: around
 // tighter ones most of each turn would be idle, and what is left in the corners is little.
 constexpr double kCornerRadius = 1.2;
-// Tool radii: what is cleared before a spiral that cannot begin with a helix or a hole, as the
-// radius of a disc of tool centres, and as the width of a channel of them around a ring's island.
-constexpr double kFirstDisc = 1, kFirstChannel = 1;
-constexpr double kLeastChannel = 0.05;
+// Tool radii: the width of the channel of tool centres that is cleared around a ring's island
+// before its spiral, and what it is at least.
+constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
+// Tool radii that a spiral of a set size grows by, at least.
+constexpr double kLeastGrowth = 0.1;
+// Shares of the way from the largest curve's exponent to the circle's: curves that are tried.
+constexpr std::array<double, 4> kRounder = {0.25, 0.5, 0.75, 1};
+// What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
+constexpr double kRestTime = 1.3;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // Share of the engagement angle.
@@ -44,31 +46,11 @@ constexpr double kBesideSpiral = 0.993;
 constexpr double kMostOver = 1 * kPi / 180;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
 constexpr double kBeside = 1.02;
-// Between the shapes of two spirals the circle that joins them has this share of its radius to
-// spare, at least; otherwise one goes over into the other without it.
-constexpr double kCircleRoom = 0.05;
-// Such circles are tried, as shares of that room.
-constexpr std::array<double, 3> kCircles = {0.15, 0.45, 0.75};
 
 double area_of(const std::vector<Region>& regions) {
   double sum = 0;
   for (const Region& region : regions) sum += region.area();
   return sum;
-}
-
-// A circle with the curve's segments and rotation.
-LameCurve circle_for(const LameCurve& curve, Vec2 centre, double radius) {
-  LameCurve circle = curve;
-  circle.centre = centre;
-  circle.a = circle.b = radius;
-  circle.exponent = 1;
-  return circle;
-}
-
-std::string percent(double share) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(0) << 100 * share;
-  return text.str();
 }
 
 class Opening {
@@ -125,6 +107,14 @@ class Opening {
     return fit;
   }
 
+  // For the first curve of a ring's or an island's spiral, of which only the exponent can be set.
+  LameFitTask first_task() const {
+    LameFitTask fit = fit_task(LameSide::kAround);
+    fit.wishes = {};
+    fit.wishes.exponent = lame_.exponent_start;
+    return fit;
+  }
+
   bool has_wished_size() const { return lame_.semi_axis_a || lame_.semi_axis_b; }
 
   LameCurve fitted(const Curve& outline, LameFitTask fit) const {
@@ -140,14 +130,7 @@ class Opening {
       if (const std::optional<LameCurve> shorter = fit_lame_curve(outline, fit)) curve = shorter;
     }
     if (curve) return *curve;
-    const LameWishes& w = fit.wishes;
-    if (w.centre && !outline.contains(*w.centre))
-      refuse("Centre lies outside the pocket: move it inside, or leave it unset.");
-    if (w.centre || w.segments || w.semi_axis_a || w.semi_axis_b || w.exponent || w.rotation)
-      refuse(
-          "With the set properties no Lamé curve keeps clear of the walls: leave some of them "
-          "unset, or take the operation Adaptive.");
-    refuse("No Lamé curve resembles this pocket: take the operation Adaptive.");
+    refuse(no_curve_sentence(outline, fit.wishes));
   }
 
   TurnTask turn_task(bool inwards) const {
@@ -162,26 +145,29 @@ class Opening {
     return turns;
   }
 
+  // From the entry's circle in the middle, or in the hole, outwards.
   void clear_pocket_of_one_wall() {
-    const LameCurve last = fitted(task_.centres.outer, fit_task(LameSide::kInside));
-    made_.spiral_area = grown_lame_area(last, radius_);
-    check_share(made_.spiral_area / made_.reached_area);
-    Circle first{task_.hole.value_or(last.centre), 0};
-    const double room = least_lame_radius(last);
+    const std::vector<LameCurve> lasts = last_curves();
+    const LameCurve& largest = lasts.front();
+    Circle first{task_.hole.value_or(largest.centre), 0};
+    double room = least_lame_radius(largest);
+    for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
     if (task_.hole) {
       first.radius = enter_hole();
     } else if (params_.entry == EntryKind::kPredrilledHole) {
-      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(last.centre),
-                          "The pre-drilled hole lies outside this pocket: choose the entry "
-                          "'Automatic', or another hole.");
+      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(largest.centre), kHoleOutside);
     } else {
       first.radius = helix_radius(params_, {first.centre, room});
-      if (params_.entry == EntryKind::kRamp) first.radius = clear_disc(first.centre, room);
+      // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
+      if (params_.entry == EntryKind::kRamp)
+        made_.result.notes.push_back(
+            "Entry is a helix, not a ramp: in this pocket the spiral begins as a circle.");
     }
-    LameCurve circle = circle_for(last, first.centre, first.radius);
-    circle.exponent = lame_.exponent_start.value_or(1);
-    // A first curve that is no circle touches the entry's circle from inside, at its corners.
-    circle.a = circle.b = first.radius / std::pow(2, (1 - circle.exponent) / 2);
+    if (has_wished_size() && std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
+      refuse(kSizeTooSmall);
+    const PlannedGrowth growth = quickest(lasts, first);
+    const LameCurve& last = growth.growth.stages.back().to;
+    made_.spiral_area = grown_lame_area(last, radius_);
     const double start = last.rotation + kPi / last.segments;
     if (made_.result.runs.empty()) {
       begin_run({DescentKind::kHelix,
@@ -191,13 +177,58 @@ class Opening {
                  {},
                  false});
     }
-    cut(best_of({{{{circle, last}}}}, false), start, false);
+    cut(growth, start, false);
   }
 
-  void check_share(double share) const {
-    if (share < kLeastShare && !has_wished_size())
-      refuse("No Lamé curve resembles this pocket: the largest spiral inside would clear " +
-             percent(share) + " % of it; take the operation Adaptive.");
+  // The largest curve in a pocket, and rounder ones: their turns are filled more evenly, and leave
+  // more in the corners.
+  std::vector<LameCurve> last_curves() {
+    LameFitTask fit = fit_task(LameSide::kInside);
+    std::vector<LameCurve> curves{fitted(task_.centres.outer, fit)};
+    const LameCurve largest = curves.front();
+    check_share(grown_lame_area(largest, radius_) / made_.reached_area);
+    if (lame_.exponent_end || params_.feed_control != FeedControl::kConstantFeed) return curves;
+    fit.wishes.centre = largest.centre;
+    fit.wishes.segments = largest.segments;
+    fit.wishes.rotation = largest.rotation;
+    for (const double share : kRounder) {
+      fit.wishes.exponent = largest.exponent + share * (1 - largest.exponent);
+      const std::optional<LameCurve> curve = fit_lame_curve(task_.centres.outer, fit);
+      if (curve && grown_lame_area(*curve, radius_) >= kLeastShare * made_.reached_area)
+        curves.push_back(*curve);
+    }
+    return curves;
+  }
+
+  // The growth from the entry's circle with which spiral and rest take the least time.
+  PlannedGrowth quickest(const std::vector<LameCurve>& lasts, const Circle& first) const {
+    const double rate = side_step(params_.engagement_angle, radius_) * params_.feed / 60;
+    std::optional<PlannedGrowth> best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const LameCurve& last : lasts) {
+      LameCurve circle = lame_circle(last, first.centre, first.radius);
+      circle.exponent = lame_.exponent_start.value_or(1);
+      // A first curve that is no circle touches the entry's circle from inside, at its corners.
+      circle.a = circle.b = first.radius / std::pow(2, (1 - circle.exponent) / 2);
+      std::optional<PlannedGrowth> growth = best_growth({{{{circle, last}}}}, turn_task(false));
+      if (!growth) continue;
+      const double rest =
+          lame_.rest == LameRest::kLeave ? 0 : made_.reached_area - grown_lame_area(last, radius_);
+      const double time =
+          time_of(growth->growth, growth->steps, turn_task(false)) + kRestTime * rest / rate;
+      if (time >= least) continue;
+      least = time;
+      best = std::move(growth);
+    }
+    if (!best) refuse_growth();
+    return *best;
+  }
+
+  // Of what is within reach, by the spiral.
+  void check_share(double share) {
+    if (share >= kLeastShare) return;
+    if (!has_wished_size()) refuse(small_share_sentence(share, lame_));
+    made_.result.notes.push_back(small_size_note(share));
   }
 
   void begin_run(const Descent& descent) {
@@ -220,13 +251,8 @@ class Opening {
     return std::max(0.5 * params_.hole_diameter - radius_, kTightestCircle * radius_);
   }
 
-  // Clears a disc at constant engagement, with an entry of its own; returns the radius of what the
-  // tool's centre has cleared.
-  double clear_disc(Vec2 centre, double room) {
-    const double disc = std::min(kFirstDisc * radius_, room);
-    const Vertex side{centre + Vec2{disc, 0}, 1}, other{centre - Vec2{disc, 0}, 1};
-    clear_first(make_region(Curve({side, other}, true)));
-    return disc;
+  void note_unused_hole(const std::string& reason) {
+    made_.result.notes.push_back("The pre-drilled hole was not used: " + reason + ".");
   }
 
   // Clears a region of tool centres at constant engagement, as the way to the spiral.
@@ -237,12 +263,14 @@ class Opening {
     if (first.hole && !centres.contains(*first.hole)) {
       if (params_.entry == EntryKind::kPredrilledHole)
         throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*first.hole),
-                            "A Lamé spiral around an island begins beside its wall: drill the "
-                            "hole there, or choose the entry 'Automatic'.");
+                            kHoleBesideChannel);
       first.hole.reset();
+      note_unused_hole("a spiral around an island begins beside its wall");
     }
     Progress half([&](double done) { return progress_.report(kFirstHalf * done); });
+    std::vector<std::string> notes = std::move(made_.result.notes);
     made_.result = clear_region(first, beside_spiral(params_), half);
+    for (std::string& note : notes) made_.result.notes.push_back(std::move(note));
     made_.result.uncut_area = 0;  // of the first region only: told of at the end
     for (const PlanarRun& run : made_.result.runs) {
       add_descent(run.descent, ground_);
@@ -257,24 +285,16 @@ class Opening {
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
     add_moves(MoveKind::kCut, turns.moves);
     ++made_.result.passes;
-    made_.figures = {growth.growth.stages.back().to, growth.growth.stages.front().from.exponent,
-                     turns.largest_pitch};
-    if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6)) {
-      std::ostringstream note;
-      note << std::fixed << std::setprecision(3) << "Pitch is smaller than set in some turns, down "
-           << "to " << turns.smallest_pitch << " mm: the engagement angle allows no more there.";
-      made_.result.notes.push_back(note.str());
-    }
+    made_.figures = LameFigures{growth.growth.stages.back().to,
+                                growth.growth.stages.front().from.exponent, turns.largest_pitch};
+    if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6))
+      made_.result.notes.push_back(small_pitch_note(turns.smallest_pitch));
   }
 
   [[noreturn]] void refuse_load() const {
     if (task_.hole)
-      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
-                          "The pre-drilled hole is too tight to start a spiral from: drill it "
-                          "wider, or choose the entry 'Helix'.");
-    refuse(
-        "No Lamé spiral keeps to the engagement angle in this pocket: take the operation "
-        "Adaptive.");
+      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleTooTight);
+    refuse(kNoLoad);
   }
 
   // To the spiral's start: over cleared ground, or down beside it.
@@ -305,10 +325,10 @@ class Opening {
   void clear_stock_around_island();
   void clear_ring();
   LameCurve around_island(const LameFitTask& task) const;
-  static std::vector<LameGrowth> joined(const LameCurve& from, const LameCurve& to);
   static std::optional<LameCurve> alike_curve(const Curve& outline, LameFitTask task,
                                               const LameCurve& other);
   PlannedGrowth best_of(const std::vector<LameGrowth>& growths, bool inwards) const;
+  [[noreturn]] void refuse_growth() const;
   LameCurve within_channel(LameCurve first, const LameCurve& last) const;
   double kept_area() const;
 
@@ -326,12 +346,14 @@ void Opening::clear_stock_around_island() {
   const std::vector<Vertex>& outline = stock().outer.vertices();
   if (!std::all_of(outline.begin(), outline.end(), [](const Vertex& v) { return v.open; }))
     refuse(kKinds);
+  if (task_.hole && params_.entry == EntryKind::kPredrilledHole)
+    throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleAtIsland);
+  if (task_.hole) note_unused_hole("a spiral around an island in open stock comes from outside");
   const LameCurve last = around_island(fit_task(LameSide::kAround));
   Region around = stock();
   around.islands.clear();
   const Curve outside = offset({around}, kBeside * radius_).front().outer;
-  LameFitTask outer = fit_task(LameSide::kAround);
-  outer.wishes = {};
+  const LameFitTask outer = first_task();
   const LameCurve first = fitted(outside, outer);
 
   const double area = stock().outer.signed_area(), inside = grown_lame_area(last, -radius_);
@@ -340,7 +362,7 @@ void Opening::clear_stock_around_island() {
   check_share(made_.spiral_area / made_.reached_area);
   check_share(made_.spiral_area / (grown_lame_area(first, -radius_) - inside));
 
-  std::vector<LameGrowth> growths = joined(first, last);
+  std::vector<LameGrowth> growths = growths_through_circles(first, last);
   if (const std::optional<LameCurve> alike = alike_curve(outside, outer, last))
     growths.push_back({{{*alike, last}}});
   const PlannedGrowth growth = best_of(growths, true);
@@ -351,22 +373,21 @@ void Opening::clear_stock_around_island() {
 // From a channel along the island's wall outwards: that wall is the shorter one, and a channel is
 // dear.
 void Opening::clear_ring() {
-  LameFitTask around = fit_task(LameSide::kAround);
-  around.wishes = {};
+  const LameFitTask around = first_task();
   const LameCurve last = fitted(task_.centres.outer, fit_task(LameSide::kInside));
   const LameCurve beside = around_island(around);
   const double outside = grown_lame_area(last, radius_);
-  check_share((outside - grown_lame_area(beside, -radius_)) / made_.reached_area);
 
-  std::vector<LameGrowth> growths = joined(within_channel(beside, last), last);
+  std::vector<LameGrowth> growths = growths_through_circles(within_channel(beside, last), last);
   if (const std::optional<LameCurve> alike =
           alike_curve(task_.centres.islands.front().reversed(), around, last))
     growths.push_back({{{within_channel(*alike, last), last}}});
   const PlannedGrowth growth = best_of(growths, false);
   const LameCurve& first = growth.growth.stages.front().from;
+  made_.spiral_area = outside - grown_lame_area(first, radius_);
+  check_share(made_.spiral_area / made_.reached_area);
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
   if (progress_.cancelled() || made_.result.runs.empty()) return;
-  made_.spiral_area = outside - grown_lame_area(first, radius_);
   made_.cleared_area = outside - kept_area();
   const PlanarRun& run = made_.result.runs.back();
   const Vec2 here = run.moves.empty() ? run.descent.at : run.moves.back().segment.b;
@@ -375,11 +396,14 @@ void Opening::clear_ring() {
 
 PlannedGrowth Opening::best_of(const std::vector<LameGrowth>& growths, bool inwards) const {
   const std::optional<PlannedGrowth> best = best_growth(growths, turn_task(inwards));
-  if (!best)
-    refuse(
-        "No Lamé spiral leads from one outline of this pocket to the other: take the operation "
-        "Adaptive.");
+  if (!best) refuse_growth();
   return *best;
+}
+
+void Opening::refuse_growth() const {
+  if (task_.hole && task_.centres.islands.empty())
+    throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleOffMiddle);
+  refuse(kNoGrowth);
 }
 
 // The curve for an outline with another one's segments and rotation: it goes over into that one
@@ -395,31 +419,12 @@ LameCurve Opening::around_island(const LameFitTask& task) const {
   return fitted(task_.centres.islands.front().reversed(), task);
 }
 
-// From one curve through a circle between them to the other, the circle being smaller or larger.
-std::vector<LameGrowth> Opening::joined(const LameCurve& from, const LameCurve& to) {
-  const bool inwards = from.a > to.a;
-  const LameCurve &inner = inwards ? to : from, &outer = inwards ? from : to;
-  const double apart = distance(from.centre, to.centre);
-  const double low = largest_lame_radius(inner), high = least_lame_radius(outer) - apart;
-  std::vector<LameGrowth> growths;
-  if (high - low < kCircleRoom * high) return growths;
-  for (const double share : kCircles) {
-    const double radius = low + share * (high - low);
-    growths.push_back({{{from, circle_for(from, inner.centre, radius), 1, LameJoint::kAtEnd},
-                        {circle_for(to, inner.centre, radius), to, 1, LameJoint::kAtBegin}}});
-  }
-  return growths;
-}
-
 // The first curve of a ring, as far from the island's wall as a channel is cleared for it.
 LameCurve Opening::within_channel(LameCurve first, const LameCurve& last) const {
   const double room =
       least_lame_radius(last) - distance(first.centre, last.centre) - largest_lame_radius(first);
   const double width = std::min(kFirstChannel * radius_, 0.5 * room);
-  if (width < kLeastChannel * radius_)
-    refuse(
-        "Between the walls there is too little room for a Lamé spiral: take the operation "
-        "Adaptive.");
+  if (width < kLeastChannel * radius_) refuse(kNoRoom);
   first.a += width;
   first.b += width;
   return first;

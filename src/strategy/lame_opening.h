@@ -2,17 +2,19 @@
 // from which the region is cleared further.
 #pragma once
 
+#include <optional>
+
 #include "strategy/lame_clearing.h"
 #include "strategy/region_clearing.h"
 
 namespace evenload {
 
 struct LameOpening {
-  RegionResult result;      // its runs, with the spiral as the last pass
-  double spiral_area = 0;   // mm^2 within reach that the spiral leaves cleared
-  double cleared_area = 0;  // the same with what was cleared on the way to it
-  double reached_area = 0;  // mm^2 within reach at all
-  LameFigures figures;
+  RegionResult result;                 // its runs, with the spiral as the last pass
+  double spiral_area = 0;              // mm^2 within reach that the spiral leaves cleared
+  double cleared_area = 0;             // the same with what was cleared on the way to it
+  double reached_area = 0;             // mm^2 within reach at all
+  std::optional<LameFigures> figures;  // nothing where it was cancelled before
 };
 
 // The parameters with which clear_region clears what a spiral does not: constant engagement is kept

@@ -216,7 +216,8 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
   while (shares.back() < 1) {
     if (turned.back() > 2 * kPi * kMostTurns)
       throw std::invalid_argument(
-          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch.");
+          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, or take the "
+          "operation Adaptive.");
     const double share = shares.back(), here = steps.value(share);
     const double step = std::min(here, steps.value(share + here));
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);

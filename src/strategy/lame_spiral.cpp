@@ -1,6 +1,7 @@
 #include "strategy/lame_spiral.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
@@ -70,6 +71,12 @@ double deviation(const LameSpiral& spiral, const BiArc& pair, double from, doubl
   }
   return worst;
 }
+
+// Between the shapes of two spirals the circle that joins them has this share of its radius to
+// spare, at least; otherwise one goes over into the other without it.
+constexpr double kCircleRoom = 0.05;
+// Such circles are tried, as shares of that room.
+constexpr std::array<double, 3> kCircles = {0.15, 0.45, 0.75};
 
 }  // namespace
 
@@ -155,6 +162,29 @@ Curve closed_arcs_of(const LameCurve& curve, double tolerance) {
   for (const Segment& move : arcs_of(turn, tolerance).moves)
     vertices.push_back({move.a, move.bulge()});
   return Curve(std::move(vertices), true);
+}
+
+LameCurve lame_circle(const LameCurve& like, Vec2 centre, double radius) {
+  LameCurve circle = like;
+  circle.centre = centre;
+  circle.a = circle.b = radius;
+  circle.exponent = 1;
+  return circle;
+}
+
+std::vector<LameGrowth> growths_through_circles(const LameCurve& from, const LameCurve& to) {
+  const bool inwards = from.a > to.a;
+  const LameCurve &inner = inwards ? to : from, &outer = inwards ? from : to;
+  const double apart = distance(from.centre, to.centre);
+  const double low = largest_lame_radius(inner), high = least_lame_radius(outer) - apart;
+  std::vector<LameGrowth> growths;
+  if (high - low < kCircleRoom * high) return growths;
+  for (const double share : kCircles) {
+    const double radius = low + share * (high - low);
+    growths.push_back({{{from, lame_circle(from, inner.centre, radius), 1, LameJoint::kAtEnd},
+                        {lame_circle(to, inner.centre, radius), to, 1, LameJoint::kAtBegin}}});
+  }
+  return growths;
 }
 
 }  // namespace evenload

@@ -44,6 +44,12 @@ struct LameGrowth {
   LameCurve at(double share) const;
 };
 
+// A circle with another curve's segments and rotation.
+LameCurve lame_circle(const LameCurve& like, Vec2 centre, double radius);
+// Ways from one curve through a circle between them to the other, the circle being smaller or
+// larger. None where there is too little room for a circle.
+std::vector<LameGrowth> growths_through_circles(const LameCurve& from, const LameCurve& to);
+
 struct LameSpiral {
   LameGrowth growth;
   MonotoneSpline share;    // by the angle turned, rad, from 0 on

@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 #include <string>
+#include <vector>
 
 #include "geometry/lame_curve.h"
 #include "judged.h"
@@ -190,12 +191,9 @@ TEST(LameClearing, ASmallerPitchMakesMoreTurnsAndALargerOneIsToldOf) {
   }));
 }
 
-TEST(LameClearing, BeginsInAHoleOrOnARamp) {
+TEST(LameClearing, BeginsInAHole) {
   Case pocket = corpus::load("lame_hex50");
   ClearingParams params = pocket.params();
-  params.entry = EntryKind::kRamp;
-  expect_within_limits(pocket, spiral(pocket, params),
-                       corpus::judge(pocket, spiral(pocket, params)));
   for (const Vec2 place : {Vec2{0, 0}, Vec2{6, -3}})
     for (const double diameter : {8.0, 11.0}) {
       pocket.hole = corpus::Hole{place, diameter};
@@ -204,6 +202,163 @@ TEST(LameClearing, BeginsInAHoleOrOnARamp) {
       expect_within_limits(pocket, path, corpus::judge(pocket, path));
       EXPECT_LE(path.report.cutting_time, 1.2 * path.report.ideal_time);
     }
+}
+
+bool tells(const Toolpath& path, const std::string& words) {
+  const auto& notes = path.report.notes;
+  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
+// What is said where the spiral is refused; nothing where it is made.
+std::string refusal(const std::vector<Region>& regions, const ClearingParams& params,
+                    const LameParams& lame = {}) {
+  Progress watch;
+  try {
+    clear_with_lame_spiral(regions, params, lame, watch);
+  } catch (const GeometryError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Curve box(double x, double y, double width, double height) {
+  return Curve({{{x, y}}, {{x + width, y}}, {{x + width, y + height}}, {{x, y + height}}}, true);
+}
+
+Curve circle(Vec2 centre, double radius, bool clockwise = false) {
+  const Curve curve({{centre + Vec2{radius, 0}, 1}, {centre - Vec2{radius, 0}, 1}}, true);
+  return clockwise ? curve.reversed() : curve;
+}
+
+Region ring(double outer, double inner) {
+  return make_region(circle({}, outer), {circle({}, inner, true)});
+}
+
+TEST(LameClearing, BeginsWithAHelixInPlaceOfARampAndSaysSo) {
+  const Case pocket = corpus::load("lame_square35");
+  ClearingParams params = pocket.params();
+  const LameToolpath helix = spiral(pocket, params);
+  params.entry = EntryKind::kRamp;
+  const LameToolpath path = spiral(pocket, params);
+  EXPECT_EQ(path.report.retracts, helix.report.retracts);
+  EXPECT_TRUE(tells(path, "Entry is a helix, not a ramp"));
+  EXPECT_FALSE(tells(helix, "not a ramp"));
+}
+
+TEST(LameClearing, SaysSoWhereNoSpiralIsMade) {
+  ClearingParams params = corpus::load("lame_square35").params();
+  params.narrow_passages = NarrowPassages::kReducedFeed;
+  // Two rooms and a passage of hardly more than the tool's width between them.
+  const Curve outline({{{0, 0}},
+                       {{40, 0}},
+                       {{40, 17}},
+                       {{50, 17}},
+                       {{50, 0}},
+                       {{90, 0}},
+                       {{90, 40}},
+                       {{50, 40}},
+                       {{50, 23.4}},
+                       {{40, 23.4}},
+                       {{40, 40}},
+                       {{0, 40}}},
+                      true);
+  Progress watch;
+  const LameToolpath none = clear_with_lame_spiral({make_region(outline)}, params, {}, watch);
+  EXPECT_FALSE(none.figures);
+  EXPECT_EQ(none.cleared_share, 0);
+  EXPECT_TRUE(tells(none, "No spiral was made"));
+  const Region square = make_region(box(0, 60, 40, 40));
+  const LameToolpath one =
+      clear_with_lame_spiral({make_region(outline), square}, params, {}, watch);
+  ASSERT_TRUE(one.figures);
+  EXPECT_LT(one.cleared_share, 0.4);  // of both
+  EXPECT_TRUE(tells(one, "A region has no spiral"));
+}
+
+TEST(LameClearing, RefusesRingsThatAreMostlyChannel) {
+  const ClearingParams params = corpus::load("lame_square35").params();
+  for (const double width : {7.0, 8.0, 12.0}) {
+    const std::string sentence = refusal({ring(20 + width, 20)}, params);
+    EXPECT_NE(sentence.find("take the operation Adaptive"), std::string::npos) << width;
+  }
+  EXPECT_EQ(refusal({ring(38, 20)}, params), "");
+}
+
+TEST(LameClearing, NamesThePlaceOfARefusedRegion) {
+  const ClearingParams params = corpus::load("lame_square35").params();
+  const Region square = make_region(box(0, 0, 40, 40)), slot = make_region(box(100, 0, 90, 9));
+  EXPECT_EQ(refusal({slot}, params).find("The region near"), std::string::npos);
+  EXPECT_EQ(refusal({square, slot}, params).find("The region near (1"), 0U);
+}
+
+TEST(LameClearing, KeepsTheFirstExponentOfRingsAndIslands) {
+  for (const char* name : {"square_island", "boss_open"}) {
+    const Case pocket = corpus::load(name);
+    LameParams lame;
+    lame.exponent_start = 0.7;
+    const LameToolpath path = spiral(pocket, pocket.params(), lame);
+    ASSERT_TRUE(path.figures) << name;
+    EXPECT_EQ(path.figures->exponent_start, 0.7) << name;
+    EXPECT_LE(corpus::judge(pocket, path).cut_engagement, pocket.engagement_angle + 1 * kDegree);
+  }
+}
+
+TEST(LameClearing, TellsOfAHoleThatIsNotUsedAndRefusesOneThatMustBe) {
+  ClearingParams params = corpus::load("lame_square35").params();
+  params.entry_point = Vec2{35, 0};
+  params.hole_diameter = 8;
+  Progress watch;
+  params.entry = EntryKind::kAutomatic;
+  EXPECT_TRUE(tells(clear_with_lame_spiral({ring(42, 20)}, params, {}, watch), "was not used"));
+  Case island = corpus::load("lame_square_island");
+  island.hole = corpus::Hole{{20, 20}, 8};
+  params = island.params();
+  params.entry = EntryKind::kPredrilledHole;
+  EXPECT_NE(refusal({island.region}, params).find("comes from outside"), std::string::npos);
+  params.entry = EntryKind::kAutomatic;
+  EXPECT_TRUE(tells(clear_with_lame_spiral({island.region}, params, {}, watch), "was not used"));
+}
+
+TEST(LameClearing, AtAConstantFeedEndsRounderWhereThatIsQuicker) {
+  const Case pocket = corpus::load("lame_square35");
+  ClearingParams params = pocket.params();
+  const LameToolpath even = spiral(pocket, params);
+  params.feed_control = FeedControl::kConstantFeed;
+  const LameToolpath path = spiral(pocket, params);
+  const Findings found = corpus::judge(pocket, path);
+  EXPECT_EQ(path.report.termination, Termination::kComplete);
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 1 * kDegree);
+  EXPECT_LE(found.gouge, 0.005);
+  EXPECT_GT(path.figures->last.exponent, even.figures->last.exponent + 0.1);
+  EXPECT_LE(path.report.cutting_time, 1.3 * path.report.ideal_time);
+  EXPECT_FALSE(tells(path, "the operation Adaptive is faster"));
+  LameParams lame;
+  lame.exponent_end = even.figures->last.exponent;  // what is set is kept, slow as it is
+  const LameToolpath slow = spiral(pocket, params, lame);
+  EXPECT_EQ(slow.figures->last.exponent, *lame.exponent_end);
+  EXPECT_GT(slow.report.cutting_time, 1.2 * path.report.cutting_time);
+  EXPECT_TRUE(tells(slow, "the operation Adaptive is faster"));
+}
+
+TEST(LameClearing, NamesTheSetValueThatSpoilsTheSpiral) {
+  const Region square = make_region(box(-17.5, -17.5, 35, 35));
+  const ClearingParams params = corpus::load("lame_square35").params();
+  LameParams lame;
+  lame.centre = Vec2{8, 5};
+  EXPECT_NE(refusal({square}, params, lame).find("move Centre"), std::string::npos);
+  lame = {};
+  lame.semi_axis_a = 0.1;
+  EXPECT_NE(refusal({square}, params, lame).find("SemiAxisA"), std::string::npos);
+  lame.semi_axis_a = lame.semi_axis_b = 5;
+  Progress watch;
+  EXPECT_TRUE(tells(clear_with_lame_spiral({square}, params, lame, watch), "clears only"));
+  ClearingParams off = params;
+  off.entry = EntryKind::kPredrilledHole;
+  off.entry_point = Vec2{13.5, 13.5};
+  off.hole_diameter = 7;
+  EXPECT_NE(refusal({square}, off).find("EntryPoint"), std::string::npos);
 }
 
 TEST(LameClearing, RefusesAHoleThatIsTooTightToTurnIn) {

@@ -137,6 +137,19 @@ TEST(LameFit, KeepsWhatIsWished) {
   EXPECT_EQ(even->b, 20);
 }
 
+TEST(LameFit, HasTheSegmentsThatAreWished) {
+  for (int segments = 3; segments <= 12; ++segments) {
+    LameFitTask task;
+    task.wishes.segments = segments;
+    for (const Curve& outline : {polygon(segments, 30, 0.3), polygon(4, 30)}) {
+      const std::optional<LameCurve> curve = fit_lame_curve(outline, task);
+      ASSERT_TRUE(curve) << segments;
+      EXPECT_EQ(curve->segments, segments);
+      EXPECT_GE(kept(*curve, outline, LameSide::kInside), 0) << segments;
+    }
+  }
+}
+
 TEST(LameFit, FindsNothingWhereWishesDoNotFit) {
   LameFitTask task;
   task.wishes.semi_axis_a = 31;

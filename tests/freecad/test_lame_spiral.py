@@ -9,6 +9,7 @@ from models import block_with, case_model, circle, corpus_case, face_of, floors_
 
 from evenload.operations import lame_spiral
 
+EVEN = "Constant removal rate"
 SQUARE35 = rectangle(-17.5, -17.5, 17.5, 17.5)
 
 
@@ -41,7 +42,7 @@ def spiral(bench, base=None, **properties):
 def test_the_spiral_is_fitted_and_the_rest_cleared(bench, outline, segments):
     face = face_of(outline)
     b = bench(block_with(face))
-    op = b.done(spiral(b))
+    op = b.done(spiral(b, FeedControl=EVEN))
     check_path(op, [face])
     assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
     assert op.MaxEngagement.Value < 61
@@ -55,9 +56,9 @@ def test_the_spiral_is_fitted_and_the_rest_cleared(bench, outline, segments):
 
 
 def test_a_value_that_is_set_stays_and_the_others_are_fitted_to_it(pocket):
-    fitted = pocket.done(spiral(pocket))
+    fitted = pocket.done(spiral(pocket, FeedControl=EVEN))
     a, n = fitted.SemiAxisA.Value, fitted.ExponentEnd
-    op = pocket.done(spiral(pocket, ExponentEnd=1.0))
+    op = pocket.done(spiral(pocket, FeedControl=EVEN, ExponentEnd=1.0))
     assert op.OwnValues == ["ExponentEnd"]
     assert op.ExponentEnd == 1.0 and n < 0.9
     assert op.ClearedShare < fitted.ClearedShare
@@ -88,6 +89,19 @@ def test_an_island_is_cut_from_outside_in(bench, name):
     op = b.done(spiral(b, [(b.model, tuple(floors_of(b.model.Shape)))]))
     assert op.UncutArea.Value == pytest.approx(0, abs=1e-3)
     assert op.MaxEngagement.Value < 61
+
+
+def test_without_a_spiral_the_fitted_properties_stay_and_the_report_says_so(bench):
+    rooms = [(0, 0), (40, 0), (40, 17), (50, 17), (50, 0), (90, 0)]
+    rooms += [(90, 40), (50, 40), (50, 23.4), (40, 23.4), (40, 40), (0, 40)]
+    b = bench(block_with(face_of([(x, y, 0) for x, y in rooms])))
+    op = spiral(b)
+    before = [op.Segments, op.SemiAxisA.Value, op.Pitch.Value]
+    op.NarrowPassages = "Cut at reduced feed"
+    b.done(op)
+    assert "No spiral was made" in op.Report
+    assert op.ClearedShare == 0
+    assert [op.Segments, op.SemiAxisA.Value, op.Pitch.Value] == before
 
 
 def test_a_ring_is_cut_between_both_walls(bench):

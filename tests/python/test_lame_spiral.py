@@ -25,7 +25,7 @@ def clear(**more):
 
 
 def test_a_square_is_cleared_nearly_all_by_the_spiral():
-    path = clear()
+    path = clear(feed_control="constant removal rate")
     assert path.report.termination == "complete"
     assert 0.9 < path.cleared_share < 1
     assert path.report.max_engagement < math.radians(61)
@@ -79,3 +79,14 @@ def test_a_pocket_like_no_lame_curve_names_the_other_operation():
     with pytest.raises(core.GeometryError, match="take the operation Adaptive") as caught:
         core.clear_with_lame_spiral([core.Region(corner)], **ENOUGH)
     assert caught.value.code == "no lame curve"
+
+
+def test_without_a_spiral_there_are_no_figures_of_one():
+    rooms = [(0, 0), (40, 0), (40, 17), (50, 17), (50, 0), (90, 0)]
+    rooms += [(90, 40), (50, 40), (50, 23.4), (40, 23.4), (40, 40), (0, 40)]
+    two = core.Region([(x, y, 0) for x, y in rooms])
+    more = {**ENOUGH, "narrow_passages": "cut at reduced feed"}
+    path = core.clear_with_lame_spiral([two], **more)
+    assert path.figures is None
+    assert path.cleared_share == 0
+    assert any(note.startswith("No spiral was made") for note in path.report.notes)

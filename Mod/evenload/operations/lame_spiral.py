@@ -121,6 +121,8 @@ class LameSpiral(base.Operation):
             regions, rest=obj.Rest.lower(), **wishes, **parameters
         )
         spiral = toolpath.figures
+        if spiral is None:  # Report tells why; what was fitted before stays
+            return toolpath, {"ClearedShare": 0.0}
         values = {name: getattr(spiral, keyword) for name, keyword in FITTED.items()}
         values["Rotation"] = math.degrees(spiral.rotation)
         values[CENTRE] = FreeCAD.Vector(*spiral.centre, obj.Centre.z)

@@ -38,21 +38,24 @@ class Trochoid(base.Operation):
             "TrochoidalStep",
             "App::PropertyLength",
             0.0,
-            "How far the trochoid advances in each turn, in the longest straight slot",
+            "How far the trochoid advances in each turn, along the longest slot; 0: no trochoid was "
+            "repeated, see Report",
             RESULTS,
         ),
         Setting(
             "Iterations",
             "App::PropertyInteger",
             0,
-            "Passes that were steered until the trochoid's shape stayed the same",
+            "Passes that were steered to find the shape of that trochoid; 0 for circles and "
+            "cycloids, and where none was repeated",
             RESULTS,
         ),
         Setting(
             "RemovalRate",
             "App::PropertyFloat",
             0.0,
-            "Volume over time of one turn, its link with it, in mm3/min",
+            "Volume over time along the longest slot at its first depth, links and the passes along "
+            "both walls included, entry and ends not, in mm3/min",
             RESULTS,
         ),
     )
