@@ -44,11 +44,12 @@ struct LameToolpath : Toolpath {
 // Laws: as for clear_pocket; the engagement angle and the parameters of both strategies are kept;
 // no turn of a spiral is tighter than the minimum radius, but for entries that are. Throws
 // std::invalid_argument for parameters out of range and for rest machining, GeometryError also for
-// pockets that no Lamé curve resembles: those of which it would reach less than kLeastShare, and
-// those with more than one island or with open pieces beside walls.
+// pockets that no Lamé curve resembles: those of which it would reach less than kLeastShare, rings
+// of which the spiral would clear less than kLeastRingShare beside the channel that it begins from,
+// and those with more than one island or with open pieces beside walls.
 LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
                                     const ClearingParams& clearing, const LameParams& params,
                                     Progress& progress);
-inline constexpr double kLeastShare = 0.4;
+inline constexpr double kLeastShare = 0.4, kLeastRingShare = 0.25;
 
 }  // namespace evenload

@@ -385,7 +385,11 @@ void Opening::clear_ring() {
   const PlannedGrowth growth = best_of(growths, false);
   const LameCurve& first = growth.growth.stages.front().from;
   made_.spiral_area = outside - grown_lame_area(first, radius_);
-  check_share(made_.spiral_area / made_.reached_area);
+  // A ring resembles its two curves, whatever the channel takes of it.
+  check_share((outside - grown_lame_area(beside, -radius_)) / made_.reached_area);
+  const double by_spiral = made_.spiral_area / made_.reached_area;
+  if (by_spiral < kLeastRingShare) refuse(small_share_sentence(by_spiral, lame_));
+  if (by_spiral < kLeastShare) made_.result.notes.push_back(channel_note(by_spiral));
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
   if (progress_.cancelled() || made_.result.runs.empty()) return;
   made_.cleared_area = outside - kept_area();

@@ -38,6 +38,11 @@ std::string small_size_note(double share) {
   return "The spiral clears only " + part_of_pocket(share) + ", for SemiAxisA or SemiAxisB is set.";
 }
 
+std::string channel_note(double share) {
+  return "The spiral clears only " + part_of_pocket(share) +
+         ": the channel along its island, from which it begins, takes most of the rest.";
+}
+
 std::string small_pitch_note(double pitch) {
   std::ostringstream note;
   note << std::fixed << std::setprecision(3) << "Pitch is smaller than set in some turns, down to "

@@ -46,6 +46,7 @@ std::string small_share_sentence(double share, const LameParams& lame);
 // The same where the set size is kept to.
 std::string small_size_note(double share);
 // Where turns are closer than the set pitch, down to `pitch` mm.
+std::string channel_note(double share);
 std::string small_pitch_note(double pitch);
 
 }  // namespace evenload

@@ -279,11 +279,16 @@ TEST(LameClearing, SaysSoWhereNoSpiralIsMade) {
 
 TEST(LameClearing, RefusesRingsThatAreMostlyChannel) {
   const ClearingParams params = corpus::load("lame_square35").params();
-  for (const double width : {7.0, 8.0, 12.0}) {
+  for (const double width : {7.0, 8.0, 10.0}) {
     const std::string sentence = refusal({ring(20 + width, 20)}, params);
     EXPECT_NE(sentence.find("take the operation Adaptive"), std::string::npos) << width;
   }
   EXPECT_EQ(refusal({ring(38, 20)}, params), "");
+  Progress progress;
+  const LameToolpath narrow = clear_with_lame_spiral({ring(30, 18)}, params, {}, progress);
+  EXPECT_LT(narrow.cleared_share, kLeastShare);
+  EXPECT_EQ(narrow.report.uncut_area, 0);
+  EXPECT_TRUE(tells(narrow, "the channel along its island"));
 }
 
 TEST(LameClearing, NamesThePlaceOfARefusedRegion) {
