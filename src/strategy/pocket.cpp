@@ -391,8 +391,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
 
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
-    if (run.descent.kind == DescentKind::kHelix)
-      removed += cleared_area(run.descent, radius);
+    if (run.descent.kind == DescentKind::kHelix) removed += cleared_area(run.descent, radius);
     if (run.descent.kind == DescentKind::kRamp)
       removed +=
           kPi * radius * radius + 2 * radius * distance(run.descent.at, run.descent.ramp_end);

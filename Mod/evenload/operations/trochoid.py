@@ -38,8 +38,8 @@ class Trochoid(base.Operation):
             "TrochoidalStep",
             "App::PropertyLength",
             0.0,
-            "How far the trochoid advances in each turn, along the longest slot; 0: no trochoid was "
-            "repeated, see Report",
+            "How far the trochoid advances in each turn, along the longest slot; 0: no trochoid "
+            "was repeated, see Report",
             RESULTS,
         ),
         Setting(
@@ -54,8 +54,8 @@ class Trochoid(base.Operation):
             "RemovalRate",
             "App::PropertyFloat",
             0.0,
-            "Volume over time along the longest slot at its first depth, links and the passes along "
-            "both walls included, entry and ends not, in mm3/min",
+            "Volume over time along the longest slot at its first depth, links and the passes "
+            "along both walls included, entry and ends not, in mm3/min",
             RESULTS,
         ),
     )
