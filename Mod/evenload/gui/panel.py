@@ -150,6 +150,7 @@ class OperationPage(_gui.op.TaskPanelPage):
         form = QtGui.QWidget()
         layout = QtGui.QVBoxLayout(form)
         self.boxes, self.points = {}, {}
+        self.shown = {}  # texts of the boxes for quantities
         self.widgets = {}
         form.toolController = self._combo_box()
         form.coolantController = self._combo_box()
@@ -292,7 +293,9 @@ class OperationPage(_gui.op.TaskPanelPage):
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
         obj, widget = self.obj, self.widgets[name]
-        if name in self.boxes:
+        if name in self.shown and self._texts(name) == self.shown[name]:
+            changed = False  # what is shown is rounded, and is no new value until it is edited
+        elif name in self.boxes:
             changed = self.boxes[name].updateProperty()
         else:
             if name in self.points:
@@ -331,6 +334,7 @@ class OperationPage(_gui.op.TaskPanelPage):
                 else:
                     widget.setChecked(value)
                 widget.blockSignals(blocked)
+        self.shown = {name: self._texts(name) for name in (*self.boxes, *self.points)}
         hole = obj.Entry in ("Automatic", "Predrilled hole")
         descent = obj.Entry != "Predrilled hole"
         for name, enabled in (
@@ -344,6 +348,10 @@ class OperationPage(_gui.op.TaskPanelPage):
             self.widgets[name].setEnabled(enabled)
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
+
+    def _texts(self, name):
+        """What the boxes for a quantity or a point show."""
+        return [box.property("text") for box in self.points.get(name, [self.widgets[name]])]
 
     def _fit_again(self):
         self.obj.Proxy.follow_tool(self.obj, again=self.kind.fitted)
