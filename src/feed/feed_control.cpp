@@ -9,8 +9,6 @@
 namespace evenload {
 namespace {
 
-// s: what one more block must save.
-constexpr double kBlockPrice = 0.023;
 // s: what a change of feed must save where a move ends anyway. It costs no block; but feeds that
 // hardly differ shall be one.
 constexpr double kChangePrice = 0.0005;

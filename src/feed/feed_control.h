@@ -10,6 +10,9 @@
 
 namespace evenload {
 
+// s: what one more block of the program must save, and one less may cost.
+inline constexpr double kBlockPrice = 0.045;
+
 struct FeedParams {
   double feed = 255;          // mm/min, nominal: under a load of share 1
   double maximum_feed = 510;  // mm/min

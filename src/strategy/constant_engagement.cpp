@@ -1,13 +1,35 @@
 #include "strategy/constant_engagement.h"
 
+#include <algorithm>
+
+#include "strategy/move_checks.h"
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
 
 namespace evenload {
+namespace {
+
+// rad: passes may exceed the engagement angle by this for the sake of fewer moves, which with what
+// posts round stays below two degrees; at angles below kFullAngle, where it is more of the load, in
+// proportion less beyond kSmoothOverload.
+constexpr double kOverload = 1.5 * kSmoothOverload;
+constexpr double kFullAngle = kPi / 3;
+
+double overload(double angle) {
+  return kSmoothOverload + (kOverload - kSmoothOverload) * std::min(1.0, angle / kFullAngle);
+}
+
+}  // namespace
 
 Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
                       Progress& progress) {
-  return clear_by(&clear_region, regions, params, progress);
+  const RegionClearer clearer = [](const RegionTask& given, const ClearingParams& checked,
+                                   Progress& share) {
+    RegionTask task = given;
+    task.overload = overload(checked.engagement_angle);
+    return clear_region(task, checked, share);
+  };
+  return clear_by(clearer, regions, params, progress);
 }
 
 }  // namespace evenload

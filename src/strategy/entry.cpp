@@ -16,14 +16,16 @@ namespace {
 constexpr double kNarrowestHelix = 0.02;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
-// mm: the room of a helix is known no better.
-constexpr double kRoomTolerance = 1e-3;
+// Share of a helix's radius that it keeps from the walls where it is stretched.
+constexpr double kStretchedRoom = 0.005;
 // Share of the tool's radius: a wider helix would leave a post in its middle.
 constexpr double kWidestHelix = 0.98;
 // Directions in which room for a ramp is looked for at first; the best is then refined.
 constexpr int kRampDirections = 180;
 // rad: to which the ramp's direction is refined.
 constexpr double kRampAngle = 1e-4;
+// mm: by how much a line must be longer than another to be taken in its place.
+constexpr double kLonger = 1e-9;
 // Share of a helix's radius: it is not stretched by less.
 constexpr double kShortestStretch = 0.1;
 // mm: a ramp shorter than this is a plunge.
@@ -50,24 +52,33 @@ std::array<double, 4> directions_of(const Area& centres, Vec2 from) {
   return {along, along + kPi / 2, along + kPi, along + 3 * kPi / 2};
 }
 
-// The longest free line from `from`, as a vector. Between walls hardly wider than the tool it runs
-// along them, which no fixed set of directions would find.
-Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
+// Where `length_towards` is greatest. Between walls hardly wider than the room that is asked for,
+// lines run along them, which no fixed set of directions would find.
+template <typename Length>
+double direction_of_longest(const Area& centres, Vec2 from, double turn, const Length& length) {
   double best = 0, longest = -1;
   const auto look = [&](double angle) {
-    const double length = free_length(centres, from, unit(angle), limit);
-    if (length <= longest + 1e-9) return;
-    longest = length;
+    const double found = length(angle);
+    if (found <= longest + kLonger) return;
+    longest = found;
     best = angle;
   };
-  for (int i = 0; i < kRampDirections; ++i) look(2 * kPi * i / kRampDirections);
+  const int n = static_cast<int>(std::lround(turn / (2 * kPi) * kRampDirections));
+  for (int i = 0; i < n; ++i) look(turn * i / n);
   for (const double angle : directions_of(centres, from)) look(angle);  // or an end wall
   for (double step = kPi / kRampDirections; step > kRampAngle; step /= 2) {
     const double middle = best;
     look(middle - step);
     look(middle + step);
   }
-  return longest * unit(best);
+  return best;
+}
+
+// The longest free line from `from`, as a vector.
+Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
+  const auto length = [&](double angle) { return free_length(centres, from, unit(angle), limit); };
+  const double best = direction_of_longest(centres, from, 2 * kPi, length);
+  return length(best) * unit(best);
 }
 
 }  // namespace
@@ -132,17 +143,18 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
   Descent& helix = entry.descent;
   if (helix.kind != DescentKind::kHelix) return;
   const double wish = wished_stretch(helix.radius, params),
-               needed = helix.radius / kHelixRoom - kRoomTolerance;
-  double longest = 0, behind = 0;
-  Vec2 u;
-  for (const double angle : directions_of(centres, helix.centre)) {
-    const double ahead = free_length(centres, helix.centre, unit(angle), wish, needed),
-                 back = free_length(centres, helix.centre, -unit(angle), wish - ahead, needed);
-    if (ahead + back <= longest + 1e-9) continue;
-    longest = ahead + back;
-    behind = back;
-    u = unit(angle);
-  }
+               needed = (1 + kStretchedRoom) * helix.radius;
+  const auto free = [&](double angle, double limit) {
+    return free_length(centres, helix.centre, unit(angle), limit, needed);
+  };
+  const auto both_ways = [&](double angle) {
+    const double ahead = free(angle, wish);
+    return ahead + free(angle + kPi, wish - ahead);
+  };
+  const double angle = direction_of_longest(centres, helix.centre, kPi, both_ways);
+  const double ahead = free(angle, wish), behind = free(angle + kPi, wish - ahead);
+  const double longest = ahead + behind;
+  const Vec2 u = unit(angle);
   // A whole number of half turns, none of them flatter than it may be.
   const double slope =
       (params.top - params.levels.front() + kAboveMaterial) / std::tan(params.helix_angle);

@@ -7,38 +7,44 @@
 #include <optional>
 
 #include "cutting/engagement.h"
+#include "feed/feed_control.h"
 #include "geometry/bi_arc.h"
+#include "strategy/links.h"
 #include "strategy/move_checks.h"
 #include "strategy/short_moves.h"
 
 namespace evenload {
 namespace {
 
-// s: what one block less may cost.
-constexpr double kBlockPrice = 0.023;
 // Moves in a row that a bi-arc replaces.
 constexpr std::size_t kFewest = 3, kMost = 5;
 // How many times as far along the first tangent as along the last the joints lie that are tried.
-constexpr double kRatios[] = {0.35, 1, 2.8};
+constexpr double kRatios[] = {0.22, 0.35, 0.6, 1, 1.6, 2.8, 4.5};
+// The best is then taken so many times greater and smaller.
+constexpr double kFinerRatios[] = {1.25, 1.12};
 // Shares of the tool's radius: the longest row, and what lies between two looks, along moves whose
 // time alone matters as well.
 constexpr double kLongestRow = 4;
+// Moves this short along the border may be replaced: remainders before a pass leaves the wall.
+constexpr double kShortOnBorder = 0.05;
 constexpr double kLook = 0.05;
-constexpr double kOldLook = 0.12;
+constexpr double kOldLook = 0.2;
 constexpr int kFewestLooks = 4;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
 // Of unit vectors along moves that are tangent to each other.
 constexpr double kSameDirection = 1e-6;
-// rad: a pass that turns by more may come back to where it was.
+// rad: a pass that turns by more may come back to where it was: were it led elsewhere, its next
+// turn would meet more or less.
 constexpr double kMostTurn = 1.75 * kPi;
 // rad: of either arc.
 constexpr double kMostArc = 0.9 * kPi;
 // What a turn may be tighter by, for rounding.
 constexpr double kAsTight = 1.001;
 // rad: by how much more or less than the old moves a new one may be expected to meet.
-constexpr double kMostMore = 0.04;
-constexpr double kMostLess = 0.1;
+constexpr int kChangeLooks = 4;
+constexpr double kMostMore = 0.08;
+constexpr double kMostLess = 0.15;
 
 // What the tool meets along a move.
 struct Met {
@@ -49,20 +55,34 @@ struct Met {
 class FewerMoves {
  public:
   FewerMoves(const std::vector<Segment>& moves, const Stretch& stretch, const Area& centres,
-             const ClearedGround& ground, const ClearingParams& params)
+             ClearedGround& ground, const ClearingParams& params, double overload)
       : moves_(moves),
         stretch_(stretch),
         centres_(centres),
         ground_(ground),
         params_(params),
         radius_(ground.tool_radius()),
-        full_width_(side_step(params.engagement_angle, radius_)) {}
+        full_width_(side_step(params.engagement_angle, radius_)),
+        limit_(params.engagement_angle + overload) {
+    double turn = 0, last = 0;  // mm
+    for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
+      turn += move->sweep;
+      if (std::abs(turn) > kMostTurn) break;
+      last += move->length();
+    }
+    const double before = length_of(moves) - last;
+    comes_back_ = before > 0;
+    stretch_.from = std::max(stretch_.from, before);
+  }
 
   std::vector<Segment> made() {
+    const std::size_t before = ground_.size();
     for (std::size_t i = 0; i < moves_.size(); ++i) {
       while (replace_row(i)) met_.resize(std::min(met_.size(), i));
       done_ += moves_[i].length();
+      if (comes_back_) ground_.add(moves_[i]);
     }
+    while (ground_.size() > before) ground_.remove_last();
     return std::move(moves_);
   }
 
@@ -93,34 +113,65 @@ class FewerMoves {
     return true;
   }
 
-  bool can_go(std::size_t k) const { return !follows_border(moves_[k], centres_); }
+  bool can_go(std::size_t k) const {
+    return moves_[k].length() < kShortOnBorder * radius_ || !follows_border(moves_[k], centres_);
+  }
 
-  void try_row(std::size_t first, std::size_t last, Best& best) {
+  struct Candidate {
+    std::vector<Segment> way;
+    double ratio = 1;
+    double change = 1;  // of what it meets, as a share of what may be
+  };
+
+  // Takes the bi-arc of `ratio` in place of the row where that changes less than `best` does.
+  void change_less(std::size_t first, std::size_t last, double ratio, double tightest,
+                   Candidate& best) const {
     const Segment &a = moves_[first], &b = moves_[last];
+    const std::optional<BiArc> pair =
+        bi_arc({a.a, a.tangent(0)}, {b.b, b.tangent(1)}, kMostArc, ratio);
+    if (!pair) return;
+    double change = 0;
+    for (const Segment& move : {pair->first, pair->second}) {
+      if (move.length() < kShortest || std::abs(move.curvature()) > kAsTight * tightest) return;
+      for (int i = 1; i < kChangeLooks; ++i) {
+        change =
+            std::max(change, change_at(move, static_cast<double>(i) / kChangeLooks, first, last));
+        if (change >= best.change) return;
+      }
+    }
+    best = {{pair->first, pair->second}, ratio, change};
+  }
+
+  // The bi-arc in place of the row that changes least, as far as is known without a look at the
+  // ground; empty where all change too much.
+  std::vector<Segment> likeliest(std::size_t first, std::size_t last) const {
     double tightest = 0;
     for (std::size_t k = first; k <= last; ++k)
       tightest = std::max(tightest, std::abs(moves_[k].curvature()));
-    for (const double ratio : kRatios) {
-      const std::optional<BiArc> pair =
-          bi_arc({a.a, a.tangent(0)}, {b.b, b.tangent(1)}, kMostArc, ratio);
-      if (!pair) continue;
-      std::vector<Segment> way{pair->first, pair->second};
-      const bool serves = std::all_of(way.begin(), way.end(), [&](const Segment& move) {
-        return move.length() >= kShortest && std::abs(move.curvature()) <= kAsTight * tightest &&
-               is_promising(move, first, last) && is_inside(move, centres_, kOnBorder);
-      });
-      if (!serves) continue;
-      const double limit = params_.engagement_angle + kSmoothOverload;
-      const std::optional<Met> met_first = look_along(way[0], kLook, limit);
-      if (!met_first) continue;
-      const std::optional<Met> met_second = look_along(way[1], kLook, limit);
-      if (!met_second) continue;
-      const std::size_t row = last - first + 1;
-      double gain = kBlockPrice * static_cast<double>(row - way.size());
-      for (std::size_t k = first; k <= last; ++k) gain += loss_of(met_along(k));
-      gain -= loss_of(*met_first) + loss_of(*met_second);
-      if (gain > best.gain) best = {std::move(way), gain, row};
+    Candidate best;
+    for (const double ratio : kRatios) change_less(first, last, ratio, tightest, best);
+    if (best.way.empty()) return {};
+    for (const double finer : kFinerRatios) {
+      const double middle = best.ratio;
+      change_less(first, last, middle * finer, tightest, best);
+      change_less(first, last, middle / finer, tightest, best);
     }
+    return std::move(best.way);
+  }
+
+  void try_row(std::size_t first, std::size_t last, Best& best) {
+    const std::size_t row = last - first + 1;
+    double gain = kBlockPrice * static_cast<double>(row - 2);
+    for (std::size_t k = first; k <= last; ++k) gain += loss_of(met_along(k));
+    if (gain <= best.gain) return;
+    std::vector<Segment> way = likeliest(first, last);
+    for (const Segment& move : way) {
+      if (!is_inside(move, centres_, kOnBorder)) return;
+      const std::optional<Met> met = look_along(move, kLook, limit_);
+      if (!met) return;
+      gain -= loss_of(*met);
+    }
+    if (!way.empty() && gain > best.gain) best = {std::move(way), gain, row};
   }
 
   // By how much longer a move takes than what it removes must.
@@ -157,31 +208,35 @@ class FewerMoves {
     return Met{length / feed * 60, sum / n * length};
   }
 
-  // What is expected without a look at the ground: in the middle of a new move hardly more is met,
-  // and not much less, than on the old ones. To turn right and to be further to the right both mean
-  // to meet more.
-  bool is_promising(const Segment& move, std::size_t first, std::size_t last) const {
-    const Vec2 p = move.point(0.5);
-    const auto begin = moves_.begin() + static_cast<std::ptrdiff_t>(first);
-    const auto end = moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1;
-    const auto old = std::min_element(begin, end, [&](const Segment& a, const Segment& b) {
-      return a.distance_to(p) < b.distance_to(p);
-    });
+  // By how much what is met at `at` of a new move is expected to change, without a look at the
+  // ground. To turn right and to be further to the right both mean to meet more.
+  double change_at(const Segment& move, double at, std::size_t first, std::size_t last) const {
+    const Vec2 p = move.point(at);
+    const Segment* old = &moves_[first];
+    double least = old->distance_to(p);
+    for (std::size_t k = first + 1; k <= last; ++k) {
+      const double distance = moves_[k].distance_to(p);
+      if (distance >= least) continue;
+      least = distance;
+      old = &moves_[k];
+    }
     const double t = old->nearest(p);
-    const Vec2 along = old->tangent(t), now = move.tangent(0.5);
+    const Vec2 along = old->tangent(t), now = move.tangent(at);
     const double left = cross(along, p - old->point(t));
     const double turned_left = std::atan2(cross(along, now), dot(along, now));
     const double more = -turned_left - left / (radius_ * std::sin(params_.engagement_angle));
-    return -kMostLess <= more && more <= kMostMore;
+    return more > 0 ? more / kMostMore : -more / kMostLess;
   }
 
   std::vector<Segment> moves_;
   Stretch stretch_;
   const Area& centres_;
-  const ClearedGround& ground_;
+  ClearedGround& ground_;
   const ClearingParams& params_;
+  bool comes_back_;
   double radius_;
-  double full_width_;     // mm, of a straight cut at the limit
+  double full_width_;     // mm, of a straight cut at the engagement angle
+  double limit_;          // rad
   double done_ = 0;       // mm of the moves before the row
   std::vector<Met> met_;  // along the first of moves_
   std::vector<AngularInterval> arcs_;
@@ -190,12 +245,9 @@ class FewerMoves {
 }  // namespace
 
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
-                                      const Area& centres, const ClearedGround& ground,
-                                      const ClearingParams& params) {
-  double turn = 0;
-  for (const Segment& move : moves) turn += move.sweep;
-  if (std::abs(turn) > kMostTurn) return moves;
-  return FewerMoves(moves, stretch, centres, ground, params).made();
+                                      const Area& centres, ClearedGround& ground,
+                                      const ClearingParams& params, double overload) {
+  return FewerMoves(moves, stretch, centres, ground, params, overload).made();
 }
 
 }  // namespace evenload

@@ -17,13 +17,13 @@ struct Stretch {
 
 // `moves` with rows of three to five replaced by a bi-arc, from where the row began to where it
 // ended, in the same directions: only within `stretch` mm, inside `centres`, with no tighter turn,
-// at no more than `params`' engagement angle and a tolerance, and where the time that it costs at a
-// constant removal rate is worth the blocks. `ground`: before the moves.
+// at no more than `overload` rad above `params`' engagement angle, and where the time that it costs
+// at a constant removal rate is worth the blocks. `ground`: before the moves, and again in the end.
 // Laws: the moves follow each other as before, and begin and end where they did; moves along the
-// border of `centres` stay as they are, and so do passes that come back to where they were, which
-// meet what they themselves have left.
+// border of `centres` stay as they are, but for short ones, and so does, of a pass that comes back to
+// where it was, all that it comes back to.
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
-                                      const Area& centres, const ClearedGround& ground,
-                                      const ClearingParams& params);
+                                      const Area& centres, ClearedGround& ground,
+                                      const ClearingParams& params, double overload);
 
 }  // namespace evenload

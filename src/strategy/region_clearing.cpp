@@ -253,7 +253,7 @@ class RegionClearing {
                           "choose the entry 'Predrilled hole', or take a smaller tool.");
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
-    if (task_.stretch_helix) stretch_helix(*entry, exact_, params_);
+    stretch_helix(*entry, exact_, params_);
     descent = entry->descent;
     add_descent(descent, ground_);
     return entry->start;
@@ -276,7 +276,7 @@ class RegionClearing {
         without_short_moves(joined(pass.moves), exact_, std::min(kSmoothing, params_.tolerance));
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
-                         exact_, ground_, params_);
+                         exact_, ground_, params_, task_.overload);
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));

@@ -8,6 +8,7 @@
 
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/move_checks.h"
 #include "strategy/turn_report.h"
 #include "support/progress.h"
 #include "toolpath/planar.h"
@@ -30,9 +31,10 @@ struct RegionTask {
   bool has_open_edges = false;
   bool rest = false;           // earlier cuts left the material: the rest of the ground is cleared
   std::optional<Vec2> hole;    // centre of a pre-drilled hole in this region; not with `rest`
-  bool stretch_helix = false;  // an entry's, along the room
   bool is_part = false;        // more is cleared later: what is left is neither measured nor noted
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
+  // rad: what passes with fewer moves may exceed the engagement angle by.
+  double overload = kSmoothOverload;
   std::vector<Region> around;  // where links may go; empty: within `centres`
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.
   std::vector<PlanarRun> before;

@@ -220,7 +220,6 @@ class SlotClearing {
     task.is_part = true;
     try {
       task.opening = opening_;
-      task.stretch_helix = true;
       RegionResult cleared = clear_region(task, passes_, progress_);
       take(std::move(cleared));
       return !opening_.runs.empty();

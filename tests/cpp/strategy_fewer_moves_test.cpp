@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 #include <vector>
 
 #include "geometry_shapes.h"
@@ -58,9 +59,9 @@ std::vector<Segment> gentle() {
   return arcs_along_the_front({0.004, -0.008, 0.008, -0.008, 0.004});
 }
 
-std::vector<Segment> fewer(const std::vector<Segment>& moves, const ClearedGround& ground,
+std::vector<Segment> fewer(const std::vector<Segment>& moves, ClearedGround&& ground,
                            const Area& centres = room()) {
-  return with_fewer_moves(moves, {0, length_of(moves)}, centres, ground, params());
+  return with_fewer_moves(moves, {0, length_of(moves)}, centres, ground, params(), kSmoothOverload);
 }
 
 bool are_same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
@@ -70,8 +71,10 @@ bool are_same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
 }
 
 TEST(FewerMoves, LeadOnAsBeforeWithinTheLimit) {
-  const ClearedGround ground = front();
-  const std::vector<Segment> moves = gentle(), result = fewer(moves, ground);
+  ClearedGround ground = front();
+  const std::vector<Segment> moves = gentle();
+  const std::vector<Segment> result =
+      with_fewer_moves(moves, {0, length_of(moves)}, room(), ground, params(), kSmoothOverload);
   ASSERT_EQ(result.size(), 2u);
   EXPECT_LE(distance(result.front().a, moves.front().a), 1e-9);
   EXPECT_LE(distance(result.back().b, moves.back().b), 1e-9);
@@ -93,7 +96,7 @@ TEST(FewerMoves, AreNotMadeWhereTheyWouldMeetMoreThanTheLimit) {
   // The same moves, but deeper: what is above the limit already is not made anew.
   ClearedGround ground({{-60, -60}, {60, 60}}, kToolRadius, nullptr);
   ground.add(Segment::line({-50, 0.1}, {50, 0.1}));
-  EXPECT_TRUE(are_same(fewer(gentle(), ground), gentle()));
+  EXPECT_TRUE(are_same(fewer(gentle(), std::move(ground)), gentle()));
 }
 
 TEST(FewerMoves, AreNotMadeOfArcsThatTurnToAndFro) {
@@ -103,9 +106,9 @@ TEST(FewerMoves, AreNotMadeOfArcsThatTurnToAndFro) {
 
 TEST(FewerMoves, AreMadeWithinTheStretchOnly) {
   const std::vector<Segment> moves = gentle();
-  const ClearedGround ground = front();
+  ClearedGround ground = front();
   const auto within = [&](Stretch stretch) {
-    return with_fewer_moves(moves, stretch, room(), ground, params());
+    return with_fewer_moves(moves, stretch, room(), ground, params(), kSmoothOverload);
   };
   EXPECT_TRUE(are_same(within({2.5, 5}), moves));
   EXPECT_TRUE(are_same(within({0, 2.5}), moves));
@@ -125,15 +128,50 @@ TEST(FewerMoves, LeaveTheMovesAlongTheBorder) {
   EXPECT_TRUE(are_same(fewer(moves, front(), centres), moves));
 }
 
-TEST(FewerMoves, LeavePassesThatComeBackToWhereTheyWere) {
+TEST(FewerMoves, LeaveOnlyLongMovesAlongTheBorder) {
+  std::vector<Segment> moves = gentle();
+  const Vec2 corner = moves.front().a - Vec2{0.1, 0};
+  moves.insert(moves.begin(), Segment::line(corner, moves.front().a));
+  const Area centres({make_region(rectangle(-60, corner.y, 60, 60))});
+  EXPECT_EQ(fewer(moves, front(), centres).size(), 2u);
+  moves.front() = Segment::line(corner - Vec2{1, 0}, moves[1].a);
+  const std::vector<Segment> result = fewer(moves, front(), centres);
+  ASSERT_EQ(result.size(), 3u);
+  EXPECT_TRUE(are_same({result.front()}, {moves.front()}));
+}
+
+TEST(FewerMoves, LeaveWhatAPassComesBackTo) {
   ClearedGround ground({{-60, -60}, {60, 60}}, kToolRadius, nullptr);
   ground.add_disc({0, 0}, 10);
   std::vector<Segment> moves;
-  for (int i = 0; i < 24; ++i)
-    moves.push_back(Segment::arc({0, 0}, 8, i * kPi / 12, kPi / 12 * (1 - 1e-12)));
-  EXPECT_TRUE(are_same(fewer(moves, ground), moves));
-  moves.resize(8);
-  EXPECT_LT(fewer(moves, ground).size(), moves.size());
+  Vec2 at{7.6, 0};
+  double heading = kPi / 2;
+  for (int i = 0; i < 48; ++i) {
+    const double radius = 7.6 + i / 48.0;
+    const Vec2 centre = at + radius * left_normal(unit(heading));
+    moves.push_back(Segment::arc(centre, radius, heading - kPi / 2, kPi / 12));
+    at = moves.back().b;
+    heading += kPi / 12;
+  }
+  const std::size_t before = ground.size();
+  const std::vector<Segment> result =
+      with_fewer_moves(moves, {0, length_of(moves)}, room(), ground, params(), kSmoothOverload);
+  EXPECT_EQ(ground.size(), before);
+  // The first turn is as it was; of the last the moves are fewer.
+  ASSERT_GT(result.size(), 24u);
+  EXPECT_LT(result.size(), 40u);
+  EXPECT_TRUE(are_same({result.begin(), result.begin() + 24}, {moves.begin(), moves.begin() + 24}));
+  std::vector<AngularInterval> engaged;
+  for (const Segment& move : result) {
+    for (const double t : {0.1, 0.5, 0.9}) {
+      const double on = angle_of(move.tangent(t));
+      ground.uncovered(move.point(t), on - kPi / 2, on + kPi / 2, engaged);
+      ASSERT_EQ(engaged.size(), 1u);
+      EXPECT_LE(engaged.front().width(), kTheta + kSmoothOverload);
+      EXPECT_GE(engaged.front().width(), 0.6 * kTheta);
+    }
+    ground.add(move);
+  }
 }
 
 }  // namespace
