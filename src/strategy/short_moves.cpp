@@ -9,10 +9,12 @@
 namespace evenload {
 namespace {
 
-// Of unit vectors along moves that are tangent to each other.
-constexpr double kSameDirection = 1e-6;
-// The same, for one arc in place of two moves: posts turn moves of any length in use by more.
-constexpr double kOneArcDirection = 2e-4;
+// Of unit vectors along moves that are tangent to each other: posts turn moves of any length in use
+// by more, and the shorter of two by what kPosted mm are of its length, up to a quarter of a
+// degree.
+constexpr double kSameDirection = 2e-4;
+constexpr double kPosted = 5e-5;
+constexpr double kMostPosted = 5e-3;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
 
@@ -32,7 +34,9 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others
 // What can come in place of `a` and `b`; empty where nothing can.
 std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres,
                                 double smoothing) {
-  if (!is_tangent(a, b, kSameDirection) || follows_border(a, centres) || follows_border(b, centres))
+  const double posted =
+      std::clamp(kPosted / std::min(a.length(), b.length()), kSameDirection, kMostPosted);
+  if (!is_tangent(a, b, posted) || follows_border(a, centres) || follows_border(b, centres))
     return {};
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
   const auto serves = [&](const std::vector<Segment>& way) {
@@ -44,7 +48,7 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
   const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));
   if (std::abs(2 * half_turn) <= kMostTurn) {
     const Segment one = Segment::from_bulge(from.p, to.p, std::tan(half_turn / 2));
-    if (norm(one.tangent(1) - to.direction) < kOneArcDirection && serves({one})) return {one};
+    if (norm(one.tangent(1) - to.direction) < posted && serves({one})) return {one};
   }
   const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
   if (!two || std::min(two->first.length(), two->second.length()) < kShortest) return {};
