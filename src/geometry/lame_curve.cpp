@@ -37,18 +37,45 @@ void check_lame_curve(const LameCurve& curve) {
           "to the same length.");
 }
 
+namespace {
+
+// The curve's two terms at one polar angle, the larger of their bases taken out.
+struct Terms {
+  double turn, c, s;     // psi over the angle; cos psi and sin psi
+  double larger, u, v;   // of |c| / a and |s| / b, and both over it
+  double power, up, vp;  // 2 / n, and u and v to it
+  double r() const { return std::pow(up + vp, -1 / power) / larger; }
+};
+
+// Of u or v, of which one is 1: no power over- or underflows, and one of two is known.
+double powered(double base, double power) { return base == 1 ? 1 : std::pow(base, power); }
+
+Terms terms_of(const LameCurve& curve, double angle) {
+  Terms t;
+  t.turn = curve.segments / 4.0;
+  const double psi = t.turn * (angle - curve.rotation);
+  const double rounding = kRounding * std::max(1.0, std::abs(psi));
+  t.c = unless_rounding(std::cos(psi), rounding);
+  t.s = unless_rounding(std::sin(psi), rounding);
+  const double x = std::abs(t.c) / curve.a, y = std::abs(t.s) / curve.b;
+  t.larger = std::max(x, y);
+  t.u = x / t.larger;
+  t.v = y / t.larger;
+  t.power = 2 / curve.exponent;
+  t.up = powered(t.u, t.power);
+  t.vp = powered(t.v, t.power);
+  return t;
+}
+
+}  // namespace
+
 LameRadius lame_radius(const LameCurve& curve, double angle) {
-  const double turn = curve.segments / 4.0, psi = turn * (angle - curve.rotation);
-  const double rounding = kRounding * std::max(1.0, std::abs(psi)), power = 2 / curve.exponent;
-  const double c = unless_rounding(std::cos(psi), rounding);
-  const double s = unless_rounding(std::sin(psi), rounding);
-  const double x = std::abs(c) / curve.a, y = std::abs(s) / curve.b, larger = std::max(x, y);
-  const double u = x / larger, v = y / larger;  // one of them is 1: no power over- or underflows
-  const double up = std::pow(u, power), vp = std::pow(v, power), sum = up + vp;
+  const Terms t = terms_of(curve, angle);
+  const double sum = t.up + t.vp;
   LameRadius at;
-  at.r = std::pow(sum, -1 / power) / larger;
+  at.r = t.r();
   // ln r = -(n / 2) ln(X + Y): its derivatives are weighted by the shares of X and Y.
-  const double wx = up / sum, wy = vp / sum;
+  const double wx = t.up / sum, wy = t.vp / sum;
   at.log_by_a = wx;
   at.log_by_b = wy;
   at.by_a = at.r * wx / curve.a;
@@ -56,21 +83,23 @@ LameRadius lame_radius(const LameCurve& curve, double angle) {
   const auto entropy = [](double w) { return w > 0 ? w * std::log(w) : 0.0; };
   at.by_exponent = 0.5 * at.r * (entropy(wx) + entropy(wy));
   // wx / c and wx / c^2, which stay finite where c is 0 and the power allows it.
-  const double ca = curve.a * larger, sb = curve.b * larger;
-  const double wx_c = c == 0 ? 0 : wx / c, wy_s = s == 0 ? 0 : wy / s;
-  const double wx_cc = std::pow(u, power - 2) / (sum * ca * ca);
-  const double wy_ss = std::pow(v, power - 2) / (sum * sb * sb);
-  const double slope = wx_c * s - wy_s * c;
+  const double ca = curve.a * t.larger, sb = curve.b * t.larger;
+  const double wx_c = t.c == 0 ? 0 : wx / t.c, wy_s = t.s == 0 ? 0 : wy / t.s;
+  const double wx_cc = powered(t.u, t.power - 2) / (sum * ca * ca);
+  const double wy_ss = powered(t.v, t.power - 2) / (sum * sb * sb);
+  const double slope = wx_c * t.s - wy_s * t.c;
   const double large = std::max(wx_cc, wy_ss), small = std::min(wx_cc, wy_ss);
-  const double rest = 1 - power * small;
+  const double rest = 1 - t.power * small;
   const double bend = rest == 0 ? small : large * rest + small;
-  at.by_angle = at.r * turn * slope;
-  at.by_angle_twice = at.r * turn * turn * (slope * slope + bend);
+  at.by_angle = at.r * t.turn * slope;
+  at.by_angle_twice = at.r * t.turn * t.turn * (slope * slope + bend);
   return at;
 }
 
+double radius_at(const LameCurve& curve, double angle) { return terms_of(curve, angle).r(); }
+
 Vec2 lame_point(const LameCurve& curve, double angle) {
-  return curve.centre + lame_radius(curve, angle).r * unit(angle);
+  return curve.centre + radius_at(curve, angle) * unit(angle);
 }
 
 double lame_curvature(const LameCurve& curve, double angle) {
@@ -143,7 +172,7 @@ double over_a_turn(const LameCurve& curve, F f) {
 
 double lame_area(const LameCurve& curve) {
   return over_a_turn(curve, [&](double angle) {
-    const double r = lame_radius(curve, angle).r;
+    const double r = radius_at(curve, angle);
     return 0.5 * r * r;
   });
 }
@@ -162,13 +191,13 @@ double grown_lame_area(const LameCurve& curve, double by) {
 double least_lame_radius(const LameCurve& curve) {
   double least = std::numeric_limits<double>::infinity();
   for (const double angle : lame_angles(curve))
-    least = std::min(least, lame_radius(curve, angle).r);
+    least = std::min(least, radius_at(curve, angle));
   return least;
 }
 
 double largest_lame_radius(const LameCurve& curve) {
   double most = 0;
-  for (const double angle : lame_angles(curve)) most = std::max(most, lame_radius(curve, angle).r);
+  for (const double angle : lame_angles(curve)) most = std::max(most, radius_at(curve, angle));
   return most;
 }
 

@@ -88,8 +88,10 @@ class Turn {
   double sense_, share_, angle_;
 };
 
-// The change of the share from turn to turn with which the engagement at this angle is the limit.
-double step_at(const LameGrowth& growth, const TurnTask& task, double share, double angle) {
+// The change of the share from turn to turn with which the engagement at this angle is the limit;
+// `most` where it is no less.
+double step_at(const LameGrowth& growth, const TurnTask& task, double share, double angle,
+               double most) {
   const double r = task.tool_radius;
   const LameCurve curve = growth.at(share);
   const Heading along = heading_at(curve, angle, task.inwards);
@@ -102,9 +104,9 @@ double step_at(const LameGrowth& growth, const TurnTask& task, double share, dou
     return turn.beyond(edge, r, step);
   };
   // The distance grows nearly in proportion to the step: regula falsi with the Illinois rule.
-  double low = 0, high = kFirstStep * side_step(task.engagement, r) / growth.length();
-  double f_low = beyond(low), f_high = beyond(high);
+  double low = 0, high = most, f_high = beyond(high);
   if (f_high <= 0) return high;
+  double f_low = beyond(low);
   if (f_low >= 0) return 0;
   for (int i = 0; i < kMostLooks; ++i) {
     const double step = low + (high - low) * f_low / (f_low - f_high);
@@ -141,7 +143,7 @@ bool stays_between(const LameGrowth& growth) {
     const LameCurve curve = growth.at(level);
     for (const double angle : lame_angles(inner)) {
       const Vec2 p = lame_point(inner, angle) - curve.centre;
-      if (lame_radius(curve, angle_of(p)).r < norm(p) * (1 - kCrossing)) return false;
+      if (radius_at(curve, angle_of(p)) < norm(p) * (1 - kCrossing)) return false;
     }
   }
   return true;
@@ -152,10 +154,20 @@ bool stays_between(const LameGrowth& growth) {
 MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
   const std::vector<double> levels = levels_of(growth);
   std::vector<double> steps;
+  const double farthest =
+      kFirstStep * side_step(task.engagement, task.tool_radius) / growth.length();
+  std::size_t worst = 0;  // where the step was the least
   for (const double level : levels) {
-    double least = task.pitch ? *task.pitch / growth.length() : 1;
-    for (const double angle : angles_to_look_at(growth, growth.at(level)))
-      least = std::min(least, step_at(growth, task, level, angle));
+    double least = task.pitch ? std::min(farthest, *task.pitch / growth.length()) : farthest;
+    const std::vector<double> angles = angles_to_look_at(growth, growth.at(level));
+    // It is likely to be the least there again, and then one look at each other angle is enough.
+    const std::size_t first = std::min(worst, angles.size() - 1);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      const std::size_t i = (first + k) % angles.size();
+      const double step = step_at(growth, task, level, angles[i], least);
+      if (step < least) worst = i;
+      least = std::min(least, step);
+    }
     steps.push_back(std::max(least, kLeastStep));
   }
   return MonotoneSpline(levels, steps);
