@@ -102,48 +102,65 @@ Vec2 lame_point(const LameCurve& curve, double angle) {
   return curve.centre + radius_at(curve, angle) * unit(angle);
 }
 
-double lame_curvature(const LameCurve& curve, double angle) {
-  const LameRadius at = lame_radius(curve, angle);
+double curvature_of(const LameRadius& at) {
   const double speed = at.r * at.r + at.by_angle * at.by_angle;
-  return (speed + at.by_angle * at.by_angle - at.r * at.by_angle_twice) / std::pow(speed, 1.5);
+  return (speed + at.by_angle * at.by_angle - at.r * at.by_angle_twice) /
+         (speed * std::sqrt(speed));
 }
 
-std::vector<double> lame_angles(const LameCurve& curve) {
+double lame_curvature(const LameCurve& curve, double angle) {
+  return curvature_of(lame_radius(curve, angle));
+}
+
+namespace {
+
+double quarter_of(const LameCurve& curve) { return 2 * kPi / curve.segments; }
+
+// rad from the rotation on, in order: from one axis over a corner to the next axis. The other
+// quarters are its mirror images.
+std::vector<double> quarter_angles(const LameCurve& curve) {
   // Corners lie where both axes have an equal share; axes in the middle between those for a = b.
-  const double quarter = 2 * kPi / curve.segments;
+  const double quarter = quarter_of(curve);
   const double corner = std::atan2(curve.b, curve.a) / (kPi / 2) * quarter;
-  std::vector<double> one;  // over two quarters: up to a corner, down to an axis, and mirrored
+  std::vector<double> angles;
   const auto add_side = [&](double axis, double to_corner) {
-    for (int i = 0; i < kEvenSteps; ++i) one.push_back(axis + i * (to_corner - axis) / kEvenSteps);
+    for (int i = 0; i < kEvenSteps; ++i)
+      angles.push_back(axis + i * (to_corner - axis) / kEvenSteps);
     double closer = (to_corner - axis) / kEvenSteps;
-    for (int i = 0; i < kCornerSteps; ++i) one.push_back(to_corner - (closer *= kCloser));
+    for (int i = 0; i < kCornerSteps; ++i) angles.push_back(to_corner - (closer *= kCloser));
   };
   add_side(0, corner);
+  angles.push_back(corner);
   add_side(quarter, corner);
-  one.push_back(corner);
-  const std::size_t count = one.size();
-  for (std::size_t i = 0; i < count; ++i) one.push_back(2 * quarter - one[i]);
-  std::vector<double> angles;
-  for (double start = 0; start < 2 * kPi - 1e-9; start += 2 * quarter)
-    for (const double angle : one)
-      if (start + angle < 2 * kPi - 1e-12) angles.push_back(curve.rotation + start + angle);
   std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end(),
-                           [](double p, double q) { return std::abs(p - q) < 1e-12; }),
-               angles.end());
+  return angles;
+}
+
+}  // namespace
+
+std::vector<double> lame_angles(const LameCurve& curve) {
+  const double quarter = quarter_of(curve);
+  const std::vector<double> one = quarter_angles(curve);
+  std::vector<double> angles;
+  for (int k = 0; k < curve.segments; ++k) {
+    const double begin = curve.rotation + k * quarter;
+    for (std::size_t i = 0; i + 1 < one.size(); ++i)  // the last is the first of the next quarter
+      angles.push_back(begin + (k % 2 == 0 ? one[i] : quarter - one[one.size() - 1 - i]));
+  }
   return angles;
 }
 
 double least_curvature_radius(const LameCurve& curve) {
-  const auto curvature = [&](double angle) { return lame_curvature(curve, angle); };
-  const std::vector<double> angles = lame_angles(curve);
+  const auto curvature = [&](double angle) {
+    return lame_curvature(curve, curve.rotation + angle);
+  };
   double best = 0, most = -std::numeric_limits<double>::infinity();
-  for (const double angle : angles)
+  for (const double angle : quarter_angles(curve))
     if (const double here = curvature(angle); here > most) {
       most = here;
       best = angle;
     }
-  const double reach = 2 * kPi / curve.segments / kEvenSteps;
+  const double reach = quarter_of(curve) / kEvenSteps;
   for (double step = reach; step > 1e-6; step /= 2)
     for (const double angle : {best - step, best + step})
       if (const double here = curvature(angle); here > most) {
@@ -155,17 +172,18 @@ double least_curvature_radius(const LameCurve& curve) {
 
 namespace {
 
-// The integral of f over a full turn, by Simpson's rule between the angles of lame_angles().
+// The integral of f over a full turn, by Simpson's rule between the angles of a quarter.
 template <typename F>
 double over_a_turn(const LameCurve& curve, F f) {
-  std::vector<double> angles = lame_angles(curve);
-  angles.push_back(angles.front() + 2 * kPi);
-  double sum = 0;
+  const std::vector<double> angles = quarter_angles(curve);
+  double sum = 0, f_low = f(curve.rotation + angles.front());
   for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-    const double low = angles[i], high = angles[i + 1];
-    sum += (high - low) / 6 * (f(low) + 4 * f(0.5 * (low + high)) + f(high));
+    const double low = curve.rotation + angles[i], high = curve.rotation + angles[i + 1];
+    const double f_high = f(high);
+    sum += (high - low) / 6 * (f_low + 4 * f(0.5 * (low + high)) + f_high);
+    f_low = f_high;
   }
-  return sum;
+  return curve.segments * sum;
 }
 
 }  // namespace
@@ -190,14 +208,15 @@ double grown_lame_area(const LameCurve& curve, double by) {
 
 double least_lame_radius(const LameCurve& curve) {
   double least = std::numeric_limits<double>::infinity();
-  for (const double angle : lame_angles(curve))
-    least = std::min(least, radius_at(curve, angle));
+  for (const double angle : quarter_angles(curve))
+    least = std::min(least, radius_at(curve, curve.rotation + angle));
   return least;
 }
 
 double largest_lame_radius(const LameCurve& curve) {
   double most = 0;
-  for (const double angle : lame_angles(curve)) most = std::max(most, radius_at(curve, angle));
+  for (const double angle : quarter_angles(curve))
+    most = std::max(most, radius_at(curve, curve.rotation + angle));
   return most;
 }
 

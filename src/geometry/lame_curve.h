@@ -48,6 +48,7 @@ double radius_at(const LameCurve& curve, double angle);
 Vec2 lame_point(const LameCurve& curve, double angle);
 // 1/mm, positive where the curve turns left as the angle grows.
 double lame_curvature(const LameCurve& curve, double angle);
+double curvature_of(const LameRadius& at);
 
 // Angles at which the curve is looked at where its tightest and its flattest places must not be
 // missed: even steps, and closer ones around its corners. In order, within one full turn.

@@ -243,6 +243,14 @@ class Opening {
     }
   }
 
+  void add_turns(const LameTurns& turns) {
+    add_moves(MoveKind::kCut, turns.moves);
+    std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
+    const std::size_t before = moves.size() - turns.moves.size();
+    for (std::size_t i = 0; i < turns.moves.size(); ++i)
+      moves[before + i].smooth_front = turns.smooth_front[i];
+  }
+
   // Returns the radius of the circle that the tool's centre can run on in the hole.
   double enter_hole() {
     ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
@@ -283,7 +291,7 @@ class Opening {
     const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
     if (turns.engagement > params_.engagement_angle + kMostOver) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
-    add_moves(MoveKind::kCut, turns.moves);
+    add_turns(turns);
     ++made_.result.passes;
     made_.figures = LameFigures{growth.growth.stages.back().to,
                                 growth.growth.stages.front().from.exponent, turns.largest_pitch};
