@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <limits>
 
 #include "toolpath/small_arc.h"
@@ -70,8 +71,17 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
   for (std::size_t i = 0; i < n; ++i)
     least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
   cost[0] = 0;
+  // What the places where the piece may begin cost beyond that least time: those that are the least
+  // from themselves on, in order.
+  std::deque<std::size_t> cheapest;
+  const auto beyond_least = [&](std::size_t i) { return cost[i] - least[i]; };
   for (std::size_t j = 1; j <= n; ++j) {
+    while (!cheapest.empty() && beyond_least(cheapest.back()) >= beyond_least(j - 1))
+      cheapest.pop_back();
+    cheapest.push_back(j - 1);
+    if (cheapest.front() + kLongestPiece < j) cheapest.pop_front();
     if (!may_change[j - 1]) continue;
+    const double spent = beyond_least(cheapest.front());
     double slowest = params.maximum_feed, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
     const double price = move_ends ? kChangePrice : kBlockPrice;
@@ -82,7 +92,7 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
       if (length < kShortestPiece && !(move_begins && move_ends)) continue;
       const double time = length / slowest * 60;
       // What a piece loses grows with its length.
-      if (least[i] + time + price >= cost[j] + kRounding) break;
+      if (least[i] + spent + time + price >= cost[j] + kRounding) break;
       const double total = cost[i] + time + price;
       if (total < cost[j]) {
         cost[j] = total;

@@ -17,10 +17,13 @@ constexpr double kLikeShare = 0.01;
 constexpr double kThinWidth = 0.02;
 // Shares below allow ten times the nominal feed, more than any maximum feed in use.
 constexpr double kSmallShare = 0.1;
-// mm: between looks that differ more no two are further apart,
+// mm: between looks that differ more no two are further apart, unless the front is smooth,
 constexpr double kCoarseLook = 0.1;
 // and none nearer, but on moves so short that a fifth of them is less.
 constexpr double kFinestLook = 0.02;
+// Before a smooth front, where no cusp hides between looks, the first are so many times as far
+// apart.
+constexpr double kSmoothSpacing = 5;
 // Of unit vectors along the path at a joint.
 constexpr double kSameDirection = 1e-3;
 
@@ -68,17 +71,19 @@ Load between(const Load& at0, const Load& middle, const Load& at1, double t) {
 // Looks along one move, finer where the load bends.
 class MoveProfile {
  public:
-  MoveProfile(const ClearedGround& ground, const Segment& segment, const LoadSample& where,
+  MoveProfile(const ClearedGround& ground, const PlanarMove& move, const LoadSample& where,
               const LoadShare& share, std::vector<LoadSample>& out)
       : ground_(ground),
-        segment_(segment),
-        length_(segment.length()),
+        segment_(move.segment),
+        length_(move.segment.length()),
+        smooth_(move.smooth_front),
         where_(where),
         share_(share),
         out_(out) {}
 
   // `at_start`: the load there, where the move before has hidden it. Returns the load at the end.
   Load cover(double spacing, const Load* at_start) {
+    if (smooth_) spacing *= kSmoothSpacing;
     const int n = std::max(1, static_cast<int>(std::ceil(length_ / spacing)));
     Load before = at_start ? *at_start : load_at(0);
     for (int k = 0; k < n; ++k) {
@@ -113,7 +118,8 @@ class MoveProfile {
     const Load middle = load_at(t);
     const double radius = ground_.tool_radius();
     const bool flat = alike(at0, middle, radius) && alike(middle, at1, radius);
-    const bool straight = piece <= kCoarseLook && alike(mean(at0, at1), middle, radius);
+    const bool straight =
+        (smooth_ || piece <= kCoarseLook) && alike(mean(at0, at1), middle, radius);
     if (!flat && !straight && piece > std::min(kFinestLook, 0.2 * length_)) {
       cover(t0, at0, t, middle);
       cover(t, middle, t1, at1);
@@ -141,6 +147,7 @@ class MoveProfile {
   const ClearedGround& ground_;
   const Segment& segment_;
   double length_;
+  bool smooth_;
   LoadSample where_;
   const LoadShare& share_;
   std::vector<LoadSample>& out_;
@@ -165,7 +172,7 @@ std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, Cleared
       const PlanarMove& move = runs[i].moves[j];
       const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0, 0};
       if (move.kind == MoveKind::kCut)
-        load = MoveProfile(ground, move.segment, where, share, profile)
+        load = MoveProfile(ground, move, where, share, profile)
                    .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
       else
         profile.push_back(where);

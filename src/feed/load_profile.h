@@ -31,7 +31,8 @@ struct LoadSample {
   double share = 0;               // likewise
 };
 
-// The load along every move of `runs`, in pieces of at most `spacing` mm, shorter where it changes.
+// The load along every move of `runs`, in pieces of at most `spacing` mm, shorter where it changes,
+// longer in moves that are told to meet a smooth front.
 // The moves are added to `ground`, which holds what was cleared before; each run's descent is added
 // first. Without a `share` the samples' shares are 0.
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,

@@ -37,18 +37,45 @@ void check_lame_curve(const LameCurve& curve) {
           "to the same length.");
 }
 
+namespace {
+
+// The curve's two terms at one polar angle, the larger of their bases taken out.
+struct Terms {
+  double turn, c, s;     // psi over the angle; cos psi and sin psi
+  double larger, u, v;   // of |c| / a and |s| / b, and both over it
+  double power, up, vp;  // 2 / n, and u and v to it
+  double r() const { return std::pow(up + vp, -1 / power) / larger; }
+};
+
+// Of u or v, of which one is 1: no power over- or underflows, and one of two is known.
+double powered(double base, double power) { return base == 1 ? 1 : std::pow(base, power); }
+
+Terms terms_of(const LameCurve& curve, double angle) {
+  Terms t;
+  t.turn = curve.segments / 4.0;
+  const double psi = t.turn * (angle - curve.rotation);
+  const double rounding = kRounding * std::max(1.0, std::abs(psi));
+  t.c = unless_rounding(std::cos(psi), rounding);
+  t.s = unless_rounding(std::sin(psi), rounding);
+  const double x = std::abs(t.c) / curve.a, y = std::abs(t.s) / curve.b;
+  t.larger = std::max(x, y);
+  t.u = x / t.larger;
+  t.v = y / t.larger;
+  t.power = 2 / curve.exponent;
+  t.up = powered(t.u, t.power);
+  t.vp = powered(t.v, t.power);
+  return t;
+}
+
+}  // namespace
+
 LameRadius lame_radius(const LameCurve& curve, double angle) {
-  const double turn = curve.segments / 4.0, psi = turn * (angle - curve.rotation);
-  const double rounding = kRounding * std::max(1.0, std::abs(psi)), power = 2 / curve.exponent;
-  const double c = unless_rounding(std::cos(psi), rounding);
-  const double s = unless_rounding(std::sin(psi), rounding);
-  const double x = std::abs(c) / curve.a, y = std::abs(s) / curve.b, larger = std::max(x, y);
-  const double u = x / larger, v = y / larger;  // one of them is 1: no power over- or underflows
-  const double up = std::pow(u, power), vp = std::pow(v, power), sum = up + vp;
+  const Terms t = terms_of(curve, angle);
+  const double sum = t.up + t.vp;
   LameRadius at;
-  at.r = std::pow(sum, -1 / power) / larger;
+  at.r = t.r();
   // ln r = -(n / 2) ln(X + Y): its derivatives are weighted by the shares of X and Y.
-  const double wx = up / sum, wy = vp / sum;
+  const double wx = t.up / sum, wy = t.vp / sum;
   at.log_by_a = wx;
   at.log_by_b = wy;
   at.by_a = at.r * wx / curve.a;
@@ -56,65 +83,84 @@ LameRadius lame_radius(const LameCurve& curve, double angle) {
   const auto entropy = [](double w) { return w > 0 ? w * std::log(w) : 0.0; };
   at.by_exponent = 0.5 * at.r * (entropy(wx) + entropy(wy));
   // wx / c and wx / c^2, which stay finite where c is 0 and the power allows it.
-  const double ca = curve.a * larger, sb = curve.b * larger;
-  const double wx_c = c == 0 ? 0 : wx / c, wy_s = s == 0 ? 0 : wy / s;
-  const double wx_cc = std::pow(u, power - 2) / (sum * ca * ca);
-  const double wy_ss = std::pow(v, power - 2) / (sum * sb * sb);
-  const double slope = wx_c * s - wy_s * c;
+  const double ca = curve.a * t.larger, sb = curve.b * t.larger;
+  const double wx_c = t.c == 0 ? 0 : wx / t.c, wy_s = t.s == 0 ? 0 : wy / t.s;
+  const double wx_cc = powered(t.u, t.power - 2) / (sum * ca * ca);
+  const double wy_ss = powered(t.v, t.power - 2) / (sum * sb * sb);
+  const double slope = wx_c * t.s - wy_s * t.c;
   const double large = std::max(wx_cc, wy_ss), small = std::min(wx_cc, wy_ss);
-  const double rest = 1 - power * small;
+  const double rest = 1 - t.power * small;
   const double bend = rest == 0 ? small : large * rest + small;
-  at.by_angle = at.r * turn * slope;
-  at.by_angle_twice = at.r * turn * turn * (slope * slope + bend);
+  at.by_angle = at.r * t.turn * slope;
+  at.by_angle_twice = at.r * t.turn * t.turn * (slope * slope + bend);
   return at;
 }
 
+double radius_at(const LameCurve& curve, double angle) { return terms_of(curve, angle).r(); }
+
 Vec2 lame_point(const LameCurve& curve, double angle) {
-  return curve.centre + lame_radius(curve, angle).r * unit(angle);
+  return curve.centre + radius_at(curve, angle) * unit(angle);
+}
+
+double curvature_of(const LameRadius& at) {
+  const double speed = at.r * at.r + at.by_angle * at.by_angle;
+  return (speed + at.by_angle * at.by_angle - at.r * at.by_angle_twice) /
+         (speed * std::sqrt(speed));
 }
 
 double lame_curvature(const LameCurve& curve, double angle) {
-  const LameRadius at = lame_radius(curve, angle);
-  const double speed = at.r * at.r + at.by_angle * at.by_angle;
-  return (speed + at.by_angle * at.by_angle - at.r * at.by_angle_twice) / std::pow(speed, 1.5);
+  return curvature_of(lame_radius(curve, angle));
 }
 
-std::vector<double> lame_angles(const LameCurve& curve) {
+namespace {
+
+double quarter_of(const LameCurve& curve) { return 2 * kPi / curve.segments; }
+
+// rad from the rotation on, in order: from one axis over a corner to the next axis. The other
+// quarters are its mirror images.
+std::vector<double> quarter_angles(const LameCurve& curve) {
   // Corners lie where both axes have an equal share; axes in the middle between those for a = b.
-  const double quarter = 2 * kPi / curve.segments;
+  const double quarter = quarter_of(curve);
   const double corner = std::atan2(curve.b, curve.a) / (kPi / 2) * quarter;
-  std::vector<double> one;  // over two quarters: up to a corner, down to an axis, and mirrored
+  std::vector<double> angles;
   const auto add_side = [&](double axis, double to_corner) {
-    for (int i = 0; i < kEvenSteps; ++i) one.push_back(axis + i * (to_corner - axis) / kEvenSteps);
+    for (int i = 0; i < kEvenSteps; ++i)
+      angles.push_back(axis + i * (to_corner - axis) / kEvenSteps);
     double closer = (to_corner - axis) / kEvenSteps;
-    for (int i = 0; i < kCornerSteps; ++i) one.push_back(to_corner - (closer *= kCloser));
+    for (int i = 0; i < kCornerSteps; ++i) angles.push_back(to_corner - (closer *= kCloser));
   };
   add_side(0, corner);
+  angles.push_back(corner);
   add_side(quarter, corner);
-  one.push_back(corner);
-  const std::size_t count = one.size();
-  for (std::size_t i = 0; i < count; ++i) one.push_back(2 * quarter - one[i]);
-  std::vector<double> angles;
-  for (double start = 0; start < 2 * kPi - 1e-9; start += 2 * quarter)
-    for (const double angle : one)
-      if (start + angle < 2 * kPi - 1e-12) angles.push_back(curve.rotation + start + angle);
   std::sort(angles.begin(), angles.end());
-  angles.erase(std::unique(angles.begin(), angles.end(),
-                           [](double p, double q) { return std::abs(p - q) < 1e-12; }),
-               angles.end());
+  return angles;
+}
+
+}  // namespace
+
+std::vector<double> lame_angles(const LameCurve& curve) {
+  const double quarter = quarter_of(curve);
+  const std::vector<double> one = quarter_angles(curve);
+  std::vector<double> angles;
+  for (int k = 0; k < curve.segments; ++k) {
+    const double begin = curve.rotation + k * quarter;
+    for (std::size_t i = 0; i + 1 < one.size(); ++i)  // the last is the first of the next quarter
+      angles.push_back(begin + (k % 2 == 0 ? one[i] : quarter - one[one.size() - 1 - i]));
+  }
   return angles;
 }
 
 double least_curvature_radius(const LameCurve& curve) {
-  const auto curvature = [&](double angle) { return lame_curvature(curve, angle); };
-  const std::vector<double> angles = lame_angles(curve);
+  const auto curvature = [&](double angle) {
+    return lame_curvature(curve, curve.rotation + angle);
+  };
   double best = 0, most = -std::numeric_limits<double>::infinity();
-  for (const double angle : angles)
+  for (const double angle : quarter_angles(curve))
     if (const double here = curvature(angle); here > most) {
       most = here;
       best = angle;
     }
-  const double reach = 2 * kPi / curve.segments / kEvenSteps;
+  const double reach = quarter_of(curve) / kEvenSteps;
   for (double step = reach; step > 1e-6; step /= 2)
     for (const double angle : {best - step, best + step})
       if (const double here = curvature(angle); here > most) {
@@ -126,24 +172,25 @@ double least_curvature_radius(const LameCurve& curve) {
 
 namespace {
 
-// The integral of f over a full turn, by Simpson's rule between the angles of lame_angles().
+// The integral of f over a full turn, by Simpson's rule between the angles of a quarter.
 template <typename F>
 double over_a_turn(const LameCurve& curve, F f) {
-  std::vector<double> angles = lame_angles(curve);
-  angles.push_back(angles.front() + 2 * kPi);
-  double sum = 0;
+  const std::vector<double> angles = quarter_angles(curve);
+  double sum = 0, f_low = f(curve.rotation + angles.front());
   for (std::size_t i = 0; i + 1 < angles.size(); ++i) {
-    const double low = angles[i], high = angles[i + 1];
-    sum += (high - low) / 6 * (f(low) + 4 * f(0.5 * (low + high)) + f(high));
+    const double low = curve.rotation + angles[i], high = curve.rotation + angles[i + 1];
+    const double f_high = f(high);
+    sum += (high - low) / 6 * (f_low + 4 * f(0.5 * (low + high)) + f_high);
+    f_low = f_high;
   }
-  return sum;
+  return curve.segments * sum;
 }
 
 }  // namespace
 
 double lame_area(const LameCurve& curve) {
   return over_a_turn(curve, [&](double angle) {
-    const double r = lame_radius(curve, angle).r;
+    const double r = radius_at(curve, angle);
     return 0.5 * r * r;
   });
 }
@@ -161,14 +208,15 @@ double grown_lame_area(const LameCurve& curve, double by) {
 
 double least_lame_radius(const LameCurve& curve) {
   double least = std::numeric_limits<double>::infinity();
-  for (const double angle : lame_angles(curve))
-    least = std::min(least, lame_radius(curve, angle).r);
+  for (const double angle : quarter_angles(curve))
+    least = std::min(least, radius_at(curve, curve.rotation + angle));
   return least;
 }
 
 double largest_lame_radius(const LameCurve& curve) {
   double most = 0;
-  for (const double angle : lame_angles(curve)) most = std::max(most, lame_radius(curve, angle).r);
+  for (const double angle : quarter_angles(curve))
+    most = std::max(most, radius_at(curve, curve.rotation + angle));
   return most;
 }
 

@@ -42,10 +42,13 @@ struct LameRadius {
   double log_by_a = 0, log_by_b = 0;  // of ln r by ln a and ln b: the axes' shares, of sum 1
 };
 LameRadius lame_radius(const LameCurve& curve, double angle);
+// mm: its r alone, which takes half the time.
+double radius_at(const LameCurve& curve, double angle);
 
 Vec2 lame_point(const LameCurve& curve, double angle);
 // 1/mm, positive where the curve turns left as the angle grows.
 double lame_curvature(const LameCurve& curve, double angle);
+double curvature_of(const LameRadius& at);
 
 // Angles at which the curve is looked at where its tightest and its flattest places must not be
 // missed: even steps, and closer ones around its corners. In order, within one full turn.

@@ -142,16 +142,16 @@ class Fit {
   double residual(const LameCurve& curve, Vec2 p, Vector* gradient) const {
     const Vec2 d = p - curve.centre;
     const double square = std::max(squared_norm(d), kResolution * kResolution);
-    const LameRadius at = lame_radius(curve, angle_of(d));
-    if (gradient) {
-      const double slope = at.by_angle / at.r;
-      (*gradient)[kX] = (-d.x - slope * d.y) / square;
-      (*gradient)[kY] = (-d.y + slope * d.x) / square;
-      (*gradient)[kRotation] = slope;
-      (*gradient)[kA] = tied_ ? -1 : -at.log_by_a;
-      (*gradient)[kB] = -at.log_by_b;
-      (*gradient)[kExponent] = -at.by_exponent / at.r;
-    }
+    const double angle = angle_of(d);
+    if (!gradient) return 0.5 * std::log(square) - std::log(radius_at(curve, angle));
+    const LameRadius at = lame_radius(curve, angle);
+    const double slope = at.by_angle / at.r;
+    (*gradient)[kX] = (-d.x - slope * d.y) / square;
+    (*gradient)[kY] = (-d.y + slope * d.x) / square;
+    (*gradient)[kRotation] = slope;
+    (*gradient)[kA] = tied_ ? -1 : -at.log_by_a;
+    (*gradient)[kB] = -at.log_by_b;
+    (*gradient)[kExponent] = -at.by_exponent / at.r;
     return 0.5 * std::log(square) - std::log(at.r);
   }
 

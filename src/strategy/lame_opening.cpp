@@ -11,8 +11,8 @@
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
-#include "strategy/lame_fit.h"
 #include "strategy/lame_refusals.h"
+#include "strategy/lame_shapes.h"
 #include "strategy/lame_turns.h"
 #include "strategy/links.h"
 #include "support/errors.h"
@@ -22,26 +22,18 @@ namespace {
 
 // Share of the user's tolerance within which arcs follow the spiral; it stays this far from walls.
 constexpr double kArcShare = 0.8;
-// Arcs turn this share more tightly than the curve that they follow.
-constexpr double kArcRadius = 1.03;
-// The spiral is no longer than this times its width: a longer one cuts with its ends only.
-constexpr double kLongest = 2;
-// Tool radii: the spiral's corners are no tighter, although the minimum radius may be: around
-// tighter ones most of each turn would be idle, and what is left in the corners is little.
-constexpr double kCornerRadius = 1.2;
 // Tool radii: the width of the channel of tool centres that is cleared around a ring's island
 // before its spiral, and what it is at least.
 constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 // Tool radii that a spiral of a set size grows by, at least.
 constexpr double kLeastGrowth = 0.1;
-// Shares of the way from the largest curve's exponent to the circle's: curves that are tried.
-constexpr std::array<double, 4> kRounder = {0.25, 0.5, 0.75, 1};
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
-// Share of the engagement angle.
-constexpr double kBesideSpiral = 0.993;
+// By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
+// and rad for small ones, of which the same excess is a larger share, up to another share.
+constexpr double kBesideShare = 0.007, kBesideSmall = 0.42 * kPi / 180, kBesideMost = 0.03;
 // rad: a spiral that exceeds the engagement angle by more is none.
 constexpr double kMostOver = 1 * kPi / 180;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
@@ -62,6 +54,7 @@ class Opening {
         lame_(lame),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
+        shapes_(params, lame, arc_tolerance()),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {}
 
@@ -97,40 +90,15 @@ class Opening {
 
   double arc_tolerance() const { return kArcShare * params_.tolerance; }
 
-  LameFitTask fit_task(LameSide side) const {
-    LameFitTask fit;
-    fit.side = side;
-    fit.least_radius = kArcRadius * std::max(params_.minimum_radius, kCornerRadius * radius_);
-    fit.margin = arc_tolerance();
-    fit.wishes = {lame_.centre,      lame_.segments,     lame_.semi_axis_a,
-                  lame_.semi_axis_b, lame_.exponent_end, lame_.rotation};
-    return fit;
+  std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
+    const std::optional<LameCurve> last = shapes_.last(outline, side);
+    if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
+    return shapes_.with_rounder_ones(*last, outline, side);
   }
-
-  // For the first curve of a ring's or an island's spiral, of which only the exponent can be set.
-  LameFitTask first_task() const {
-    LameFitTask fit = fit_task(LameSide::kAround);
-    fit.wishes = {};
-    fit.wishes.exponent = lame_.exponent_start;
-    return fit;
-  }
-
-  bool has_wished_size() const { return lame_.semi_axis_a || lame_.semi_axis_b; }
-
-  LameCurve fitted(const Curve& outline, LameFitTask fit) const {
-    std::optional<LameCurve> curve = fit_lame_curve(outline, fit);
-    if (curve && !has_wished_size() && fit.side == LameSide::kInside &&
-        std::max(curve->a, curve->b) > kLongest * std::min(curve->a, curve->b)) {
-      const bool along_a = curve->a > curve->b;
-      (along_a ? fit.wishes.semi_axis_a : fit.wishes.semi_axis_b) =
-          kLongest * std::min(curve->a, curve->b);
-      fit.wishes.segments = 4;
-      fit.wishes.rotation = curve->rotation;
-      fit.wishes.centre = curve->centre;
-      if (const std::optional<LameCurve> shorter = fit_lame_curve(outline, fit)) curve = shorter;
-    }
-    if (curve) return *curve;
-    refuse(no_curve_sentence(outline, fit.wishes));
+  LameCurve first_curve(const Curve& outline) const {
+    const std::optional<LameCurve> first = shapes_.first(outline);
+    if (!first) refuse(no_curve_sentence(outline, shapes_.first_wishes()));
+    return *first;
   }
 
   TurnTask turn_task(bool inwards) const {
@@ -147,8 +115,15 @@ class Opening {
 
   // From the entry's circle in the middle, or in the hole, outwards.
   void clear_pocket_of_one_wall() {
-    const std::vector<LameCurve> lasts = last_curves();
-    const LameCurve& largest = lasts.front();
+    std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
+    const LameCurve largest = lasts.front();
+    const auto share = [&](const LameCurve& last) {
+      return grown_lame_area(last, radius_) / made_.reached_area;
+    };
+    check_share(share(largest));
+    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(),
+                               [&](const LameCurve& last) { return share(last) < kLeastShare; }),
+                lasts.end());
     Circle first{task_.hole.value_or(largest.centre), 0};
     double room = least_lame_radius(largest);
     for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
@@ -163,9 +138,12 @@ class Opening {
         made_.result.notes.push_back(
             "Entry is a helix, not a ramp: in this pocket the spiral begins as a circle.");
     }
-    if (has_wished_size() && std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
+    if (shapes_.has_wished_size() &&
+        std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
       refuse(kSizeTooSmall);
-    const PlannedGrowth growth = quickest(lasts, first);
+    const PlannedGrowth growth = quickest(
+        lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
+        [&](const LameCurve& last) { return (1 - share(last)) * made_.reached_area; });
     const LameCurve& last = growth.growth.stages.back().to;
     made_.spiral_area = grown_lame_area(last, radius_);
     const double start = last.rotation + kPi / last.segments;
@@ -180,42 +158,29 @@ class Opening {
     cut(growth, start, false);
   }
 
-  // The largest curve in a pocket, and rounder ones: their turns are filled more evenly, and leave
-  // more in the corners.
-  std::vector<LameCurve> last_curves() {
-    LameFitTask fit = fit_task(LameSide::kInside);
-    std::vector<LameCurve> curves{fitted(task_.centres.outer, fit)};
-    const LameCurve largest = curves.front();
-    check_share(grown_lame_area(largest, radius_) / made_.reached_area);
-    if (lame_.exponent_end || params_.feed_control != FeedControl::kConstantFeed) return curves;
-    fit.wishes.centre = largest.centre;
-    fit.wishes.segments = largest.segments;
-    fit.wishes.rotation = largest.rotation;
-    for (const double share : kRounder) {
-      fit.wishes.exponent = largest.exponent + share * (1 - largest.exponent);
-      const std::optional<LameCurve> curve = fit_lame_curve(task_.centres.outer, fit);
-      if (curve && grown_lame_area(*curve, radius_) >= kLeastShare * made_.reached_area)
-        curves.push_back(*curve);
-    }
-    return curves;
+  // From the entry's circle to a last curve.
+  LameGrowth growth_from(const Circle& first, const LameCurve& last) const {
+    LameCurve circle = lame_circle(last, first.centre, first.radius);
+    circle.exponent = lame_.exponent_start.value_or(1);
+    // A first curve that is no circle touches the entry's circle from inside, at its corners.
+    circle.a = circle.b = first.radius / std::pow(2, (1 - circle.exponent) / 2);
+    return {{{circle, last}}};
   }
 
-  // The growth from the entry's circle with which spiral and rest take the least time.
-  PlannedGrowth quickest(const std::vector<LameCurve>& lasts, const Circle& first) const {
+  // The growth to one of the last curves with which spiral and rest take the least time.
+  // growths_to(last): those to be compared; left_by(last): mm^2 of the rest.
+  template <typename GrowthsTo, typename LeftBy>
+  PlannedGrowth quickest(const std::vector<LameCurve>& lasts, bool inwards, GrowthsTo growths_to,
+                         LeftBy left_by) const {
     const double rate = side_step(params_.engagement_angle, radius_) * params_.feed / 60;
+    const TurnTask turns = turn_task(inwards);
     std::optional<PlannedGrowth> best;
     double least = std::numeric_limits<double>::infinity();
     for (const LameCurve& last : lasts) {
-      LameCurve circle = lame_circle(last, first.centre, first.radius);
-      circle.exponent = lame_.exponent_start.value_or(1);
-      // A first curve that is no circle touches the entry's circle from inside, at its corners.
-      circle.a = circle.b = first.radius / std::pow(2, (1 - circle.exponent) / 2);
-      std::optional<PlannedGrowth> growth = best_growth({{{{circle, last}}}}, turn_task(false));
+      std::optional<PlannedGrowth> growth = best_growth(growths_to(last), turns);
       if (!growth) continue;
-      const double rest =
-          lame_.rest == LameRest::kLeave ? 0 : made_.reached_area - grown_lame_area(last, radius_);
       const double time =
-          time_of(growth->growth, growth->steps, turn_task(false)) + kRestTime * rest / rate;
+          time_of(growth->growth, growth->steps, turns) + kRestTime * left_by(last) / rate;
       if (time >= least) continue;
       least = time;
       best = std::move(growth);
@@ -227,7 +192,7 @@ class Opening {
   // Of what is within reach, by the spiral.
   void check_share(double share) {
     if (share >= kLeastShare) return;
-    if (!has_wished_size()) refuse(small_share_sentence(share, lame_));
+    if (!shapes_.has_wished_size()) refuse(small_share_sentence(share, lame_));
     made_.result.notes.push_back(small_size_note(share));
   }
 
@@ -241,6 +206,14 @@ class Opening {
       made_.result.runs.back().moves.push_back({kind, move});
       ground_.add(move);
     }
+  }
+
+  void add_turns(const LameTurns& turns) {
+    add_moves(MoveKind::kCut, turns.moves);
+    std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
+    const std::size_t before = moves.size() - turns.moves.size();
+    for (std::size_t i = 0; i < turns.moves.size(); ++i)
+      moves[before + i].smooth_front = turns.smooth_front[i];
   }
 
   // Returns the radius of the circle that the tool's centre can run on in the hole.
@@ -283,7 +256,7 @@ class Opening {
     const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
     if (turns.engagement > params_.engagement_angle + kMostOver) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
-    add_moves(MoveKind::kCut, turns.moves);
+    add_turns(turns);
     ++made_.result.passes;
     made_.figures = LameFigures{growth.growth.stages.back().to,
                                 growth.growth.stages.front().from.exponent, turns.largest_pitch};
@@ -324,10 +297,6 @@ class Opening {
 
   void clear_stock_around_island();
   void clear_ring();
-  LameCurve around_island(const LameFitTask& task) const;
-  static std::optional<LameCurve> alike_curve(const Curve& outline, LameFitTask task,
-                                              const LameCurve& other);
-  PlannedGrowth best_of(const std::vector<LameGrowth>& growths, bool inwards) const;
   [[noreturn]] void refuse_growth() const;
   LameCurve within_channel(LameCurve first, const LameCurve& last) const;
   double kept_area() const;
@@ -337,6 +306,7 @@ class Opening {
   const LameParams& lame_;
   Progress& progress_;
   double radius_;
+  LameShapes shapes_;
   ClearedGround ground_;
   LameOpening made_;
 };
@@ -349,23 +319,29 @@ void Opening::clear_stock_around_island() {
   if (task_.hole && params_.entry == EntryKind::kPredrilledHole)
     throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleAtIsland);
   if (task_.hole) note_unused_hole("a spiral around an island in open stock comes from outside");
-  const LameCurve last = around_island(fit_task(LameSide::kAround));
+  const std::vector<LameCurve> lasts =
+      last_curves(task_.centres.islands.front().reversed(), LameSide::kAround);
   Region around = stock();
   around.islands.clear();
   const Curve outside = offset({around}, kBeside * radius_).front().outer;
-  const LameFitTask outer = first_task();
-  const LameCurve first = fitted(outside, outer);
+  const LameCurve first = first_curve(outside);
+  const double kept = kept_area(), beside = grown_lame_area(first, -radius_);
 
-  const double area = stock().outer.signed_area(), inside = grown_lame_area(last, -radius_);
-  made_.reached_area = area - kept_area();
+  const auto growths_to = [&](const LameCurve& last) {
+    std::vector<LameGrowth> growths = growths_through_circles(first, last);
+    if (const std::optional<LameCurve> alike = shapes_.first_like(last, outside))
+      growths.push_back({{{*alike, last}}});
+    return growths;
+  };
+  const PlannedGrowth growth = quickest(lasts, true, growths_to, [&](const LameCurve& last) {
+    return grown_lame_area(last, -radius_) - kept;
+  });
+  const double area = stock().outer.signed_area();
+  const double inside = grown_lame_area(growth.growth.stages.back().to, -radius_);
+  made_.reached_area = area - kept;
   made_.spiral_area = area - inside;
   check_share(made_.spiral_area / made_.reached_area);
-  check_share(made_.spiral_area / (grown_lame_area(first, -radius_) - inside));
-
-  std::vector<LameGrowth> growths = growths_through_circles(first, last);
-  if (const std::optional<LameCurve> alike = alike_curve(outside, outer, last))
-    growths.push_back({{{*alike, last}}});
-  const PlannedGrowth growth = best_of(growths, true);
+  check_share(made_.spiral_area / (beside - inside));
   const LameCurve& from = growth.growth.stages.front().from;
   cut(growth, from.rotation + kPi / from.segments, true);
 }
@@ -373,17 +349,21 @@ void Opening::clear_stock_around_island() {
 // From a channel along the island's wall outwards: that wall is the shorter one, and a channel is
 // dear.
 void Opening::clear_ring() {
-  const LameFitTask around = first_task();
-  const LameCurve last = fitted(task_.centres.outer, fit_task(LameSide::kInside));
-  const LameCurve beside = around_island(around);
-  const double outside = grown_lame_area(last, radius_);
+  const std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
+  const Curve island = task_.centres.islands.front().reversed();
+  const LameCurve beside = first_curve(island);
 
-  std::vector<LameGrowth> growths = growths_through_circles(within_channel(beside, last), last);
-  if (const std::optional<LameCurve> alike =
-          alike_curve(task_.centres.islands.front().reversed(), around, last))
-    growths.push_back({{{within_channel(*alike, last), last}}});
-  const PlannedGrowth growth = best_of(growths, false);
+  const auto growths_to = [&](const LameCurve& last) {
+    std::vector<LameGrowth> growths = growths_through_circles(within_channel(beside, last), last);
+    if (const std::optional<LameCurve> alike = shapes_.first_like(last, island))
+      growths.push_back({{{within_channel(*alike, last), last}}});
+    return growths;
+  };
+  const PlannedGrowth growth = quickest(lasts, false, growths_to, [&](const LameCurve& last) {
+    return made_.reached_area + kept_area() - grown_lame_area(last, radius_);
+  });
   const LameCurve& first = growth.growth.stages.front().from;
+  const double outside = grown_lame_area(growth.growth.stages.back().to, radius_);
   made_.spiral_area = outside - grown_lame_area(first, radius_);
   // A ring resembles its two curves, whatever the channel takes of it.
   check_share((outside - grown_lame_area(beside, -radius_)) / made_.reached_area);
@@ -398,29 +378,10 @@ void Opening::clear_ring() {
   cut(growth, angle_of(here - first.centre), false);
 }
 
-PlannedGrowth Opening::best_of(const std::vector<LameGrowth>& growths, bool inwards) const {
-  const std::optional<PlannedGrowth> best = best_growth(growths, turn_task(inwards));
-  if (!best) refuse_growth();
-  return *best;
-}
-
 void Opening::refuse_growth() const {
   if (task_.hole && task_.centres.islands.empty())
     throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleOffMiddle);
   refuse(kNoGrowth);
-}
-
-// The curve for an outline with another one's segments and rotation: it goes over into that one
-// without a circle.
-std::optional<LameCurve> Opening::alike_curve(const Curve& outline, LameFitTask task,
-                                              const LameCurve& other) {
-  task.wishes.segments = other.segments;
-  task.wishes.rotation = other.rotation;
-  return fit_lame_curve(outline, task);
-}
-
-LameCurve Opening::around_island(const LameFitTask& task) const {
-  return fitted(task_.centres.islands.front().reversed(), task);
 }
 
 // The first curve of a ring, as far from the island's wall as a channel is cleared for it.
@@ -442,7 +403,8 @@ double Opening::kept_area() const {
 }  // namespace
 
 ClearingParams beside_spiral(ClearingParams params) {
-  params.engagement_angle *= kBesideSpiral;
+  double& angle = params.engagement_angle;
+  angle -= std::max(kBesideShare * angle, std::min(kBesideSmall, kBesideMost * angle));
   return params;
 }
 

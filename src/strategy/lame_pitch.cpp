@@ -13,11 +13,12 @@
 namespace evenload {
 namespace {
 
-constexpr int kLevels = 8;           // of the growth at which steps are looked for, to each stage
-constexpr int kEveryAngle = 5;       // of lame_angles() is looked at; its ends and corners, too
-constexpr int kKnots = 16;           // of a spiral's functions, for each turn
-constexpr double kRampIn = 0.5;      // rad within which a spiral takes up its first slope
+constexpr int kLevels = 8;       // of the growth at which steps are looked for, to each stage
+constexpr int kEveryAngle = 3;   // of lame_angles() is looked at: axes and corners are among them
+constexpr int kKnots = 16;       // of a spiral's functions, for each turn
+constexpr double kRampIn = 0.5;  // rad within which a spiral takes up its first slope
 constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
+constexpr double kSameAngle = 1e-9;  // rad
 constexpr double kSmallStep = 1e-4;  // share of the growth: for its direction
 constexpr double kFirstStep = 2;     // side steps: no turn goes farther
 constexpr int kMostLooks = 8;        // for one step
@@ -27,8 +28,9 @@ constexpr std::array<double, 2> kRuns = {1, 2.5};
 
 struct Heading {
   Vec2 p;
-  Vec2 direction;  // of unit length
-  double speed;    // mm/rad
+  Vec2 direction;    // of unit length
+  double speed;      // mm/rad
+  double curvature;  // 1/mm, of the curve as it grows with the angle
 };
 
 Heading heading_at(const LameCurve& curve, double angle, bool inwards) {
@@ -36,19 +38,24 @@ Heading heading_at(const LameCurve& curve, double angle, bool inwards) {
   const Vec2 out = unit(angle);
   const Vec2 velocity = at.by_angle * out + at.r * left_normal(out);
   const double speed = norm(velocity);
-  return {curve.centre + at.r * out, (inwards ? -1 : 1) / speed * velocity, speed};
+  return {curve.centre + at.r * out, (inwards ? -1 : 1) / speed * velocity, speed,
+          curvature_of(at)};
 }
 
-// The angles to look at: with m equal parts, one of them is enough.
-std::vector<double> angles_to_look_at(const LameGrowth& growth, const LameCurve& curve) {
-  const bool even = std::all_of(growth.stages.begin(), growth.stages.end(), [](const LameStage& s) {
+// Whether each of the m parts of a turn is like the others: one of them is looked at, then.
+bool is_even(const LameGrowth& growth) {
+  return std::all_of(growth.stages.begin(), growth.stages.end(), [](const LameStage& s) {
     return s.from.a == s.from.b && s.to.a == s.to.b && s.from.centre == s.to.centre;
   });
-  const double part = even ? 2 * kPi / curve.segments : 2 * kPi;
+}
+
+// Over one part where all are alike, else over a turn.
+std::vector<double> angles_to_look_at(const LameGrowth& growth, const LameCurve& curve) {
+  const double part = is_even(growth) ? 2 * kPi / curve.segments : 2 * kPi;
   std::vector<double> angles;
   const std::vector<double> all = lame_angles(curve);
   for (std::size_t i = 0; i < all.size(); i += kEveryAngle)
-    if (all[i] <= curve.rotation + part) angles.push_back(all[i]);
+    if (all[i] < curve.rotation + part - kSameAngle) angles.push_back(all[i]);
   return angles;
 }
 
@@ -59,19 +66,22 @@ class Turn {
       : growth_(growth), sense_(inwards ? -1 : 1), share_(share), angle_(angle) {}
 
   // mm: by how much a point lies farther than `reach` from the turn before, which is about `reach`
-  // away, where turns grow by `step`.
-  double beyond(Vec2 p, double reach, double step) const {
+  // away, where turns grow by `step`; some number that is not positive where `only_sign` is asked
+  // for and it lies no farther.
+  double beyond(Vec2 p, double reach, double step, bool only_sign = false) const {
     const auto foot = [&](double phi) { return place(phi, share_ - step * (1 - back(phi))); };
     const double middle = angle_of(p - growth_.at(share_ - step).centre);
     // Around a corner the distance has flat places: the nearest of a few looks, then refined.
     const double window = std::min(kPi / 3, reach / std::max(reach, distance(p, centre())));
     double best = middle, least = distance(foot(middle), p);
-    for (double apart = window; apart > kFoot; apart *= kCloser)
+    for (double apart = window; apart > kFoot; apart *= kCloser) {
+      if (only_sign && least <= reach) break;
       for (const double phi : {best - apart, best + apart})
         if (const double here = distance(foot(phi), p); here < least) {
           least = here;
           best = phi;
         }
+    }
     return least - reach;
   }
 
@@ -88,23 +98,25 @@ class Turn {
   double sense_, share_, angle_;
 };
 
-// The change of the share from turn to turn with which the engagement at this angle is the limit.
-double step_at(const LameGrowth& growth, const TurnTask& task, double share, double angle) {
+// The change of the share from turn to turn with which the engagement at this angle is the limit;
+// `most` where it is no less.
+double step_at(const LameGrowth& growth, const TurnTask& task, double share, double angle,
+               double most) {
   const double r = task.tool_radius;
   const LameCurve curve = growth.at(share);
   const Heading along = heading_at(curve, angle, task.inwards);
   const Turn turn(growth, task.inwards, share, angle);
   // The spiral itself heads a little outwards, or inwards.
   const Vec2 towards = lame_point(growth.at(share + kSmallStep), angle) - along.p;
-  const auto beyond = [&](double step) {
+  const auto beyond = [&](double step, bool only_sign = false) {
     const Vec2 velocity = along.speed * along.direction + step / (2 * kPi * kSmallStep) * towards;
     const Vec2 edge = along.p + r * rotated(normalized(velocity), task.engagement - kPi / 2);
-    return turn.beyond(edge, r, step);
+    return turn.beyond(edge, r, step, only_sign);
   };
   // The distance grows nearly in proportion to the step: regula falsi with the Illinois rule.
-  double low = 0, high = kFirstStep * side_step(task.engagement, r) / growth.length();
-  double f_low = beyond(low), f_high = beyond(high);
+  double low = 0, high = most, f_high = beyond(high, true);
   if (f_high <= 0) return high;
+  double f_low = beyond(low);
   if (f_low >= 0) return 0;
   for (int i = 0; i < kMostLooks; ++i) {
     const double step = low + (high - low) * f_low / (f_low - f_high);
@@ -139,9 +151,9 @@ bool stays_between(const LameGrowth& growth) {
   const LameCurve& inner = first.a > last.a ? last : first;
   for (const double level : levels_of(growth)) {
     const LameCurve curve = growth.at(level);
-    for (const double angle : lame_angles(inner)) {
+    for (const double angle : angles_to_look_at(growth, inner)) {
       const Vec2 p = lame_point(inner, angle) - curve.centre;
-      if (lame_radius(curve, angle_of(p)).r < norm(p) * (1 - kCrossing)) return false;
+      if (radius_at(curve, angle_of(p)) < norm(p) * (1 - kCrossing)) return false;
     }
   }
   return true;
@@ -152,10 +164,20 @@ bool stays_between(const LameGrowth& growth) {
 MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
   const std::vector<double> levels = levels_of(growth);
   std::vector<double> steps;
+  const double farthest =
+      kFirstStep * side_step(task.engagement, task.tool_radius) / growth.length();
+  std::size_t worst = 0;  // where the step was the least
   for (const double level : levels) {
-    double least = task.pitch ? *task.pitch / growth.length() : 1;
-    for (const double angle : angles_to_look_at(growth, growth.at(level)))
-      least = std::min(least, step_at(growth, task, level, angle));
+    double least = task.pitch ? std::min(farthest, *task.pitch / growth.length()) : farthest;
+    const std::vector<double> angles = angles_to_look_at(growth, growth.at(level));
+    // It is likely to be the least there again, and then one look at each other angle is enough.
+    const std::size_t first = std::min(worst, angles.size() - 1);
+    for (std::size_t k = 0; k < angles.size(); ++k) {
+      const std::size_t i = (first + k) % angles.size();
+      const double step = step_at(growth, task, level, angles[i], least);
+      if (step < least) worst = i;
+      least = std::min(least, step);
+    }
     steps.push_back(std::max(least, kLeastStep));
   }
   return MonotoneSpline(levels, steps);
@@ -168,21 +190,21 @@ double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const Turn
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
     const double level = 0.5 * (levels[k] + levels[k + 1]), step = steps.value(level);
     const LameCurve curve = growth.at(level), before = growth.at(level - step);
-    const std::vector<double> angles = lame_angles(curve);
-    double turn = 0;
+    const std::vector<double> angles = angles_to_look_at(growth, curve);
+    const int parts = is_even(growth) ? curve.segments : 1;
+    double turn = 0;  // min
     for (std::size_t i = 0; i < angles.size(); ++i) {
-      const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi;
+      const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi / parts;
       const Heading here = heading_at(curve, 0.5 * (angles[i] + next), task.inwards);
       // mm to the turn before, across this one; what is removed lies a tool's radius farther on.
       const Vec2 back = lame_point(before, 0.5 * (angles[i] + next)) - here.p;
       const double apart = dot(back, left_normal(here.direction));
-      const double bent = (task.inwards ? -1 : 1) * task.tool_radius *
-                          lame_curvature(curve, 0.5 * (angles[i] + next));
+      const double bent = (task.inwards ? -1 : 1) * task.tool_radius * here.curvature;
       const double width = std::max(0.0, apart * (1 + bent));
       turn += here.speed * (next - angles[i]) *
               std::max(width / (nominal * task.feed), 1 / task.maximum_feed);
     }
-    total += turn * (levels[k + 1] - levels[k]) / step;
+    total += parts * turn * (levels[k + 1] - levels[k]) / step;
   }
   return 60 * total;
 }

@@ -33,6 +33,7 @@ struct StagePlace {
 };
 
 StagePlace place_in(const LameGrowth& growth, double share) {
+  if (growth.stages.size() == 1) return {&growth.stages.front(), std::min(1.0, share)};
   double left = share * growth.length();
   std::size_t i = 0;
   for (; i + 1 < growth.stages.size() && left > larger_change(growth.stages[i]); ++i)
@@ -55,7 +56,7 @@ double slope_from_rest(double s) {
 double exponent_share(const LameStage& stage, double s) {
   if (stage.joint == LameJoint::kAtBegin) return from_rest(s);
   if (stage.joint == LameJoint::kAtEnd) return 1 - from_rest(1 - s);
-  return std::pow(s, stage.run);
+  return stage.run == 1 ? s : std::pow(s, stage.run);
 }
 double exponent_slope(const LameStage& stage, double s) {
   if (stage.joint == LameJoint::kAtBegin) return slope_from_rest(s);

@@ -13,14 +13,19 @@ constexpr int kBands = 24;                      // of the growth that are correc
 constexpr int kMostRounds = 6;                  // of corrections
 constexpr int kWideningRounds = 1;              // of them may widen steps, too
 constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
+constexpr double kCoarse = 3;                   // so much more coarsely the first round looks
 // rad: what is aimed at lies so far below the limit.
-constexpr double kCoarse = 3;  // tolerances within which the first arcs follow: they are never cut
 constexpr double kAim = 0.2 * kPi / 180;
 
 constexpr double kLook = 0.4;            // tool radii between two looks, at most
 constexpr double kSure = 0.06;           // the same where the stock may have corners
 constexpr double kClosest = 0.01;        // and at least
 constexpr double kJump = 1 * kPi / 180;  // rad from one to the next: closer ones, then
+
+// rad: what the tool meets was cut no longer ago than the first, and no later than the second.
+constexpr double kLongestAgo = 2.5 * kPi, kLatestAgo = 1.5 * kPi;
+// rad: the tool's side is engaged where its engagement begins so near to it.
+constexpr double kAside = 1e-6;
 
 struct Look {
   double share;       // of the growth
@@ -30,20 +35,25 @@ struct Look {
 // Looks along the arcs of a spiral, each in what those before it have cleared.
 class Looks {
  public:
-  Looks(const LameSpiral& spiral, const LameArcs& arcs, const TurnTask& task, ClearedGround& ground)
+  // `sure`: tool radii between looks where the stock may have corners, at most.
+  Looks(const LameSpiral& spiral, const LameArcs& arcs, const TurnTask& task, double sure,
+        ClearedGround& ground)
       : ground_(ground),
         closer_from_(0.5 * task.engagement),
-        sure_((task.inwards ? kSure : kLook) * ground.tool_radius()) {
+        sure_(sure),
+        from_outside_(task.inwards) {
     const std::size_t before = ground.size();
-    double turned = 0;
+    // Where one arc goes over into the next it meets what the one before met there.
+    double turned = 0, last = engaged(arcs.moves.front(), 0);
     for (std::size_t i = 0; i < arcs.moves.size(); ++i) {
       const Segment& move = arcs.moves[i];
       const auto share = [&](double t) {
         return spiral.share.value(turned + t * (arcs.turned[i] - turned));
       };
+      smooth_.push_back(is_smooth(turned, arcs.turned[i]));
+      is_whole_ = true;
       const int count =
           std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground.tool_radius()))));
-      double last = engaged(move, 0);
       for (int k = 1; k <= count; ++k) {
         const double from = static_cast<double>(k - 1) / count, to = static_cast<double>(k) / count;
         const double here = engaged(move, to);
@@ -52,28 +62,45 @@ class Looks {
       }
       ground.add(move);
       turned = arcs.turned[i];
+      if (!is_whole_) partly_.push_back(turned);
     }
     while (ground.size() > before) ground.remove_last();
+    // From outside, arcs tighter than the tool leave cusps.
+    const auto is_tight = [&](const Segment& move) {
+      return move.is_arc() && move.radius <= ground.tool_radius();
+    };
+    if (from_outside_ && std::any_of(arcs.moves.begin(), arcs.moves.end(), is_tight))
+      smooth_.assign(smooth_.size(), false);
   }
 
-  std::vector<Look> found() && { return std::move(found_); }
+  const std::vector<Look>& found() const { return found_; }
+  // Of each arc: whether it meets only what was cut with the tool's side, so that no corner of the
+  // cleared ground is at an edge of the stock.
+  const std::vector<bool>& smooth() const { return smooth_; }
 
  private:
+  bool is_smooth(double from, double to) const {
+    const auto bad = std::lower_bound(partly_.begin(), partly_.end(), from - kLongestAgo);
+    return from >= kLongestAgo && (bad == partly_.end() || *bad > to - kLatestAgo);
+  }
+
   double engaged(const Segment& move, double t) {
-    const double heading = angle_of(move.tangent(t));
-    ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_);
+    const double heading = angle_of(move.tangent(t)), side = heading - kPi / 2;
+    ground_.uncovered(move.point(t), side, heading + kPi / 2, arcs_);
+    is_whole_ = is_whole_ && !arcs_.empty() && arcs_.front().low < side + kAside;
     double sum = 0;
     for (const AngularInterval& part : arcs_) sum += part.high - part.low;
     return sum;
   }
 
   // The most between two looks: closer ones where a peak may hide there, since it changes fast or
-  // corners of the stock are met.
+  // edges of the stock are met.
   double between(const Segment& move, double from, double e_from, double to, double e_to) {
     const double most = std::max(e_from, e_to);
-    const double length = (to - from) * move.length();
-    const bool even = length <= sure_ && std::abs(e_to - e_from) < kJump;
-    if (most < closer_from_ || even || length < kClosest * ground_.tool_radius()) return most;
+    const double length = (to - from) * move.length() / ground_.tool_radius();
+    const double sure = from_outside_ && !smooth_.back() ? sure_ : kLook;
+    const bool even = length <= sure && std::abs(e_to - e_from) < kJump;
+    if (most < closer_from_ || even || length < kClosest) return most;
     const double middle = 0.5 * (from + to), here = engaged(move, middle);
     return std::max(
         {here, between(move, from, e_from, middle, here), between(move, middle, here, to, e_to)});
@@ -81,7 +108,11 @@ class Looks {
 
   ClearedGround& ground_;
   double closer_from_;  // rad
-  double sure_;         // mm
+  double sure_;         // tool radii
+  bool from_outside_;
+  bool is_whole_ = true;        // the engagement with the tool's side, along the arc looked at
+  std::vector<double> partly_;  // rad turned: arcs where it is not
+  std::vector<bool> smooth_;
   std::vector<Look> found_;
   std::vector<AngularInterval> arcs_;
 };
@@ -140,18 +171,24 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
   for (int round = 0; round < kMostRounds; ++round) {
     if (task.pitch) steps = limited(steps, *task.pitch / growth.length());
     LameSpiral spiral = spiral_of(growth, steps, start, task.inwards);
-    LameArcs arcs = arcs_of(spiral, round == 0 ? kCoarse * tolerance : tolerance);
-    const std::vector<Look> looks = Looks(spiral, arcs, task, ground).found();
+    // The first arcs are never cut.
+    const double coarse = round == 0 ? kCoarse : 1;
+    LameArcs arcs = arcs_of(spiral, coarse * tolerance);
+    const Looks looks(spiral, arcs, task, coarse * kSure, ground);
     double most = 0;
-    for (const Look& look : looks) most = std::max(most, look.engagement);
+    for (const Look& look : looks.found()) most = std::max(most, look.engagement);
     const bool good = most <= task.engagement + kTurnTolerance;
     if (round <= kWideningRounds || good || most < best.engagement) {
       const Range range = range_of(steps);
-      best = {std::move(spiral), std::move(arcs.moves), most, range.least * growth.length(),
+      best = {std::move(spiral),
+              std::move(arcs.moves),
+              looks.smooth(),
+              most,
+              range.least * growth.length(),
               range.most * growth.length()};
     }
     if (good && round >= kWideningRounds) break;
-    steps = corrected(steps, looks, task, round < kWideningRounds ? kWiden : 1);
+    steps = corrected(steps, looks.found(), task, round < kWideningRounds ? kWiden : 1);
   }
   return best;
 }

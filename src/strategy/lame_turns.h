@@ -13,6 +13,8 @@ namespace evenload {
 struct LameTurns {
   LameSpiral spiral;
   std::vector<Segment> moves;
+  // Of each move: it meets the front of one turn of the spiral alone, which has no cusps.
+  std::vector<bool> smooth_front;
   double engagement = 0;  // rad, the largest that was looked at
   // mm per turn of the larger change of the semi-axes
   double smallest_pitch = 0, largest_pitch = 0;

@@ -239,6 +239,44 @@ TEST(LoadProfile, KeepsTheLargestShareOfEveryPiece) {
   EXPECT_NEAR(area, 6 * 8 - 9 * (2 - kPi / 2), 0.1);
 }
 
+TEST(LoadProfile, TellsASmoothFrontByFewLooksAsByMany) {
+  // Most of a circle around a smaller one off its middle: a crescent from 0.6 mm to 2.4 mm wide.
+  const auto profile_of = [](bool smooth, int& looks) {
+    ClearedGround ground({{-40, -40}, {40, 40}}, kRadius, nullptr);
+    ground.add(Segment::arc({0, 0}, 10, 0, 2 * kPi));
+    PlanarRun run;
+    run.descent.over_cleared_ground = true;
+    run.descent.at = {12.4, 0};
+    for (int i = 0; i < 20; ++i)
+      run.moves.push_back(
+          {MoveKind::kCut, Segment::arc({0.9, 0}, 11.5, i * kPi / 12, kPi / 12), 0, -1, 0, smooth});
+    const LoadShare width = [&](const Load& load, const auto&) {
+      ++looks;
+      return load.width;
+    };
+    return load_profile({run}, ground, 0.3, width);
+  };
+  const auto at = [](const LoadSample& sample) {
+    return static_cast<double>(sample.move) + sample.t;
+  };
+  int few_looks = 0, many_looks = 0;
+  const std::vector<LoadSample> few = profile_of(true, few_looks);
+  const std::vector<LoadSample> many = profile_of(false, many_looks);
+  EXPECT_LT(few_looks, 0.5 * many_looks);
+  double area = 0, length = 0, area_of_many = 0;
+  for (const LoadSample& sample : many) area_of_many += sample.width * sample.length;
+  std::size_t k = 0;
+  for (const LoadSample& sample : few) {
+    while (k + 1 < many.size() && at(many[k + 1]) <= at(sample)) ++k;
+    EXPECT_NEAR(sample.engagement, many[k].engagement, 0.5 * kPi / 180);
+    EXPECT_NEAR(sample.share, many[k].share, 0.02 * many[k].share);
+    area += sample.width * sample.length;
+    length += sample.length;
+  }
+  EXPECT_NEAR(length, 20 * kPi / 12 * 11.5, 1e-9);
+  EXPECT_NEAR(area, area_of_many, 1e-3 * area);
+}
+
 TEST(LoadProfile, SeesAsMuchAreaAsWasRemoved) {
   // A line across untouched ground, entered from a ramp: a capsule less the ramp's.
   ClearedGround ground({{-40, -40}, {40, 40}}, kRadius, nullptr);

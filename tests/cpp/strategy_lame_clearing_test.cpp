@@ -11,6 +11,7 @@
 #include "geometry/lame_curve.h"
 #include "judged.h"
 #include "strategy/lame_clearing.h"
+#include "strategy/lame_opening.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -345,6 +346,48 @@ TEST(LameClearing, AtAConstantFeedEndsRounderWhereThatIsQuicker) {
   EXPECT_EQ(slow.figures->last.exponent, *lame.exponent_end);
   EXPECT_GT(slow.report.cutting_time, 1.2 * path.report.cutting_time);
   EXPECT_TRUE(tells(slow, "the operation Adaptive is faster"));
+}
+
+TEST(LameClearing, AtAConstantFeedEndsRounderAroundIslandsAndInRingsToo) {
+  for (const char* name : {"lame_hex_island", "square_island"}) {
+    const Case pocket = corpus::load(name);
+    ClearingParams params = pocket.params();
+    const LameToolpath even = spiral(pocket, params);
+    params.feed_control = FeedControl::kConstantFeed;
+    const LameToolpath path = spiral(pocket, params);
+    const Findings found = corpus::judge(pocket, path);
+    EXPECT_EQ(path.report.termination, Termination::kComplete) << name;
+    EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 1 * kDegree) << name;
+    EXPECT_LE(found.gouge, 0.005) << name;
+    EXPECT_LE(found.left_share, 0.0005) << name;
+    EXPECT_GT(path.figures->last.exponent, even.figures->last.exponent + 0.1) << name;
+    LameParams lame;
+    lame.exponent_end = even.figures->last.exponent;
+    EXPECT_GT(spiral(pocket, params, lame).report.cutting_time, 1.04 * path.report.cutting_time)
+        << name;
+  }
+}
+
+TEST(LameClearing, TheRestIsClearedAtASlightlySmallerAngle) {
+  const auto less_by = [](double degrees) {
+    ClearingParams params;
+    params.engagement_angle = degrees * kDegree;
+    return degrees - beside_spiral(params).engagement_angle / kDegree;
+  };
+  EXPECT_NEAR(less_by(100), 0.7, 1e-9);
+  EXPECT_NEAR(less_by(60), 0.42, 1e-9);
+  EXPECT_NEAR(less_by(15), 0.42, 1e-9);  // an excess is a larger part of a small angle
+  EXPECT_NEAR(less_by(5), 0.15, 1e-9);
+}
+
+// Then a rounder curve would only leave more.
+TEST(LameClearing, EndsNoRounderWhereTheRestIsLeft) {
+  const Case pocket = corpus::load("lame_square35");
+  ClearingParams params = pocket.params();
+  params.feed_control = FeedControl::kConstantFeed;
+  LameParams lame;
+  lame.rest = LameRest::kLeave;
+  EXPECT_GT(spiral(pocket, params, lame).cleared_share, 0.95);
 }
 
 TEST(LameClearing, NamesTheSetValueThatSpoilsTheSpiral) {

@@ -43,12 +43,14 @@ LIMITS = {
 STRICTER = {"over": 1.0}
 LEAST_CLIMB = 0.995  # share of the cutting length on the side asked for
 SECONDS = 60  # for one path
+PATIENCE = 360  # s of the clock: to judge 150 m of path at a small angle takes minutes
 MEMORY = 4 << 30  # bytes, of the process that clears and judges
 AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 # Of the simulator: rows at most so far apart, and so many in a cut's width, or what is engaged at
 # small angles is lost between them.
 RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
 REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
+OFF_MIDDLE = "entry outside"  # the code where no spiral can begin in a random hole
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 
@@ -89,7 +91,9 @@ def judge(case, twice):
     try:
         path, scene = choices.path_and_scene(case, resolution)
     except _core.GeometryError as error:
-        return {"refused": str(error)} if error.code in REFUSALS else _wrong(error)
+        off_middle = error.code == OFF_MIDDLE and case.get("operation") == "lame_spiral"
+        deserved = error.code in REFUSALS or (off_middle and case.get("hole"))
+        return {"refused": str(error)} if deserved else _wrong(error)
     except choices.NothingLeft:
         return {"refused": "the tool before left nothing"}
     except (RuntimeError, ValueError) as error:
@@ -124,7 +128,7 @@ class Judge:
         if self._process is None:
             self._start()
         self._tasks.put((case, twice))
-        deadline = time.monotonic() + 3 * SECONDS  # of the clock: judging takes its time, too
+        deadline = time.monotonic() + PATIENCE
         while True:
             try:
                 return self._answers.get(timeout=1)
@@ -137,7 +141,7 @@ class Judge:
                     self._process.kill()
                     self._process.join()
                     self._process = None
-                    return {"wrong": "took more than %d s" % (3 * SECONDS)}
+                    return {"wrong": "took more than %d s" % PATIENCE}
 
     def _start(self):
         self._tasks, self._answers = multiprocessing.Queue(), multiprocessing.Queue()
