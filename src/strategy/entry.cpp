@@ -124,9 +124,26 @@ double wished_stretch(double helix_radius, const ClearingParams& params) {
   const double lacking =
       rate * (slope + 2 * kPi * helix_radius) - kPi * std::pow(helix_radius + r, 2);
   const double gain = 2 * (helix_radius + r) - 2 * rate;
-  const double longest = kLongestRamp * params.tool_diameter;
+  const double longest = (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
+                         (2 * (helix_radius + r));
   return gain * longest > lacking ? std::max(0.0, lacking / gain) : longest;
 }
+
+namespace {
+
+// Those of directions_of, and along the straight walls, one of which may be no nearer than the
+// round end of a slot.
+std::vector<double> directions_to_stretch(const Area& centres, const Descent& helix) {
+  std::vector<double> directions;
+  for (const double angle : directions_of(centres, helix.centre)) directions.push_back(angle);
+  for (const Curve& curve : centres.curves())
+    for (const Segment& wall : curve.segments())
+      if (!wall.is_arc() && wall.length() > helix.radius)
+        directions.push_back(angle_of(wall.tangent(0)));
+  return directions;
+}
+
+}  // namespace
 
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params) {
   Descent& helix = entry.descent;
@@ -135,7 +152,7 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
                needed = helix.radius / kHelixRoom - kRoomTolerance;
   double longest = 0, behind = 0;
   Vec2 u;
-  for (const double angle : directions_of(centres, helix.centre)) {
+  for (const double angle : directions_to_stretch(centres, helix)) {
     const double ahead = free_length(centres, helix.centre, unit(angle), wish, needed),
                  back = free_length(centres, helix.centre, -unit(angle), wish - ahead, needed);
     if (ahead + back <= longest + 1e-9) continue;

@@ -196,7 +196,7 @@ void expect_fallback(const Region& region, TrochoidKind kind, const std::string&
 TEST(ClearSlot, KeepsTheLimitWhereTheFirstPeriodBeginsWhateverTheTolerance) {
   for (const double width : {6.2, 6.3, 7.5}) {
     SCOPED_TRACE(width);
-    const Region region = slot_around(line(30), width, SlotEnds::kRound);
+    const Region region = slot_around(line(36), width, SlotEnds::kRound);
     ClearingParams params = params_at();
     params.tolerance = 0.1;
     const TrochoidalPath result = clear(region, params);
