@@ -71,7 +71,7 @@ LoadShare load_share(const ClearingParams& params, bool mirrored) {
 
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                const ClearingParams& params, bool mirrored, Report& report) {
-  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed};
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
     set_constant_feed(runs, feeds);
     return;

@@ -432,11 +432,13 @@ class SlotClearing {
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {
   TrochoidalPath result;
+  ClearingParams fine = params;
+  fine.feed_steps = kSlotFeedSteps;
   const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
                                     Progress& share) {
     return SlotClearing(kind, task, checked, result.report, share).run();
   };
-  result.path = clear_by(clearer, regions, params, progress);
+  result.path = clear_by(clearer, regions, fine, progress);
   return result;
 }
 

@@ -120,6 +120,31 @@ TEST(TrochoidPattern, OfConstantEngagementIsFoundByPassesThatSettle) {
   }
 }
 
+TEST(TrochoidPattern, OfConstantEngagementSettlesWithinThePassesThatAreMade) {
+  for (const double width : {1.25, 4.0 / 3, 1.5, 11.0 / 6, 2.0, 3.0})
+    for (const double degrees : {60.0, 90.0, 110.0}) {
+      SCOPED_TRACE(std::to_string(width) + " " + std::to_string(degrees));
+      const TrochoidParams params = slot(width, degrees);
+      const auto pattern = constant_engagement_pattern(params);
+      ASSERT_TRUE(pattern);
+      EXPECT_LT(pattern->residuals.back(), kSettled * params.tool_radius);
+    }
+}
+
+TEST(TrochoidPattern, OfConstantEngagementGoesBackNearlyStraightAcrossTheSlot) {
+  for (const double width : {1.1, 1.25, 1.5, 2.0, 3.0}) {
+    TrochoidParams params = slot(width, 60);
+    params.maximum_feed = 1000;
+    const auto pattern = constant_engagement_pattern(params);
+    ASSERT_TRUE(pattern);
+    EXPECT_LT(length_of(pattern->link), 2 * half_room(params) + 0.4) << width;
+    for (const Segment& move : pattern->link)
+      if (move.is_arc()) {
+        EXPECT_GT(move.radius, 0.07);
+      }
+  }
+}
+
 // mm^2/min, two passes along the walls in the time.
 double removal_with_walls(const TrochoidPattern& pattern, const TrochoidParams& params) {
   return params.width * pattern.step /
