@@ -31,8 +31,8 @@ constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
 constexpr double kMostPassRoom = 0.05;  // of the limit
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
-// Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
-constexpr double kLongestEnd = 8;
+// Half rooms: a junction reaches no further.
+constexpr double kLongestJunction = 8;
 // Share of a step: what is thinner in front of a period is a scallop.
 constexpr double kScallop = 0.25;
 // Share of a step: what is thinner is no material where a period shall cut nothing.
@@ -48,6 +48,7 @@ constexpr double kAlike = 1e-9;
 // A stretch with the pattern that fits it, in the direction of its middle.
 struct Way : SlotPattern {
   SlotStretch stretch;
+  bool has_next_room = false;
   double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
 };
 
@@ -168,18 +169,27 @@ class SlotClearing {
     if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic)
       for (const Way& way : ways_)
         if (first_free(way)) return true;
-    return clear_smallest_end();
+    for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
+      const double length = ways_[first].stretch.middle.length();
+      while (last < ways_.size() && ways_[last].stretch.middle.length() > length - kSameWall)
+        ++last;
+      if (clear_smallest_end(first, last)) return true;
+    }
+    return false;
   }
 
-  // The smallest end of one of the longest ways.
-  bool clear_smallest_end() {
-    std::optional<Region> best;
-    for (const Way& way : ways_) {
-      if (way.stretch.middle.length() < ways_.front().stretch.middle.length() - kSameWall) break;
-      std::optional<Region> room = start_room(way, first_place(way));
-      if (room && (!best || room->area() < best->area() - kSameArea)) best = std::move(room);
+  // Of the ways [first, last), which are equally long: an end of the slot if there is one.
+  bool clear_smallest_end(std::size_t first, std::size_t last) {
+    std::optional<StartRoom> best;
+    for (std::size_t i = first; i < last; ++i) {
+      std::optional<StartRoom> room = start_room_of(ways_[i], first_place(ways_[i]));
+      if (!room) continue;
+      const bool is_better = !best || (room->is_end != best->is_end
+                                           ? room->is_end
+                                           : room->room.area() < best->room.area() - kSameArea);
+      if (is_better) best = std::move(room);
     }
-    return best && clear_room(*best);
+    return best && clear_room(best->room);
   }
 
   bool clear_room_about_hole() {
@@ -188,8 +198,8 @@ class SlotClearing {
       if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
       const double at = middle.nearest(*task_.hole) * middle.length();
       if (at > 0.5 * middle.length() + kSameWall) continue;  // the way back has it nearer
-      const std::optional<Region> room = start_room(way, std::max(first_place(way), at));
-      return room && room->contains(*task_.hole) && clear_room(*room);
+      const std::optional<StartRoom> start = start_room_of(way, std::max(first_place(way), at));
+      return start && start->room.contains(*task_.hole) && clear_room(start->room);
     }
     return false;
   }
@@ -202,17 +212,19 @@ class SlotClearing {
     return std::max(-way.reach.back, wish - way.reach.ahead);
   }
 
-  // From the front of a period at `s` down to the end of the slot, or where that has none, no
-  // further than a helix needs.
-  std::optional<Region> start_room(const Way& way, double s) const {
-    const double h = way.stretch.half_room;
-    const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
-    std::optional<Region> room = room_behind(task_.centres, centres_, front);
-    if (room && room->area() < kLongestEnd * h * h + 2 * h * s) return room;
-    return room_between(task_.centres, centres_, way.stretch, s - h, front);
+  std::optional<StartRoom> start_room_of(const Way& way, double s) const {
+    return start_room(task_.centres, centres_, way.stretch, s,
+                      placed(way.front, pose_on(way.stretch, s)));
   }
 
-  // False where the tool finds no way in; then the whole region may still have one.
+  static std::ptrdiff_t descents(const RegionResult& result) {
+    return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
+      return run.descent.kind != DescentKind::kPlunge;
+    });
+  }
+
+  // False where the tool finds no way in, or none at its depth once it is down; then the whole
+  // region may still have one.
   bool clear_room(const Region& room) {
     RegionTask task = task_;
     task.centres = room;
@@ -222,6 +234,7 @@ class SlotClearing {
       task.opening = opening_;
       task.stretch_helix = true;
       RegionResult cleared = clear_region(task, passes_, progress_);
+      if (!opening_.runs.empty() && descents(cleared) > descents(opening_)) return false;
       take(std::move(cleared));
       return !opening_.runs.empty();
     } catch (const GeometryError&) {
@@ -280,26 +293,57 @@ class SlotClearing {
   }
 
   void follow_ways() {
-    for (bool found = true; found && !progress_.cancelled();) {
-      found = false;
-      for (const Way& way : ways_) {
-        const std::optional<double> free = first_free(way);
-        if (!free || *free + way.pattern.step > way.last()) continue;
-        const double end = follow(way, *free + way.pattern.step);
-        if (way.beside > 0) clear_end(way, end);
-        found = true;
-        break;
-      }
+    while (!progress_.cancelled() && (follow_one() || clear_next_room())) continue;
+  }
+
+  // The first way that can begin in cleared ground. False where none can.
+  bool follow_one() {
+    for (const Way& way : ways_) {
+      const std::optional<double> free = first_free(way);
+      if (!free || *free + way.pattern.step > way.last()) continue;
+      const double end = follow(way, *free + way.pattern.step);
+      if (way.beside > 0) clear_end(way, end);
+      return true;
     }
+    return false;
+  }
+
+  // Where a junction is cleared, but not so far that a way could go on from it: up to that way's
+  // front. Every way once.
+  bool clear_next_room() {
+    for (Way& way : ways_) {
+      const std::optional<double> edge = edge_of_material(way);
+      if (way.has_next_room || !edge) continue;
+      const double s = std::max(-way.reach.back, *edge - way.reach.ahead + radius_);
+      if (way.last() - s < kFewestPeriods * way.pattern.step) continue;
+      way.has_next_room = true;
+      const std::optional<Region> room =
+          room_behind(task_.centres, centres_, placed(way.front, pose_on(way.stretch, s)));
+      if (room && is_mostly_clear(way, *room) && clear_room(*room)) return true;
+    }
+    return false;
+  }
+
+  // Whether nothing but a junction is left of a room behind a way: along the middles.
+  bool is_mostly_clear(const Way& way, const Region& room) const {
+    const double look = kMiddleLook * radius_;
+    double left = 0;
+    for (const Way& other : ways_)
+      for (double s = 0; s <= other.stretch.middle.length(); s += look) {
+        const Vec2 p = pose_on(other.stretch, s).p;
+        if (!ground_.is_cleared_point(p) && room.contains(p)) left += 0.5 * look;  // either way
+      }
+    return left < way.reach.ahead - way.reach.back + 2 * radius_ +
+                      kLongestJunction * way.stretch.half_room;
   }
 
   // The end of the slot beyond a period at `s`, so that the walls are left to passes from there.
   void clear_end(const Way& way, double s) {
     const SlotStretch back = way.stretch.reversed();
-    const double h = back.half_room, from = back.middle.length() - s - way.reach.back;
+    const double from = back.middle.length() - s - way.reach.back;
     const std::optional<Region> room =
         room_behind(task_.centres, centres_, round_front(back, from));
-    if (room && room->area() < kLongestEnd * h * h + 2 * h * from) clear_room(*room);
+    if (room && is_end(*room, back, from)) clear_room(*room);
   }
 
   // Repeats the pattern from the place `from` on; returns the last place.
