@@ -82,7 +82,7 @@ class RegionClearing {
   }
 
  private:
-  Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
+  Vec2 shown(Vec2 p) const { return shown_place(task_, p); }
 
   void report_uncut() {
     if (!leftover_.prepared()) prepare_leftover();
@@ -519,6 +519,11 @@ class RegionClearing {
 };
 
 }  // namespace
+
+Vec2 shown_place(const RegionTask& task, Vec2 p) {
+  if (task.whole_place) p = task.whole_place(p);
+  return {task.mirrored ? -p.x : p.x, p.y};
+}
 
 RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
                           Progress& progress) {

@@ -11,9 +11,11 @@
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
 #include "strategy/links.h"
-#include "strategy/mirror.h"
+#include "strategy/pattern_cache.h"
 #include "strategy/slot.h"
+#include "strategy/slot_abridging.h"
 #include "strategy/slot_rooms.h"
+#include "strategy/slot_unabridging.h"
 #include "strategy/trochoid_notes.h"
 #include "strategy/trochoid_pattern.h"
 #include "support/errors.h"
@@ -42,12 +44,12 @@ constexpr double kAcross = 0.5;
 // Share of the tool's radius: between two looks for material along a middle.
 constexpr double kMiddleLook = 0.5;
 constexpr double kSameArea = 1e-6;  // mm^2
-// mm and 1/mm: of half rooms and curvatures.
-constexpr double kAlike = 1e-9;
 
 // A stretch with the pattern that fits it, in the direction of its middle.
 struct Way : SlotPattern {
   SlotStretch stretch;
+  double taken_out = 0;  // mm, of the stretch
+  double whole() const { return stretch.middle.length() + taken_out; }
   double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
 };
 
@@ -57,15 +59,24 @@ ClearingParams for_passes(ClearingParams params) {
   return params;
 }
 
+// What all regions of one call share.
+struct SlotsDone {
+  std::vector<SlotCut> cuts;  // made before
+  std::vector<RepeatedPeriods> repeated;
+  TrochoidReport report;
+};
+
 class SlotClearing {
  public:
-  SlotClearing(TrochoidKind kind, const RegionTask& task, const ClearingParams& params,
-               TrochoidReport& report, Progress& progress)
-      : kind_(kind),
-        task_(task),
+  SlotClearing(const RegionTask& task, const ClearingParams& params, PatternCache& patterns,
+               SlotsDone& done, Progress& progress)
+      : task_(task),
         params_(params),
         passes_(for_passes(params)),
-        report_(report),
+        patterns_(patterns),
+        cuts_(done.cuts),
+        repeated_(done.repeated),
+        report_(done.report),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
@@ -95,7 +106,7 @@ class SlotClearing {
   std::string told_fallback() const {
     const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
                                         : task_.centres.outer.vertices()[0].p;
-    return fallback_note(kind_, task_.mirrored ? mirrored(place) : place, why_none());
+    return fallback_note(patterns_.kind(), shown_place(task_, place), why_none());
   }
 
   std::string why_none() const {
@@ -120,24 +131,15 @@ class SlotClearing {
       add_way(stretch);
       add_way(stretch.reversed());
     }
+    std::stable_sort(ways_.begin(), ways_.end(),
+                     [](const Way& a, const Way& b) { return a.whole() > b.whole() + kSameWall; });
     is_too_short_ = is_too_short_ && ways_.empty();
   }
 
   void add_way(const SlotStretch& stretch) {
-    TrochoidParams slot;
-    slot.tool_radius = radius_;
-    slot.width = 2 * (radius_ + stretch.half_room);
-    slot.curvature = stretch.middle.curvature();
-    slot.engagement = params_.engagement_angle;
-    slot.turn_radius = turn_radius_;
-    slot.feed = params_.feed;
-    slot.maximum_feed =
-        params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
-    slot.link_feed = params_.link_feed;
-    if (std::abs(slot.curvature) * 0.5 * slot.width >= 1) return;
-    const std::optional<SlotPattern> pattern = pattern_for(slot);
+    const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
-    const Way way{*pattern, stretch};
+    const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
       is_too_short_ = true;
       return;
@@ -145,17 +147,17 @@ class SlotClearing {
     ways_.push_back(way);
   }
 
-  // Stretches of one width and curvature share a pattern.
-  std::optional<SlotPattern> pattern_for(const TrochoidParams& slot) const {
-    for (const Way& way : ways_)
-      if (std::abs(way.stretch.half_room - half_room(slot)) < kAlike &&
-          std::abs(way.pattern.curvature - slot.curvature) < kAlike)
-        return way;
-    return slot_pattern(kind_, slot);
-  }
-
   std::vector<Segment> cut_at(const Way& way, double s) const {
     return placed(way.pattern.cut, pose_on(way.stretch, s));
+  }
+
+  // mm, between two places of the way.
+  double taken_out(const Way& way, double from, double to) const {
+    const double whole = way.stretch.middle.length(), first = std::clamp(from / whole, 0.0, 1.0),
+                 last = std::clamp(to / whole, 0.0, 1.0);
+    if (first >= last) return 0;
+    return evenload::taken_out(cuts_,
+                               {way.stretch.middle.part(first, last), way.stretch.half_room});
   }
 
   // ---- the start ----
@@ -175,7 +177,7 @@ class SlotClearing {
   bool clear_smallest_end() {
     std::optional<Region> best;
     for (const Way& way : ways_) {
-      if (way.stretch.middle.length() < ways_.front().stretch.middle.length() - kSameWall) break;
+      if (way.whole() < ways_.front().whole() - kSameWall) break;
       std::optional<Region> room = start_room(way, first_place(way));
       if (room && (!best || room->area() < best->area() - kSameArea)) best = std::move(room);
     }
@@ -187,7 +189,9 @@ class SlotClearing {
       const Segment& middle = way.stretch.middle;
       if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
       const double at = middle.nearest(*task_.hole) * middle.length();
-      if (at > 0.5 * middle.length() + kSameWall) continue;  // the way back has it nearer
+      const double before = taken_out(way, 0, at);
+      // The way back has it nearer.
+      if (at + before > 0.5 * way.whole() + kSameWall) continue;
       const std::optional<Region> room = start_room(way, std::max(first_place(way), at));
       return room && room->contains(*task_.hole) && clear_room(*room);
     }
@@ -305,6 +309,8 @@ class SlotClearing {
   // Repeats the pattern from the place `from` on; returns the last place.
   double follow(const Way& way, double from) {
     const double step = way.pattern.step, begin = from;
+    const int before = repeated_.empty() ? 0 : repeated_.back().first + repeated_.back().count;
+    repeated_.push_back({way.stretch, way.reach, step, begin, before, 0});
     double s = from;
     for (; s <= way.last() && has_work(way, s) && !progress_.cancelled(); s += step) {
       const std::vector<Segment> cut = cut_at(way, s);
@@ -316,11 +322,12 @@ class SlotClearing {
       else
         link_back(placed(way.pattern.link, pose_on(way.stretch, s - step)), is_sure,
                   {cut.front().a, angle_of(cut.front().tangent(0))});
-      add(MoveKind::kCut, cut);
+      add(MoveKind::kCut, cut, period());
+      ++repeated_.back().count;
       ++opening_.passes;
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
-    note(way, s - begin);
+    note(way, s - begin + taken_out(way, begin, s));
     return s - step;
   }
 
@@ -329,9 +336,12 @@ class SlotClearing {
       go_to(to);
       return;
     }
-    add(MoveKind::kLink, link);
+    add(MoveKind::kLink, link, period());
     ++opening_.links;
   }
+
+  // The number of the period that is being made.
+  int period() const { return repeated_.back().first + repeated_.back().count; }
 
   void go_to(const Pose& to) {
     if (opening_.runs.empty()) {
@@ -377,11 +387,12 @@ class SlotClearing {
     opening_.runs.push_back(std::move(run));
   }
 
-  void add(MoveKind kind, const std::vector<Segment>& moves) {
+  void add(MoveKind kind, const std::vector<Segment>& moves, int period = -1) {
     for (const Segment& move : moves) {
       PlanarMove planar;
       planar.kind = kind;
       planar.segment = move;
+      planar.period = period;
       opening_.runs.back().moves.push_back(planar);
       ground_.add(move);
     }
@@ -411,10 +422,12 @@ class SlotClearing {
     if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
   }
 
-  TrochoidKind kind_;
   const RegionTask& task_;
   const ClearingParams& params_;
   ClearingParams passes_;
+  PatternCache& patterns_;
+  const std::vector<SlotCut>& cuts_;
+  std::vector<RepeatedPeriods>& repeated_;
   TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;
@@ -427,17 +440,47 @@ class SlotClearing {
   bool is_too_short_ = false;  // every stretch with a pattern
 };
 
+std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
+                                       const std::vector<Region>& centres,
+                                       const ClearingParams& params, PatternCache& patterns,
+                                       SlotsDone& done) {
+  Abridged abridged;
+  abridged.entry_point = params.entry_point;
+  const double radius = 0.5 * params.tool_diameter;
+  done.cuts = cuts_of(
+      regions, find_slots(Area(centres), (kWidestSlot - 1) * radius), params,
+      [&](const SlotStretch& stretch) { return patterns.pattern_of(stretch); },
+      abridged.entry_point);
+  if (done.cuts.empty()) return std::nullopt;
+  abridged.regions = done.cuts.back().ground;
+  abridged.whole_place = [&done](Vec2 p) { return whole_place(done.cuts, p); };
+  abridged.unabridge = [&done, radius](std::vector<PlanarRun>& runs) {
+    return unabridge(runs, done.cuts, done.repeated, radius);
+  };
+  return abridged;
+}
+
 }  // namespace
 
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {
-  TrochoidalPath result;
+  std::optional<PatternCache> patterns;
+  SlotsDone done;
   const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
                                     Progress& share) {
-    return SlotClearing(kind, task, checked, result.report, share).run();
+    if (!patterns) patterns.emplace(kind, checked);
+    return SlotClearing(task, checked, *patterns, done, share).run();
   };
-  result.path = clear_by(clearer, regions, params, progress);
-  return result;
+  const Abridge abridge = [&](const std::vector<Region>& whole, const std::vector<Region>& centres,
+                              const ClearingParams& checked) {
+    patterns.emplace(kind, checked);
+    return abridged_slots(whole, centres, checked, *patterns, done);
+  };
+  if (std::optional<Toolpath> path = clear_abridged_by(clearer, abridge, regions, params, progress))
+    return {std::move(*path), done.report};
+  done = {};
+  Toolpath path = clear_by(clearer, regions, params, progress);
+  return {std::move(path), done.report};
 }
 
 }  // namespace evenload
