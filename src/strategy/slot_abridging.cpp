@@ -130,9 +130,10 @@ Curve without(const Curve& border, const Walls& walls, const Segment& middle, do
 
 class Abridging {
  public:
-  Abridging(const std::vector<Region>& regions, const ClearingParams& params,
-            const PatternOf& pattern_of, std::optional<Vec2>& hole)
+  Abridging(const std::vector<Region>& regions, const std::vector<SlotPiece>& spared,
+            const ClearingParams& params, const PatternOf& pattern_of, std::optional<Vec2>& hole)
       : ground_(regions),
+        spared_(spared),
         params_(params),
         pattern_of_(pattern_of),
         hole_(hole),
@@ -142,14 +143,24 @@ class Abridging {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const double half_width =
           stretches[i].half_room + radius_ + params_.stock_to_leave + kWallGap;
+      SlotPiece piece{i, 0};
       for (const Walls& walls : walls_beside(ground_, stretches[i].middle, half_width))
-        for (const auto& [from, to] : beside_hole(stretches[i], half_width, walls))
-          if (cuts_.size() < kMostCuts) cut(stretches, i, half_width, walls, from, to);
+        for (const auto& [from, to] : beside_hole(stretches[i], half_width, walls)) {
+          if (!is_spared(piece)) cut(stretches, piece, half_width, walls, from, to);
+          ++piece.number;
+        }
     }
     return std::move(cuts_);
   }
 
  private:
+  bool is_spared(const SlotPiece& piece) const {
+    return cuts_.size() >= kMostCuts ||
+           std::any_of(spared_.begin(), spared_.end(), [&](const SlotPiece& known) {
+             return known.stretch == piece.stretch && known.number == piece.number;
+           });
+  }
+
   // What is left of a pair of walls to both sides of the hole, the last first.
   std::vector<std::pair<double, double>> beside_hole(const SlotStretch& stretch, double half_width,
                                                      const Walls& walls) const {
@@ -170,13 +181,14 @@ class Abridging {
     return room + reach + 4 * radius_ + 4 * pattern.pattern.step;
   }
 
-  void cut(std::vector<SlotStretch>& stretches, std::size_t which, double half_width,
+  void cut(std::vector<SlotStretch>& stretches, const SlotPiece& piece, double half_width,
            const Walls& walls, double from, double to) {
-    const SlotStretch stretch = stretches[which];
+    const SlotStretch stretch = stretches[piece.stretch];
     if (to - from < 4 * radius_) return;  // less than any pattern needs
     const std::optional<SlotPattern> pattern = pattern_of_(stretch);
     if (!pattern) return;
     SlotCut cut;
+    cut.from = piece;
     cut.periods = static_cast<int>(
         std::floor((to - from - needed(*pattern, stretch.half_room)) / pattern->pattern.step));
     if (cut.periods < kFewestPeriods) return;
@@ -187,7 +199,7 @@ class Abridging {
     cut.half_width = half_width;
     cut.stretch = {stretch.middle.part(from / length, (to - cut.out) / length), stretch.half_room};
     if (!take_out(cut, walls, stretch.middle, from + cut.at)) return;
-    for (std::size_t i = which + 1; i < stretches.size(); ++i)
+    for (std::size_t i = piece.stretch + 1; i < stretches.size(); ++i)
       if (is_moved(stretches[i].middle.point(0.5)))
         stretches[i].middle = placed(stretches[i].middle, motion_);
     for (SlotCut& earlier : cuts_)
@@ -227,6 +239,7 @@ class Abridging {
   }
 
   std::vector<Region> ground_;
+  const std::vector<SlotPiece>& spared_;
   const ClearingParams& params_;
   const PatternOf& pattern_of_;
   std::optional<Vec2>& hole_;
@@ -267,10 +280,10 @@ SlotSides divided(const SlotCut& cut, double at) {
 
 std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
                              const std::vector<SlotStretch>& stretches,
-                             const ClearingParams& params, const PatternOf& pattern_of,
-                             std::optional<Vec2>& hole) {
+                             const std::vector<SlotPiece>& spared, const ClearingParams& params,
+                             const PatternOf& pattern_of, std::optional<Vec2>& hole) {
   const std::optional<Vec2> place = hole;
-  std::vector<SlotCut> cuts = Abridging(regions, params, pattern_of, hole).run(stretches);
+  std::vector<SlotCut> cuts = Abridging(regions, spared, params, pattern_of, hole).run(stretches);
   if (cuts.empty() || regions.size() == 1) return cuts;
   // Where there are open edges, tools go outside: who knows how far from other regions they stay.
   const std::vector<Region>& left = cuts.back().ground;

@@ -15,8 +15,14 @@
 
 namespace evenload {
 
-// A piece taken out of a slot, in the ground that is left.
+// One of the pieces of a stretch that have walls on both sides.
+struct SlotPiece {
+  std::size_t stretch = 0, number = 0;
+};
+
+// What was taken out of one, in the ground that is left.
 struct SlotCut {
+  SlotPiece from;
   std::vector<Region> ground;  // that is left
   std::size_t region = 0;      // the one that was cut
   // Of the slot, as far as there are walls on both sides. The region's border runs beside it, at
@@ -50,11 +56,12 @@ using PatternOf = std::function<std::optional<SlotPattern>(const SlotStretch&)>;
 // longer than its ends and the first periods need. Laws: what is taken out has walls that are lines
 // or arcs, at the same distance from a middle along which a disc as wide as the slot fits, and so
 // has the slot before and beyond it as far as a pattern reaches until it repeats itself. `hole`,
-// about which as much is left, is moved as the ground is. Empty where regions would meet.
+// about which as much is left, is moved as the ground is. Nothing is taken out of `spared`. Empty
+// where regions would meet.
 std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
                              const std::vector<SlotStretch>& stretches,
-                             const ClearingParams& params, const PatternOf& pattern_of,
-                             std::optional<Vec2>& hole);
+                             const std::vector<SlotPiece>& spared, const ClearingParams& params,
+                             const PatternOf& pattern_of, std::optional<Vec2>& hole);
 
 // mm that were taken out of a stretch of what is left in the end.
 double taken_out(const std::vector<SlotCut>& cuts, const SlotStretch& stretch);

@@ -27,6 +27,12 @@ bool follows(const RepeatedPeriods& pattern, const SlotStretch& stretch) {
          distance(pose_on(pattern.stretch, along(own, p)).p, p) < kSameMiddle;
 }
 
+bool passes(const RepeatedPeriods& pattern, Vec2 place) {
+  const double s = along(pattern.stretch.middle, place) - pattern.begin;
+  return s > 0 && s < pattern.count * pattern.step &&
+         distance(pose_on(pattern.stretch, s + pattern.begin).p, place) < kSameMiddle;
+}
+
 // The middle of what both intervals share; nothing where that is nothing.
 std::optional<double> middle_of(std::pair<double, double> a, std::pair<double, double> b) {
   const double low = std::max(a.first, b.first), high = std::min(a.second, b.second);
@@ -220,10 +226,20 @@ class Undo {
 }  // namespace
 
 std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vector<SlotCut>& cuts,
-                                    std::vector<RepeatedPeriods> patterns, double tool_radius) {
+                                    std::vector<RepeatedPeriods> patterns, double tool_radius,
+                                    std::vector<SlotPiece>& spared) {
+  const std::size_t known = spared.size();
+  for (const SlotCut& cut : cuts)
+    if (std::none_of(patterns.begin(), patterns.end(),
+                     [&](const RepeatedPeriods& pattern) { return passes(pattern, cut.place); }))
+      spared.push_back(cut.from);
+  if (spared.size() > known) return std::nullopt;
   Unabridged added;
   for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
-    if (!Undo(*cut, patterns, tool_radius).run(runs, added)) return std::nullopt;
+    if (!Undo(*cut, patterns, tool_radius).run(runs, added)) {
+      spared.push_back(cut->from);
+      return std::nullopt;
+    }
   return added;
 }
 

@@ -39,6 +39,8 @@ constexpr double kLongestEnd = 8;
 constexpr double kScallop = 0.25;
 // Share of a step: what is thinner is no material where a period shall cut nothing.
 constexpr double kThin = 0.002;
+// So often is less taken out of slots, where something was found to be done there only once.
+constexpr int kMostAttempts = 3;
 // Of unit vectors: towards the front, not the walls.
 constexpr double kAcross = 0.5;
 // Share of the tool's radius: between two looks for material along a middle.
@@ -440,22 +442,23 @@ class SlotClearing {
   bool is_too_short_ = false;  // every stretch with a pattern
 };
 
+// What is left of long slots, but for pieces that were found not to be worth it.
 std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
                                        const std::vector<Region>& centres,
                                        const ClearingParams& params, PatternCache& patterns,
-                                       SlotsDone& done) {
+                                       std::vector<SlotPiece>& spared, SlotsDone& done) {
   Abridged abridged;
   abridged.entry_point = params.entry_point;
   const double radius = 0.5 * params.tool_diameter;
   done.cuts = cuts_of(
-      regions, find_slots(Area(centres), (kWidestSlot - 1) * radius), params,
+      regions, find_slots(Area(centres), (kWidestSlot - 1) * radius), spared, params,
       [&](const SlotStretch& stretch) { return patterns.pattern_of(stretch); },
       abridged.entry_point);
   if (done.cuts.empty()) return std::nullopt;
   abridged.regions = done.cuts.back().ground;
   abridged.whole_place = [&done](Vec2 p) { return whole_place(done.cuts, p); };
-  abridged.unabridge = [&done, radius](std::vector<PlanarRun>& runs) {
-    return unabridge(runs, done.cuts, done.repeated, radius);
+  abridged.unabridge = [&done, &spared, radius](std::vector<PlanarRun>& runs) {
+    return unabridge(runs, done.cuts, done.repeated, radius, spared);
   };
   return abridged;
 }
@@ -471,14 +474,20 @@ TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
     if (!patterns) patterns.emplace(kind, checked);
     return SlotClearing(task, checked, *patterns, done, share).run();
   };
+  std::vector<SlotPiece> spared;
   const Abridge abridge = [&](const std::vector<Region>& whole, const std::vector<Region>& centres,
                               const ClearingParams& checked) {
-    patterns.emplace(kind, checked);
-    return abridged_slots(whole, centres, checked, *patterns, done);
+    if (!patterns) patterns.emplace(kind, checked);
+    return abridged_slots(whole, centres, checked, *patterns, spared, done);
   };
-  if (std::optional<Toolpath> path = clear_abridged_by(clearer, abridge, regions, params, progress))
-    return {std::move(*path), done.report};
-  done = {};
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    const std::size_t known = spared.size();
+    if (std::optional<Toolpath> path =
+            clear_abridged_by(clearer, abridge, regions, params, progress))
+      return {std::move(*path), done.report};
+    done = {};
+    if (spared.size() == known) break;
+  }
   Toolpath path = clear_by(clearer, regions, params, progress);
   return {std::move(path), done.report};
 }
