@@ -34,7 +34,8 @@ struct RegionTask {
   bool stretch_helix = false;  // an entry's, along the room
   bool is_part = false;        // more is cleared later: what is left is neither measured nor noted
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
-  // Where places named there are, before that; empty: where they are said to be.
+  // Where places of the task are in the whole, before they are mirrored; empty: where they are
+  // here.
   std::function<Vec2(Vec2)> whole_place;
   std::vector<Region> around;  // where links may go; empty: within `centres`
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.

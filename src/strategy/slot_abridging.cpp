@@ -82,6 +82,10 @@ double share_of(const Segment& piece, const Segment& middle, double at) {
   return (at - a) / (b - a);
 }
 
+// The outlines of a region's parts before and beyond a line across the slot.
+struct SlotSides {
+  Region before, beyond;
+};
 SlotSides divided(const Curve& border, const Walls& walls, const Segment& middle, double at) {
   const std::vector<Vertex>& v = border.vertices();
   const Segment right = border.segment(walls.right.piece), left = border.segment(walls.left.piece);
@@ -178,7 +182,7 @@ class Abridging {
     const double helix = helix_radius(params_, {{}, half_room});
     const double room = 2 * half_room + wished_stretch(helix, params_);
     const double reach = pattern.reach.ahead - pattern.reach.back + 2 * radius_;
-    return room + reach + 4 * radius_ + 4 * pattern.pattern.step;
+    return room + reach + 2 * radius_ + 4 * pattern.pattern.step;
   }
 
   void cut(std::vector<SlotStretch>& stretches, const SlotPiece& piece, double half_width,
@@ -268,16 +272,6 @@ Pose motion_along(const Segment& middle, double length) {
 
 Vec2 moved(Vec2 p, const Pose& motion) { return motion.p + rotated(p, motion.heading); }
 
-SlotSides divided(const SlotCut& cut, double at) {
-  const Segment& middle = cut.stretch.middle;
-  const std::vector<Walls> all = walls_beside(cut.ground, middle, cut.half_width);
-  const auto walls = std::find_if(all.begin(), all.end(), [&](const Walls& pair) {
-    return pair.region == cut.region && pair.from < at && pair.to > at;
-  });
-  EVENLOAD_ASSERT(walls != all.end());
-  return divided(cut.ground[cut.region].outer, *walls, middle, at);
-}
-
 std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
                              const std::vector<SlotStretch>& stretches,
                              const std::vector<SlotPiece>& spared, const ClearingParams& params,
@@ -305,14 +299,36 @@ double taken_out(const std::vector<SlotCut>& cuts, const SlotStretch& stretch) {
   return out;
 }
 
-Vec2 whole_place(const std::vector<SlotCut>& cuts, Vec2 p) {
-  for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut) {
-    bool elsewhere = false;
-    for (std::size_t i = 0; i < cut->ground.size(); ++i)
-      elsewhere = elsewhere || (i != cut->region && cut->ground[i].contains(p));
-    if (!elsewhere && is_beyond(divided(*cut, cut->at), p))
-      p = moved(p, motion_along(cut->stretch.middle, cut->out));
-  }
+GroundSides::GroundSides(const SlotCut& cut, double at) {
+  const Segment& middle = cut.stretch.middle;
+  const std::vector<Walls> all = walls_beside(cut.ground, middle, cut.half_width);
+  const auto walls = std::find_if(all.begin(), all.end(), [&](const Walls& pair) {
+    return pair.region == cut.region && pair.from < at && pair.to > at;
+  });
+  EVENLOAD_ASSERT(walls != all.end());
+  const SlotSides sides = divided(cut.ground[cut.region].outer, *walls, middle, at);
+  before_ = Area({sides.before});
+  beyond_ = Area({sides.beyond});
+  for (std::size_t i = 0; i < cut.ground.size(); ++i)
+    if (i != cut.region) others_.push_back(cut.ground[i]);
+}
+
+bool GroundSides::is_beyond(Vec2 p) const {
+  for (const Region& other : others_)
+    if (other.contains(p)) return false;
+  return beyond_.signed_distance(p) > before_.signed_distance(p);
+}
+
+WholePlaces::WholePlaces(const std::vector<SlotCut>& cuts) {
+  std::vector<Part> parts;
+  for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
+    parts.push_back({GroundSides(*cut, cut->at), motion_along(cut->stretch.middle, cut->out)});
+  parts_ = std::make_shared<const std::vector<Part>>(std::move(parts));
+}
+
+Vec2 WholePlaces::operator()(Vec2 p) const {
+  for (const Part& part : *parts_)
+    if (part.sides.is_beyond(p)) p = moved(p, part.motion);
   return p;
 }
 

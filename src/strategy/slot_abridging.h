@@ -5,10 +5,12 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
 #include "geometry/region.h"
+#include "strategy/area.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/slot.h"
 #include "strategy/slot_pattern.h"
@@ -36,13 +38,6 @@ struct SlotCut {
   double step() const { return out / periods; }
 };
 
-// The outlines of a region's parts before and beyond a line across the slot, `at` mm along its
-// middle.
-struct SlotSides {
-  Region before, beyond;
-};
-SlotSides divided(const SlotCut& cut, double at);
-
 // How the ground beyond moves when the slot grows by `length` mm: what placed() takes.
 Pose motion_along(const Segment& middle, double length);
 Vec2 moved(Vec2 p, const Pose& motion);
@@ -65,7 +60,32 @@ std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
 
 // mm that were taken out of a stretch of what is left in the end.
 double taken_out(const std::vector<SlotCut>& cuts, const SlotStretch& stretch);
-// Where a place of what is left in the end is in the whole.
-Vec2 whole_place(const std::vector<SlotCut>& cuts, Vec2 p);
+
+// One region of the ground that a cut left, on both sides of a line across the slot.
+class GroundSides {
+ public:
+  // `at` mm along the cut's middle.
+  GroundSides(const SlotCut& cut, double at);
+  // Whether the ground at `p`, or the ground nearest to it, moves when the slot grows there.
+  bool is_beyond(Vec2 p) const;
+
+ private:
+  Area before_, beyond_;
+  std::vector<Region> others_;
+};
+
+// Where places of what is left in the end are in the whole.
+class WholePlaces {
+ public:
+  explicit WholePlaces(const std::vector<SlotCut>& cuts);
+  Vec2 operator()(Vec2 p) const;
+
+ private:
+  struct Part {
+    GroundSides sides;
+    Pose motion;
+  };
+  std::shared_ptr<const std::vector<Part>> parts_;  // the last cut first
+};
 
 }  // namespace evenload

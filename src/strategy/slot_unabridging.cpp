@@ -49,11 +49,7 @@ class Undo {
     const std::optional<Undoing> place = find_place();
     if (!place) return false;
     place_ = *place;
-    sides_ = divided(cut_, place_.at);
-    before_ = Area({sides_.before});
-    beyond_ = Area({sides_.beyond});
-    for (std::size_t i = 0; i < cut_.ground.size(); ++i)
-      if (i != cut_.region) others_.push_back(cut_.ground[i]);
+    sides_.emplace(cut_, place_.at);
     for (PlanarRun& run : runs)
       if (!undo(run)) return false;
     if (!was_repeated_) return false;
@@ -100,7 +96,7 @@ class Undo {
 
   bool undo(PlanarRun& run) {
     Descent& descent = run.descent;
-    if (is_beyond(descent.at)) {
+    if (sides_->is_beyond(descent.at)) {
       const Pose motion = motion_along(middle_, cut_.out);
       descent.at = moved(descent.at, motion);
       descent.centre = moved(descent.centre, motion);
@@ -126,7 +122,8 @@ class Undo {
 
   // A move that is no period's.
   bool undo(PlanarMove& move) const {
-    const bool starts_beyond = is_beyond(move.segment.a), ends_beyond = is_beyond(move.segment.b);
+    const bool starts_beyond = sides_->is_beyond(move.segment.a),
+               ends_beyond = sides_->is_beyond(move.segment.b);
     if (starts_beyond != ends_beyond) return lengthen(move.segment, ends_beyond);
     if (starts_beyond) move.segment = placed(move.segment, motion_along(middle_, cut_.out));
     return true;
@@ -154,12 +151,6 @@ class Undo {
     return std::abs(move.sweep) < 2 * kPi;
   }
 
-  bool is_beyond(Vec2 p) const {
-    for (const Region& other : others_)
-      if (other.contains(p)) return false;
-    return beyond_.signed_distance(p) > before_.signed_distance(p);
-  }
-
   // The periods made again, after the one that `again` holds as it was.
   void repeat(std::vector<PlanarMove>& again, std::vector<PlanarMove>& moves) {
     const double step = place_.forward ? cut_.step() : -cut_.step();
@@ -181,7 +172,7 @@ class Undo {
     if (period >= own.first && period < own.first + own.count)
       is_moved = (period > place_.period) == place_.forward;
     else
-      is_moved = is_beyond(pose_of(period).p);
+      is_moved = sides_->is_beyond(pose_of(period).p);
     return motion_along(middle_, is_moved ? cut_.out : 0);
   }
 
@@ -204,7 +195,7 @@ class Undo {
     for (std::size_t i = 0; i < patterns_.size(); ++i) {
       RepeatedPeriods& p = patterns_[i];
       const bool is_own = i == place_.pattern;
-      if (is_own ? !place_.forward : is_beyond(pose_on(p.stretch, p.begin).p))
+      if (is_own ? !place_.forward : sides_->is_beyond(pose_on(p.stretch, p.begin).p))
         p.stretch.middle = placed(p.stretch.middle, motion);
     }
     patterns_[place_.pattern].count = done;
@@ -217,9 +208,7 @@ class Undo {
   std::vector<RepeatedPeriods>& patterns_;
   double radius_;
   Undoing place_;
-  SlotSides sides_;
-  Area before_, beyond_;
-  std::vector<Region> others_;
+  std::optional<GroundSides> sides_;
   bool was_repeated_ = false;
 };
 
