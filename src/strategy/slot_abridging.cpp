@@ -147,11 +147,14 @@ class Abridging {
     for (std::size_t i = 0; i < stretches.size(); ++i) {
       const double half_width =
           stretches[i].half_room + radius_ + params_.stock_to_leave + kWallGap;
-      SlotPiece piece{i, 0};
+      SlotPiece piece{i, 0, false};
       for (const Walls& walls : walls_beside(ground_, stretches[i].middle, half_width))
         for (const auto& [from, to] : beside_hole(stretches[i], half_width, walls)) {
-          if (!is_spared(piece)) cut(stretches, piece, half_width, walls, from, to);
+          piece.reversed = is_spared(piece) && stretches[i].middle.is_arc();
+          if (!is_spared(piece) && cuts_.size() < kMostCuts)
+            cut(stretches, piece, half_width, walls, from, to);
           ++piece.number;
+          piece.reversed = false;
         }
     }
     return std::move(cuts_);
@@ -159,10 +162,10 @@ class Abridging {
 
  private:
   bool is_spared(const SlotPiece& piece) const {
-    return cuts_.size() >= kMostCuts ||
-           std::any_of(spared_.begin(), spared_.end(), [&](const SlotPiece& known) {
-             return known.stretch == piece.stretch && known.number == piece.number;
-           });
+    return std::any_of(spared_.begin(), spared_.end(), [&](const SlotPiece& known) {
+      return known.stretch == piece.stretch && known.number == piece.number &&
+             known.reversed == piece.reversed;
+    });
   }
 
   // What is left of a pair of walls to both sides of the hole, the last first.
@@ -189,7 +192,8 @@ class Abridging {
            const Walls& walls, double from, double to) {
     const SlotStretch stretch = stretches[piece.stretch];
     if (to - from < 4 * radius_) return;  // less than any pattern needs
-    const std::optional<SlotPattern> pattern = pattern_of_(stretch);
+    const std::optional<SlotPattern> pattern =
+        pattern_of_(piece.reversed ? stretch.reversed() : stretch);
     if (!pattern) return;
     SlotCut cut;
     cut.from = piece;

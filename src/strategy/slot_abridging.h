@@ -17,9 +17,11 @@
 
 namespace evenload {
 
-// One of the pieces of a stretch that have walls on both sides.
+// One of the pieces of a stretch that have walls on both sides. Which way an arc is cut matters: to
+// either way belongs a pattern of its own.
 struct SlotPiece {
   std::size_t stretch = 0, number = 0;
+  bool reversed = false;
 };
 
 // What was taken out of one, in the ground that is left.

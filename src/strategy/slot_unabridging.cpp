@@ -8,6 +8,8 @@ namespace {
 
 // mm: stretches with the same middle.
 constexpr double kSameMiddle = 1e-6;
+// mm: what rounding makes of a step.
+constexpr double kSameStep = 1e-9;
 // mm along a move of a slot's length: from a parallel to the middle.
 constexpr double kParallel = 1e-6;
 
@@ -68,7 +70,7 @@ class Undo {
   std::optional<Undoing> find_place() const {
     for (std::size_t i = 0; i < patterns_.size(); ++i) {
       const RepeatedPeriods& p = patterns_[i];
-      if (!follows(p, cut_.stretch)) continue;
+      if (!follows(p, cut_.stretch) || std::abs(p.step - cut_.step()) > kSameStep) continue;
       const double length = middle_.length();
       Pose begin = pose_on(p.stretch, p.begin);
       const double sign =
@@ -221,7 +223,8 @@ std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vec
   for (const SlotCut& cut : cuts)
     if (std::none_of(patterns.begin(), patterns.end(),
                      [&](const RepeatedPeriods& pattern) { return passes(pattern, cut.place); }))
-      spared.push_back(cut.from);
+      for (const bool reversed : {false, true})
+        spared.push_back({cut.from.stretch, cut.from.number, reversed});
   if (spared.size() > known) return std::nullopt;
   Unabridged added;
   for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)

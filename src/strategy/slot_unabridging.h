@@ -26,7 +26,8 @@ struct RepeatedPeriods {
 // Turns `runs`, feeds and all, from those of what is left after all cuts into those of the whole.
 // `patterns`: in the order in which they were made; tool_radius mm. Nothing, and `runs` of no use,
 // where that cannot be done: `spared` then gets the pieces in which no pattern repeats itself, or
-// one in which something else than its periods and passes along the walls leads past.
+// one in which it does so the other way, or something else than its periods and passes along the
+// walls leads past.
 std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vector<SlotCut>& cuts,
                                     std::vector<RepeatedPeriods> patterns, double tool_radius,
                                     std::vector<SlotPiece>& spared);

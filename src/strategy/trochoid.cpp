@@ -38,31 +38,46 @@ std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
 
 }  // namespace
 
-TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
-                          const ClearingParams& params, Progress& progress) {
-  std::optional<PatternCache> patterns;
-  SlotsDone done;
-  const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
-                                    Progress& share) {
-    if (!patterns) patterns.emplace(kind, checked);
-    return clear_slots_of(task, checked, *patterns, done, share);
-  };
+std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
+                                                   PatternCache& patterns,
+                                                   const ClearingParams& params,
+                                                   Progress& progress) {
   std::vector<SlotPiece> spared;
-  const Abridge abridge = [&](const std::vector<Region>& whole, const std::vector<Region>& centres,
-                              const ClearingParams& checked) {
-    if (!patterns) patterns.emplace(kind, checked);
-    return abridged_slots(whole, centres, checked, *patterns, spared, done);
-  };
   for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    SlotsDone done;
+    const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
+                                      Progress& share) {
+      return clear_slots_of(task, checked, patterns, done, share);
+    };
+    const Abridge abridge = [&](const std::vector<Region>& whole,
+                                const std::vector<Region>& centres, const ClearingParams& checked) {
+      return abridged_slots(whole, centres, checked, patterns, spared, done);
+    };
     const std::size_t known = spared.size();
     if (std::optional<Toolpath> path =
             clear_abridged_by(clearer, abridge, regions, params, progress))
-      return {std::move(*path), done.report};
-    done = {};
+      return TrochoidalPath{std::move(*path), done.report};
     if (spared.size() == known) break;
   }
+  return std::nullopt;
+}
+
+TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCache& patterns,
+                                 const ClearingParams& params, Progress& progress) {
+  SlotsDone done;
+  const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
+                                    Progress& share) {
+    return clear_slots_of(task, checked, patterns, done, share);
+  };
   Toolpath path = clear_by(clearer, regions, params, progress);
   return {std::move(path), done.report};
+}
+
+TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
+                          const ClearingParams& params, Progress& progress) {
+  PatternCache patterns(kind, params);
+  std::optional<TrochoidalPath> path = clear_abridged_slots(regions, patterns, params, progress);
+  return path ? std::move(*path) : clear_whole_slots(regions, patterns, params, progress);
 }
 
 }  // namespace evenload

@@ -15,8 +15,10 @@
 // settled.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "strategy/pattern_cache.h"
 #include "strategy/pocket.h"
 #include "strategy/slot_clearing.h"
 #include "strategy/slot_pattern.h"
@@ -31,5 +33,15 @@ struct TrochoidalPath {
 // Arguments and errors as for clear_pocket.
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress);
+
+// Its two ways to get there. By way of shorter slots; nothing where none is long enough, or their
+// path cannot be made longer.
+std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
+                                                   PatternCache& patterns,
+                                                   const ClearingParams& params,
+                                                   Progress& progress);
+// As they are.
+TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCache& patterns,
+                                 const ClearingParams& params, Progress& progress);
 
 }  // namespace evenload
