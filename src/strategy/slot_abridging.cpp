@@ -150,11 +150,11 @@ class Abridging {
       SlotPiece piece{i, 0, false};
       for (const Walls& walls : walls_beside(ground_, stretches[i].middle, half_width))
         for (const auto& [from, to] : beside_hole(stretches[i], half_width, walls)) {
-          piece.reversed = is_spared(piece) && stretches[i].middle.is_arc();
+          piece.reversed = likely_reversed(stretches[i]);
+          if (is_spared(piece) && stretches[i].middle.is_arc()) piece.reversed = !piece.reversed;
           if (!is_spared(piece) && cuts_.size() < kMostCuts)
             cut(stretches, piece, half_width, walls, from, to);
           ++piece.number;
-          piece.reversed = false;
         }
     }
     return std::move(cuts_);
@@ -166,6 +166,31 @@ class Abridging {
       return known.stretch == piece.stretch && known.number == piece.number &&
              known.reversed == piece.reversed;
     });
+  }
+
+  // Whether an arc is likely to be cut from its other end on: the smaller the room that is cleared
+  // for the first period, the better.
+  bool likely_reversed(const SlotStretch& stretch) const {
+    if (!stretch.middle.is_arc()) return false;
+    const std::optional<SlotPattern> ahead = pattern_of_(stretch),
+                                     back = pattern_of_(stretch.reversed());
+    if (!ahead || !back) return !ahead;
+    return room_before(*back, stretch.half_room) < room_before(*ahead, stretch.half_room);
+  }
+
+  // mm^2, of the places of the tool's centre, but for what does not depend on the pattern.
+  double room_before(const SlotPattern& pattern, double half_room) const {
+    std::vector<Vertex> outline{{{0, half_room}}, {{0, -half_room}}};
+    for (const Segment& move : pattern.front) outline.push_back({move.a, move.bulge()});
+    outline.push_back({pattern.front.back().b});
+    const double first =
+        std::max(-pattern.reach.back, wished_room(half_room) - pattern.reach.ahead);
+    return 2 * half_room * first + Curve(std::move(outline), true).signed_area();
+  }
+
+  // mm along a slot, for a helix as wide as it.
+  double wished_room(double half_room) const {
+    return 2 * half_room + wished_stretch(helix_radius(params_, {{}, half_room}), params_);
   }
 
   // What is left of a pair of walls to both sides of the hole, the last first.
@@ -182,10 +207,8 @@ class Abridging {
   // mm that a pattern needs of a slot, from where it is entered to its other end, until it repeats
   // itself and while it does.
   double needed(const SlotPattern& pattern, double half_room) const {
-    const double helix = helix_radius(params_, {{}, half_room});
-    const double room = 2 * half_room + wished_stretch(helix, params_);
     const double reach = pattern.reach.ahead - pattern.reach.back + 2 * radius_;
-    return room + reach + 2 * radius_ + 4 * pattern.pattern.step;
+    return wished_room(half_room) + reach + 2 * radius_ + 4 * pattern.pattern.step;
   }
 
   void cut(std::vector<SlotStretch>& stretches, const SlotPiece& piece, double half_width,
