@@ -28,6 +28,7 @@ namespace {
 // is a larger part of a smaller angle.
 constexpr double kLoadSpacing = 0.3;
 constexpr double kEvenAngle = kPi / 3;
+
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
 }

@@ -72,7 +72,7 @@ class Undo {
       const RepeatedPeriods& p = patterns_[i];
       if (!follows(p, cut_.stretch) || std::abs(p.step - cut_.step()) > kSameStep) continue;
       const double length = middle_.length();
-      Pose begin = pose_on(p.stretch, p.begin);
+      const Pose begin = pose_on(p.stretch, p.begin);
       const double sign =
           dot(unit(begin.heading), middle_.tangent(middle_.nearest(begin.p))) > 0 ? 1 : -1;
       const double first = along(middle_, begin.p), end = first + sign * (p.count - 1) * p.step;
@@ -157,6 +157,7 @@ class Undo {
   void repeat(std::vector<PlanarMove>& again, std::vector<PlanarMove>& moves) {
     const double step = place_.forward ? cut_.step() : -cut_.step();
     const double from = place_.forward ? 0 : cut_.out;
+    moves.reserve(moves.size() + again.size() * static_cast<std::size_t>(cut_.periods));
     for (int i = 1; i <= cut_.periods; ++i) {
       const Pose motion = motion_along(middle_, from + i * step);
       for (PlanarMove move : again) {
