@@ -34,6 +34,8 @@ constexpr double kLinkEnds = 0.06;
 constexpr double kNoLength = 1e-7;
 // How much smaller a step is tried while none is known that keeps the limit.
 constexpr double kSmallerStep = 0.9;
+// So many steps are tried at most where the overload is expected, before halving goes on.
+constexpr int kMostInProportion = 8;
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -93,10 +95,26 @@ class Repeated {
   ClearedGround ground_;
 };
 
-bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
+// rad, above the limit; negative below.
+double overload_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
   std::vector<PlanarRun> runs;
   const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
-  return worst_engagement(runs, profile, kMeanLength) <= most_engagement(params);
+  return worst_engagement(runs, profile, kMeanLength) - most_engagement(params);
+}
+
+// A step that was tried.
+struct Tried {
+  double step = 0, overload = 0;
+};
+
+// The step to be tried between one that keeps the limit and one that does not: where the overload
+// would vanish if it grew in proportion, a little towards the end that was not tried last, so that
+// both come near.
+double step_between(const Tried& kept, const Tried& too_long, bool last_kept, double exact) {
+  const double share = kept.overload / (kept.overload - too_long.overload);
+  const double step = kept.step + share * (too_long.step - kept.step);
+  return std::clamp(step + (last_kept ? 0.5 : -0.5) * exact, kept.step + 0.4 * exact,
+                    too_long.step - 0.4 * exact);
 }
 
 // min, of a period, its feeds set as those of every path.
@@ -228,16 +246,20 @@ std::optional<TrochoidPattern> with_greatest_step(
     double most) {
   const double exact = kStepShare * params.tool_radius;
   std::optional<TrochoidPattern> best;
-  double low = 0, high = most;
-  for (double step = most; step > exact && high - low > exact;
-       step = best ? 0.5 * (low + high) : kSmallerStep * high) {
+  Tried low, high{most, 0};
+  double step = most;
+  for (int tries = 1; step > exact && high.step - low.step > exact; ++tries) {
     TrochoidPattern pattern = of_step(step);
-    if (!keeps_limit(pattern, params)) {
-      high = step;
-      continue;
-    }
-    best = std::move(pattern);
-    low = step;
+    const Tried tried{step, overload_of(pattern, params)};
+    const bool keeps = tried.overload <= 0;
+    (keeps ? low : high) = tried;
+    if (keeps) best = std::move(pattern);
+    if (!best)
+      step = kSmallerStep * high.step;
+    else if (tries < kMostInProportion && high.overload > low.overload)
+      step = step_between(low, high, keeps, exact);
+    else
+      step = 0.5 * (low.step + high.step);
   }
   return best;
 }
@@ -253,10 +275,10 @@ std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const Troch
   const double h = half_room(params),
                least = std::min(kTightestLink * params.tool_radius, pattern.turn_radius);
   std::vector<std::vector<Segment>> ways;
-  for (const double first : kLinkTurns)
-    for (const double second : kLinkTurns) {
-      if (std::min(first, second) * h < least) continue;
-      std::vector<Segment> way = left_turns(from, to, first * h, second * h);
+  for (const double one : kLinkTurns)
+    for (const double other : kLinkTurns) {
+      if (std::min(one, other) * h < least) continue;
+      std::vector<Segment> way = left_turns(from, to, one * h, other * h);
       if (!way.empty()) ways.push_back(std::move(way));
     }
   std::stable_sort(ways.begin(), ways.end(),
