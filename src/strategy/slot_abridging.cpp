@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "strategy/allowed_ground.h"
 #include "strategy/entry.h"
 #include "support/errors.h"
 
@@ -152,7 +153,7 @@ class Abridging {
         for (const auto& [from, to] : beside_hole(stretches[i], half_width, walls)) {
           piece.reversed = likely_reversed(stretches[i]);
           if (is_spared(piece) && stretches[i].middle.is_arc()) piece.reversed = !piece.reversed;
-          if (!is_spared(piece) && cuts_.size() < kMostCuts)
+          if (!is_spared(piece) && is_likely_used(walls.region))
             cut(stretches, piece, half_width, walls, from, to);
           ++piece.number;
         }
@@ -166,6 +167,15 @@ class Abridging {
       return known.stretch == piece.stretch && known.number == piece.number &&
              known.reversed == piece.reversed;
     });
+  }
+
+  // Whether a pattern is likely to begin in one more piece of a region: but for holes and open
+  // ends, patterns seldom find ground to begin in besides that which is cleared for the first.
+  bool is_likely_used(std::size_t region) const {
+    if (cuts_.size() >= kMostCuts) return false;
+    return hole_ || has_open_edges({ground_[region]}) ||
+           std::none_of(cuts_.begin(), cuts_.end(),
+                        [&](const SlotCut& cut) { return cut.region == region; });
   }
 
   // Whether an arc is likely to be cut from its other end on: the smaller the room that is cleared
@@ -307,14 +317,10 @@ std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
   std::vector<SlotCut> cuts = Abridging(regions, spared, params, pattern_of, hole).run(stretches);
   if (cuts.empty() || regions.size() == 1) return cuts;
   // Where there are open edges, tools go outside: who knows how far from other regions they stay.
-  const std::vector<Region>& left = cuts.back().ground;
-  const auto is_open = [](const Vertex& v) { return v.open; };
-  for (const Region& region : regions)
-    for (const Curve& curve : region.curves())
-      if (std::any_of(curve.vertices().begin(), curve.vertices().end(), is_open)) cuts.clear();
-  if (!cuts.empty() && offset(left, kWallGap).size() != regions.size()) cuts.clear();
-  if (cuts.empty()) hole = place;
-  return cuts;
+  if (!has_open_edges(regions) && offset(cuts.back().ground, kWallGap).size() == regions.size())
+    return cuts;
+  hole = place;
+  return {};
 }
 
 double taken_out(const std::vector<SlotCut>& cuts, const SlotStretch& stretch) {

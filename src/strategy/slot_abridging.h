@@ -49,12 +49,13 @@ double along(const Segment& middle, Vec2 p);
 // The pattern of a stretch; nothing where there is none.
 using PatternOf = std::function<std::optional<SlotPattern>(const SlotStretch&)>;
 
-// Pieces taken out one after the other: from every one of the `stretches` of `regions` that is
-// longer than its ends and the first periods need. Laws: what is taken out has walls that are lines
-// or arcs, at the same distance from a middle along which a disc as wide as the slot fits, and so
-// has the slot before and beyond it as far as a pattern reaches until it repeats itself. `hole`,
-// about which as much is left, is moved as the ground is. Nothing is taken out of `spared`. Empty
-// where regions would meet.
+// Pieces taken out one after the other, from the `stretches` of `regions` that are longer than
+// their ends and the first periods need: from the first of each region, and from the others where
+// patterns are likely to be repeated there. Laws: what is taken out has walls that are lines or
+// arcs, at the same distance from a middle along which a disc as wide as the slot fits, and so has
+// the slot before and beyond it as far as a pattern reaches until it repeats itself. `hole`, about
+// which as much is left, is moved as the ground is. Nothing is taken out of `spared`. Empty where
+// regions would meet.
 std::vector<SlotCut> cuts_of(const std::vector<Region>& regions,
                              const std::vector<SlotStretch>& stretches,
                              const std::vector<SlotPiece>& spared, const ClearingParams& params,

@@ -343,7 +343,8 @@ class SlotClearing {
   double follow(const Way& way, double from) {
     const double step = way.pattern.step, begin = from;
     const int before = repeated_.empty() ? 0 : repeated_.back().first + repeated_.back().count;
-    repeated_.push_back({way.stretch, way.reach, step, begin, before, 0});
+    repeated_.push_back(
+        {way.stretch, way.reach, way.stretch.half_room - way.beside, step, begin, before, 0});
     double s = from;
     for (; s <= way.last() && has_work(way, s) && !progress_.cancelled(); s += step) {
       const std::vector<Segment> cut = cut_at(way, s);

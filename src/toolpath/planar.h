@@ -14,7 +14,7 @@ struct PlanarMove {
   double feed = 0;        // mm/min, set by feed control
   int passage = -1;       // number of the narrow passage that a cut is made in
   double feed_limit = 0;  // mm/min, what feed control sets is lowered to; 0: none
-  int period = -1;        // number of the period that it belongs to, of a pattern that repeats itself
+  int period = -1;  // number of the period that it belongs to, of a pattern that repeats itself
 };
 
 enum class DescentKind {

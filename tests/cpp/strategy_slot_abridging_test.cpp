@@ -282,7 +282,8 @@ TEST(SlotUnabridging, SparesSlotsThatALinkPassesAslant) {
   ASSERT_EQ(cuts.size(), 1u);
   const SlotPattern pattern = *PatternCache(kOurs, params).pattern_of(cuts[0].stretch);
   const double length = cuts[0].stretch.middle.length();
-  RepeatedPeriods periods{cuts[0].stretch, pattern.reach, cuts[0].step(), 0, 0, 0};
+  const double half_width = cuts[0].stretch.half_room - pattern.beside;
+  RepeatedPeriods periods{cuts[0].stretch, pattern.reach, half_width, cuts[0].step(), 0, 0, 0};
   PlanarRun run;
   for (; (periods.count + 1) * periods.step < length; ++periods.count)
     for (const bool cut : {false, true}) {
@@ -303,7 +304,7 @@ TEST(SlotUnabridging, SparesSlotsThatALinkPassesAslant) {
     std::vector<PlanarRun> runs{run};
     runs[0].moves.push_back(back);
     std::vector<SlotPiece> spared;
-    const std::optional<Unabridged> added = unabridge(runs, cuts, {periods}, 3, spared);
+    const std::optional<Unabridged> added = unabridge(runs, cuts, {periods}, params, spared);
     EXPECT_EQ(added.has_value(), aslant == 0);
     EXPECT_EQ(spared.size(), aslant == 0 ? 0u : 1u);
     if (!added) continue;
@@ -313,6 +314,51 @@ TEST(SlotUnabridging, SparesSlotsThatALinkPassesAslant) {
     EXPECT_NEAR(runs[0].moves.back().segment.length(), back.segment.length() + cuts[0].out, 1e-9);
     for (std::size_t i = 1; i + 1 < runs[0].moves.size(); ++i)
       EXPECT_LT(distance(runs[0].moves[i - 1].segment.b, runs[0].moves[i].segment.a), 1e-9);
+  }
+}
+
+TEST(SlotUnabridging, BendsALinkThatLeadsBackAcrossTheSlot) {
+  const Region slot = slot_around(line(300), 10, SlotEnds::kSquare);
+  ClearingParams params = usual_params();
+  params.rapid_feed = params.link_feed;  // no retract is quicker
+  const std::vector<SlotCut> cuts = cuts_in({slot}, params);
+  ASSERT_EQ(cuts.size(), 1u);
+  const SlotPattern pattern = *PatternCache(kOurs, params).pattern_of(cuts[0].stretch);
+  RepeatedPeriods periods{cuts[0].stretch, pattern.reach, 2, cuts[0].step(), 0, 0, 0};
+  PlanarRun run;
+  for (; (periods.count + 1) * periods.step < cuts[0].stretch.middle.length(); ++periods.count) {
+    PlanarMove move;
+    move.period = periods.count;
+    const Vec2 at = pose_on(cuts[0].stretch, periods.count * periods.step).p;
+    move.segment = Segment::line(at, at + Vec2{0, 1});
+    run.moves.push_back(move);
+  }
+  const Bounds left = bounds_of(cuts[0].ground);
+  const Vec2 middle = 0.5 * (left.low + left.high);
+  PlanarMove link;
+  link.kind = MoveKind::kLink;
+  for (const bool forward : {false, true}) {
+    const Vec2 one{left.high.x - 4, middle.y + 1.9}, other{left.low.x + 4, middle.y - 1.9};
+    link.segment = forward ? Segment::line(other, one) : Segment::line(one, other);
+    std::vector<PlanarRun> runs{run};
+    runs[0].moves.push_back(link);
+    std::vector<SlotPiece> spared;
+    ASSERT_TRUE(unabridge(runs, cuts, {periods}, params, spared));
+    const std::vector<PlanarMove>& moves = runs[0].moves;
+    ASSERT_EQ(moves.size(), run.moves.size() + cuts[0].periods + 5);
+    const Segment &first = moves[moves.size() - 5].segment, &last = moves.back().segment;
+    EXPECT_NEAR(std::abs(last.b.x - first.a.x), one.x - other.x + cuts[0].out, 1e-9);
+    EXPECT_NEAR(std::abs(last.b.y - first.a.y), one.y - other.y, 1e-9);
+    for (std::size_t i = moves.size() - 4; i < moves.size(); ++i) {
+      const Segment &a = moves[i - 1].segment, &b = moves[i].segment;
+      EXPECT_EQ(moves[i].kind, MoveKind::kLink);
+      EXPECT_LT(distance(a.b, b.a), 1e-9);
+      EXPECT_LT(norm(a.tangent(1) - b.tangent(0)), 1e-9);
+    }
+    // Before the pattern is done nobody knows what a link would meet.
+    std::vector<PlanarRun> early{run};
+    early[0].moves.insert(early[0].moves.begin(), link);
+    EXPECT_FALSE(unabridge(early, cuts, {periods}, params, spared));
   }
 }
 
