@@ -13,6 +13,7 @@
 #include "strategy/links.h"
 #include "strategy/slot.h"
 #include "strategy/slot_rooms.h"
+#include "strategy/slot_way.h"
 #include "strategy/trochoid_notes.h"
 #include "strategy/trochoid_pattern.h"
 #include "support/errors.h"
@@ -22,34 +23,13 @@ namespace {
 
 // Fewer periods are not worth a pattern.
 constexpr int kFewestPeriods = 4;
-// Steps between two places that are tried for a first period: how much of a step may be lost.
-constexpr double kTrySpacing = 0.25;
 // rad^3: below the limit, times its square, is what steering aims at here, since it may pass that
 // by kSmoothOverload, and by more where a cusp is met at a small angle.
 constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
 constexpr double kMostPassRoom = 0.05;  // of the limit
-// Share of the tool's radius: between two looks along a cut that shall be clear.
-constexpr double kLook = 0.1;
 // Half rooms: a junction reaches no further.
 constexpr double kLongestJunction = 8;
-// Share of a step: what is thinner in front of a period is a scallop.
-constexpr double kScallop = 0.25;
-// Share of a step: what is thinner is no material where a period shall cut nothing.
-constexpr double kThin = 0.002;
-// Of unit vectors: towards the front, not the walls.
-constexpr double kAcross = 0.5;
-// Share of the tool's radius: between two looks for material along a middle.
-constexpr double kMiddleLook = 0.5;
 constexpr double kSameArea = 1e-6;  // mm^2
-
-// A stretch with the pattern that fits it, in the direction of its middle.
-struct Way : SlotPattern {
-  SlotStretch stretch;
-  double taken_out = 0;  // mm, of the stretch
-  bool has_next_room = false;
-  double whole() const { return stretch.middle.length() + taken_out; }
-  double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
-};
 
 ClearingParams for_passes(ClearingParams params) {
   const double limit = params.engagement_angle;
@@ -138,10 +118,6 @@ class SlotClearing {
     ways_.push_back(way);
   }
 
-  std::vector<Segment> cut_at(const Way& way, double s) const {
-    return placed(way.pattern.cut, pose_on(way.stretch, s));
-  }
-
   // mm, between two places of the way.
   double taken_out(const Way& way, double from, double to) const {
     const double whole = way.stretch.middle.length(), first = std::clamp(from / whole, 0.0, 1.0),
@@ -160,7 +136,7 @@ class SlotClearing {
     if (params_.entry == EntryKind::kPredrilledHole) return false;
     if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic)
       for (const Way& way : ways_)
-        if (first_free(way)) return true;
+        if (first_free(way, ground_)) return true;
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
       const double length = ways_[first].whole();
       while (last < ways_.size() && ways_[last].whole() > length - kSameWall) ++last;
@@ -237,54 +213,6 @@ class SlotClearing {
 
   // ---- the way ----
 
-  // The last place before the material at which a whole period would cut nothing; none where there
-  // is no such place, or nothing to be cut beyond it.
-  std::optional<double> first_free(const Way& way) const {
-    const std::optional<double> edge = edge_of_material(way);
-    if (!edge) return std::nullopt;
-    const double reach = way.reach.ahead - way.reach.back + 2 * radius_;
-    std::optional<double> last;
-    for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
-         s += kTrySpacing * way.pattern.step)
-      if (is_clear(cut_at(way, s), kThin * way.pattern.step))
-        last = s;
-      else if (last)
-        break;
-    return last && has_work(way, *last + way.pattern.step) ? last : std::nullopt;
-  }
-
-  // Where the middle leads from cleared ground into material for the first time, to a look.
-  std::optional<double> edge_of_material(const Way& way) const {
-    bool was_clear = false;
-    for (double s = 0; s <= way.stretch.middle.length(); s += kMiddleLook * radius_) {
-      const bool clear = ground_.is_cleared_point(pose_on(way.stretch, s).p);
-      if (was_clear && !clear) return s;
-      was_clear = clear;
-    }
-    return std::nullopt;
-  }
-
-  // Whether a period at `s` would take more than the scallops that another one left.
-  bool has_work(const Way& way, double s) const {
-    for (const Segment& move : cut_at(way, s)) {
-      const Vec2 p = move.point(0.5), right = -left_normal(move.tangent(0.5));
-      if (!ground_.is_cleared_point(p + (radius_ - kScallop * way.pattern.step) * right) &&
-          std::abs(dot(right, unit(pose_on(way.stretch, s).heading))) > kAcross)
-        return true;
-    }
-    return false;
-  }
-
-  // `thin` mm: what is no thicker does not count.
-  bool is_clear(const std::vector<Segment>& moves, double thin) const {
-    for (const Segment& move : moves) {
-      const int n = static_cast<int>(std::ceil(move.length() / (kLook * radius_)));
-      for (int i = 0; i <= n; ++i)
-        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), thin)) return false;
-    }
-    return true;
-  }
-
   void follow_ways() {
     while (!progress_.cancelled() && (follow_one() || clear_next_room())) continue;
   }
@@ -292,7 +220,7 @@ class SlotClearing {
   // The first way that can begin in cleared ground. False where none can.
   bool follow_one() {
     for (const Way& way : ways_) {
-      const std::optional<double> free = first_free(way);
+      const std::optional<double> free = first_free(way, ground_);
       if (!free || *free + way.pattern.step > way.last()) continue;
       const double end = follow(way, *free + way.pattern.step);
       if (way.beside > 0) clear_end(way, end);
@@ -305,7 +233,7 @@ class SlotClearing {
   // front. Every way once.
   bool clear_next_room() {
     for (Way& way : ways_) {
-      const std::optional<double> edge = edge_of_material(way);
+      const std::optional<double> edge = edge_of_material(way, ground_);
       if (way.has_next_room || !edge) continue;
       const double s = std::max(-way.reach.back, *edge - way.reach.ahead + radius_);
       if (way.last() - s < kFewestPeriods * way.pattern.step) continue;
@@ -346,7 +274,7 @@ class SlotClearing {
     repeated_.push_back(
         {way.stretch, way.reach, way.stretch.half_room - way.beside, step, begin, before, 0});
     double s = from;
-    for (; s <= way.last() && has_work(way, s) && !progress_.cancelled(); s += step) {
+    for (; s <= way.last() && has_work(way, ground_, s) && !progress_.cancelled(); s += step) {
       const std::vector<Segment> cut = cut_at(way, s);
       const bool is_first = s == begin;
       // Once as much is cut as a period reaches, the ground is what the pattern left.
