@@ -13,9 +13,6 @@ namespace {
 // s: what a change of feed must save where a move ends anyway. It costs no block; but feeds that
 // hardly differ shall be one.
 constexpr double kChangePrice = 0.0005;
-// mm: no piece is shorter, unless its move is; controllers handle a limited number of blocks per
-// second.
-constexpr double kShortestPiece = 0.2;
 // mm: no feed changes within a move nearer to its ends than this; what is rounded to a post's
 // 0.001 mm turns shorter arcs by more than a degree.
 constexpr double kShortestPart = 0.1;
@@ -84,12 +81,12 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
     const double spent = beyond_least(cheapest.front());
     double slowest = params.maximum_feed, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
-    const double price = move_ends ? kChangePrice : kBlockPrice;
+    const double price = move_ends ? kChangePrice : params.steps.price;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
       slowest = std::min(slowest, allowed[i]);
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
-      if (length < kShortestPiece && !(move_begins && move_ends)) continue;
+      if (length < params.steps.shortest && !(move_begins && move_ends)) continue;
       const double time = length / slowest * 60;
       // What a piece loses grows with its length.
       if (least[i] + spent + time + price >= cost[j] + kRounding) break;

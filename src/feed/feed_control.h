@@ -10,13 +10,18 @@
 
 namespace evenload {
 
-// s: what one more block of the program must save, and one less may cost.
-inline constexpr double kBlockPrice = 0.045;
+// How fine the steps are in which the feed changes within moves.
+struct FeedSteps {
+  double price = 0.045;   // s: what one more block must save, and one less may cost
+  double shortest = 0.2;  // mm: no piece is shorter, unless its move is; controllers handle a
+                          // limited number of blocks per second
+};
 
 struct FeedParams {
   double feed = 255;          // mm/min, nominal: under a load of share 1
   double maximum_feed = 510;  // mm/min
   double link_feed = 1500;    // mm/min
+  FeedSteps steps;
 };
 
 // Every cut at `feed`, every link at `link_feed`.
@@ -26,7 +31,7 @@ void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);
 double allowed_feed(const LoadSample& sample, const FeedParams& params);
 
 // Cuts at feeds that no sample's load forbids, links at `link_feed`. Moves are split where the feed
-// changes, as few times as pays: the sum of the time and of a fixed price per added block is the
+// changes, as few times as pays: the sum of the time and of a price per added block is the
 // least possible (dynamic programming over the samples), so that arcs stay whole where a change of
 // feed would save little. Returns the feed of every sample.
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "cutting/force.h"
+#include "feed/feed_control.h"
 #include "geometry/region.h"
 #include "support/progress.h"
 #include "toolpath/assemble.h"
@@ -36,6 +37,7 @@ struct ClearingParams {
   double link_feed = 1500;      // mm/min, > 0
   double maximum_feed = 510;    // mm/min, >= feed: cap of the feed control
   double rapid_feed = 5000;     // mm/min, > 0: only for the report's times
+  FeedSteps feed_steps;         // of the feed control
   double roll_radius = 0.9;     // mm, > 0: a wish
   double minimum_radius = 0.9;  // mm, > 0: a wish
   EntryKind entry = EntryKind::kAutomatic;

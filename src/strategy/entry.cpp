@@ -135,7 +135,8 @@ double wished_stretch(double helix_radius, const ClearingParams& params) {
   const double lacking =
       rate * (slope + 2 * kPi * helix_radius) - kPi * std::pow(helix_radius + r, 2);
   const double gain = 2 * (helix_radius + r) - 2 * rate;
-  const double longest = kLongestRamp * params.tool_diameter;
+  const double longest = (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
+                         (2 * (helix_radius + r));
   return gain * longest > lacking ? std::max(0.0, lacking / gain) : longest;
 }
 

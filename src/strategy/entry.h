@@ -37,9 +37,10 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
 inline constexpr double kLongestRamp = 1.5;
 // The same entry, but a helix stretched along the nearest wall, or across it, until it removes as
 // much in a time as a cut at the engagement angle, or as far as there is room: it goes down no
-// faster than a circle, but clears more on the way. Law: by no more than kLongestRamp tool
-// diameters.
+// faster than a circle, but clears more on the way. Law: a helix that is stretched clears no more
+// than kMostCleared times the area of a circle with the tool's diameter for its radius.
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params);
+inline constexpr double kMostCleared = 1.8;
 // mm: by how much, where there is room.
 double wished_stretch(double helix_radius, const ClearingParams& params);
 

@@ -41,11 +41,11 @@ std::size_t worst_of(const std::vector<LoadSample>& profile, Value value) {
   return worst;
 }
 
-std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample, bool mirrored) {
-  const Vec2 p = runs[sample.run].moves[sample.move].segment.point(sample.t);
+std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample,
+                     const std::function<Vec2(Vec2)>& shown) {
+  const Vec2 p = shown(runs[sample.run].moves[sample.move].segment.point(sample.t));
   std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "near (" << (mirrored ? -p.x : p.x) << ", " << p.y
-       << ")";
+  text << std::fixed << std::setprecision(2) << "near (" << p.x << ", " << p.y << ")";
   return text.str();
 }
 
@@ -70,8 +70,9 @@ LoadShare load_share(const ClearingParams& params, bool mirrored) {
 }
 
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-               const ClearingParams& params, bool mirrored, Report& report) {
-  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed};
+               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
+               Report& report) {
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
     set_constant_feed(runs, feeds);
     return;
@@ -86,7 +87,7 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     if (chip(worst) > kThickChip)
       note << "Chips get up to " << std::fixed << std::setprecision(2) << chip(worst)
            << " times as thick as in a straight cut at the engagement angle, "
-           << place_of(whole, profile[worst], mirrored)
+           << place_of(whole, profile[worst], shown)
            << ": lower MaximumFeed, or choose another FeedControl, where that is too much.";
   } else if (params.feed_control == FeedControl::kConstantForce) {
     const auto share = [&](std::size_t i) { return profile[i].share; };
@@ -94,7 +95,7 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     if (share(worst) >= 1 / kLeastForceFeed)
       note << "No feed down to a tenth of the nominal keeps the force at that of a straight cut at "
               "the engagement angle "
-           << place_of(whole, profile[worst], mirrored)
+           << place_of(whole, profile[worst], shown)
            << ": raise EngagementAngle or HorizFeed, or choose another FeedControl.";
   }
   if (note.tellp() > 0) report.notes.push_back(note.str());

@@ -1,6 +1,7 @@
 // The feeds of a planned path, as ClearingParams want them.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "feed/load_profile.h"
@@ -17,8 +18,9 @@ LoadShare load_share(const ClearingParams& params, bool mirrored);
 // Sets every feed of `runs`, and splits moves where the feed changes. `profile`: made with
 // `load_share`; an empty one gives constant feeds. Adds to the report's notes what a user of the
 // control should know: how thick chips get at a constant removal rate, and where a constant force
-// could not be held.
+// could not be held. `shown`: where a place of the path is shown to the user.
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-               const ClearingParams& params, bool mirrored, Report& report);
+               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
+               Report& report);
 
 }  // namespace evenload

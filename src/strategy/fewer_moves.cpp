@@ -7,7 +7,6 @@
 #include <optional>
 
 #include "cutting/engagement.h"
-#include "feed/feed_control.h"
 #include "geometry/bi_arc.h"
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
@@ -161,7 +160,7 @@ class FewerMoves {
 
   void try_row(std::size_t first, std::size_t last, Best& best) {
     const std::size_t row = last - first + 1;
-    double gain = kBlockPrice * static_cast<double>(row - 2);
+    double gain = params_.feed_steps.price * static_cast<double>(row - 2);
     for (std::size_t k = first; k <= last; ++k) gain += loss_of(met_along(k));
     if (gain <= best.gain) return;
     std::vector<Segment> way = likeliest(first, last);

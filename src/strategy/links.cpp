@@ -18,7 +18,7 @@ constexpr double kLinkDistance = 1e-3;
 constexpr double kWallTolerance = 1e-6;
 // mm: what one more block may shorten a link by for its own sake. At 1500 mm/min that is 24 ms:
 // less is not worth another joint, at which machines slow down by as much.
-constexpr double kLinkBlockPrice = 0.6;
+constexpr double kBlockPrice = 0.6;
 // rad: of one arc of two. Back to back takes half a turn; beyond, three pieces are shorter.
 constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
@@ -176,7 +176,7 @@ std::vector<Candidate> candidates(const Pose& from, const Pose& to,
   std::vector<Candidate> result;
   const auto offer = [&](Candidate candidate) {
     const double length = length_of(candidate.moves);
-    candidate.cost = length + kLinkBlockPrice * static_cast<double>(candidate.moves.size());
+    candidate.cost = length + kBlockPrice * static_cast<double>(candidate.moves.size());
     if (length <= longest) result.push_back(std::move(candidate));
   };
   for (const double radius : radii)

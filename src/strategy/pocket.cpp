@@ -10,6 +10,7 @@
 #include "feed/feed_limit.h"
 #include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
+#include "strategy/allowed_ground.h"
 #include "strategy/entry.h"
 #include "strategy/feeds.h"
 #include "strategy/mirror.h"
@@ -27,8 +28,6 @@ namespace {
 // is a larger part of a smaller angle.
 constexpr double kLoadSpacing = 0.3;
 constexpr double kEvenAngle = kPi / 3;
-// Outside open edges the tool may go this many of its diameters from the stock.
-constexpr double kOutsideRoom = 1.5;
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -82,108 +81,6 @@ void check(const ClearingParams& p) {
   }
 }
 
-// The same with nothing but open pieces: all of its border lies against cleared ground.
-std::vector<Region> bared(std::vector<Region> regions) {
-  const auto bare = [](const Curve& curve) {
-    std::vector<Vertex> vertices = curve.vertices();
-    for (Vertex& v : vertices) v.open = true;
-    return Curve(std::move(vertices), true);
-  };
-  for (Region& region : regions) {
-    region.outer = bare(region.outer);
-    for (Curve& island : region.islands) island = bare(island);
-  }
-  return regions;
-}
-
-bool has_open_edges(const std::vector<Region>& regions) {
-  for (const Region& region : regions)
-    for (const Curve& curve : region.curves())
-      for (const Vertex& v : curve.vertices())
-        if (v.open) return true;
-  return false;
-}
-
-// The outline of `outer` with room of `room` mm outside every run of open pieces: the run moved
-// outwards, joined to its ends by straight lines, so that walls which end there keep their ends.
-// Condition: not all pieces are open.
-Curve with_room_outside(const Curve& outer, double room) {
-  const std::vector<Segment> pieces = outer.segments();
-  const std::size_t n = pieces.size();
-  std::vector<Vertex> vertices;
-  const auto outwards = [&](const Segment& piece, double t) {
-    return -left_normal(piece.tangent(t));
-  };
-  std::size_t first = 0;
-  while (pieces[first].open) ++first;  // begin with a wall
-  for (std::size_t k = 0; k < n; ++k) {
-    const Segment& piece = pieces[(first + k) % n];
-    const Segment& before = pieces[(first + k + n - 1) % n];
-    const Segment& after = pieces[(first + k + 1) % n];
-    if (!piece.open) {
-      vertices.push_back({piece.a, piece.bulge(), false});
-      continue;
-    }
-    if (!before.open) vertices.push_back({piece.a, 0, true});
-    // Outwards is to the right: a left turn grows, a right turn shrinks.
-    vertices.push_back({piece.a + room * outwards(piece, 0), piece.bulge(), true});
-    const Vec2 end = piece.b + room * outwards(piece, 1);
-    if (!after.open) {
-      vertices.push_back({end, 0, true});
-      continue;
-    }
-    const double turn = wrap_signed(angle_of(after.tangent(0)) - angle_of(piece.tangent(1)));
-    vertices.push_back({end, turn > 1e-9 ? std::tan(turn / 4) : 0, true});
-  }
-  return Curve(std::move(vertices), true);
-}
-
-// A place for a note; `mirror`: the regions are mirror images.
-std::string near(Vec2 p, bool mirror) {
-  std::ostringstream text;
-  const Vec2 shown = mirror ? mirrored(p) : p;
-  text << std::fixed << std::setprecision(2) << "near (" << shown.x << ", " << shown.y << ")";
-  return text.str();
-}
-
-Vec2 first_open_place(const Curve& curve) {
-  for (const Segment& piece : curve.segments())
-    if (piece.open) return piece.point(0.5);
-  return curve.segments().front().a;
-}
-
-// The regions within which the tool's whole disc must stay: the pocket, and room outside its open
-// edges.
-std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
-                                   bool mirror, std::vector<std::string>& notes) {
-  const double room = (1 + kOutsideRoom) * tool_diameter;
-  std::vector<Region> result;
-  for (const Region& region : regions) {
-    const std::vector<Vertex>& v = region.outer.vertices();
-    const auto is_open = [](const Vertex& x) { return x.open; };
-    if (std::none_of(v.begin(), v.end(), is_open)) {
-      result.push_back(region);
-    } else if (std::all_of(v.begin(), v.end(), is_open)) {
-      Region outline;
-      outline.outer = region.outer;
-      for (Region& grown : offset({outline}, room)) {
-        grown.islands = region.islands;
-        result.push_back(std::move(grown));
-      }
-    } else {
-      try {
-        result.push_back(make_region(with_room_outside(region.outer, room), region.islands));
-      } catch (const GeometryError&) {
-        // Runs that face each other, or turn inwards too tightly: no room that is surely free.
-        notes.push_back("The open edges " + near(first_open_place(region.outer), mirror) +
-                        " leave no clear room outside: they were taken for walls.");
-        result.push_back(region);
-      }
-    }
-  }
-  return result;
-}
-
 // mm: a tool this much wider than the one asked for would just fit; rounded down to what can be
 // printed.
 double largest_fitting_tool(const std::vector<Region>& regions, const ClearingParams& params) {
@@ -200,6 +97,17 @@ std::string too_large(const std::vector<Region>& regions, const ClearingParams& 
   else
     sentence << "no tool does, lower StockToLeave.";
   return sentence.str();
+}
+
+// What is to be cleared, climb milling.
+struct Work {
+  std::vector<Region> regions;
+  ClearingParams params;
+};
+
+std::vector<Region> places_of_tool(const std::vector<Region>& allowed,
+                                   const ClearingParams& params) {
+  return offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap));
 }
 
 // Connected places of the tool's centre that are cleared from one entry.
@@ -228,8 +136,8 @@ std::vector<Part> parts_of(const std::vector<Region>& centres, const ClearingPar
   return parts;
 }
 
-RegionResult clear(const RegionClearer& clearer, const Part& part, const RegionTask& task,
-                   const ClearingParams& params, Progress& progress) {
+RegionResult clear_part(const RegionClearer& clearer, const Part& part, const RegionTask& task,
+                        const ClearingParams& params, Progress& progress) {
   if (part.narrow.places.passages.empty()) return clearer(task, params, progress);
   return clear_with_passages(task, part.narrow.places, part.narrow.axes, part.first_passage, params,
                              progress);
@@ -245,34 +153,24 @@ std::optional<Vec2> hole_place(const std::vector<Part>& parts, Vec2 hole, std::s
   return std::nullopt;
 }
 
-}  // namespace
-
-std::vector<Region> reachable_ground(const std::vector<Region>& regions, double tool_diameter,
-                                     double stock_to_leave) {
-  require(tool_diameter > 0 && std::isfinite(tool_diameter),
-          "The tool's diameter must be positive.");
-  require(stock_to_leave >= 0 && std::isfinite(stock_to_leave),
-          "The stock to leave must not be negative.");
-  const double radius = 0.5 * tool_diameter;
-  std::vector<std::string> notes;
-  const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, false, notes);
-  return offset(offset(allowed, -(radius + stock_to_leave + kWallGap)), radius);
-}
-
-Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input,
-                  const ClearingParams& given, Progress& progress) {
-  check(given);
-  const bool mirror = given.cut_mode == CutMode::kConventional;
-  const LoadShare share_of_nominal = load_share(given, mirror);  // refuses before the work
-  const std::vector<Region> regions = mirror ? mirrored(input) : input;
-  ClearingParams params = given;
-  if (mirror && params.entry_point) params.entry_point = mirrored(*params.entry_point);
+// `work`: mirrored for conventional milling. `abridged`: where that is its regions'; then nothing
+// where no path of the whole can be made from that of this work.
+std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
+                              const Abridged* abridged, Progress& progress) {
+  const std::vector<Region>& regions = work.regions;
+  ClearingParams params = work.params;
+  const bool mirror = params.cut_mode == CutMode::kConventional;
+  const LoadShare share_of_nominal = load_share(params, mirror);  // refuses before the work
+  const auto shown = [&](Vec2 p) {
+    if (abridged) p = abridged->whole_place(p);
+    return mirror ? mirrored(p) : p;
+  };
 
   const double radius = 0.5 * params.tool_diameter;
   Toolpath path;
   const std::vector<Region> allowed =
-      allowed_ground(regions, params.tool_diameter, mirror, path.report.notes);
-  const std::vector<Region> centres = offset(allowed, -(radius + params.stock_to_leave + kWallGap));
+      allowed_ground(regions, params.tool_diameter, shown, path.report.notes);
+  const std::vector<Region> centres = places_of_tool(allowed, params);
   if (centres.empty())
     throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
 
@@ -280,7 +178,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     for (const Region& region : allowed)
       if (offset({region}, -(radius + params.stock_to_leave + kWallGap)).empty()) {
         const Bounds box = bounds_of({region});
-        path.report.notes.push_back("The pocket " + near(0.5 * (box.low + box.high), mirror) +
+        path.report.notes.push_back("The pocket " + near(shown(0.5 * (box.low + box.high))) +
                                     " was skipped. " + too_large({region}, params));
         path.report.termination = Termination::kIncomplete;
       }
@@ -294,6 +192,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
   }
   std::vector<PassageReport> passages;
   const std::vector<Part> parts = parts_of(centres, params, passages);
+  if (abridged && !(passages.empty() && path.report.notes.empty())) return std::nullopt;
   std::size_t hole_region = parts.size();
   std::optional<Vec2> hole;
   if (!rest && (params.entry == EntryKind::kPredrilledHole ||
@@ -302,13 +201,13 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     hole = hole_place(parts, *params.entry_point, &hole_region);
     const bool skipped = is_in_passage(*params.entry_point, passages);
     if (!hole && params.entry == EntryKind::kAutomatic)
-      path.report.notes.push_back("The pre-drilled hole " + near(*params.entry_point, mirror) +
+      path.report.notes.push_back("The pre-drilled hole " + near(shown(*params.entry_point)) +
                                   (skipped ? " lies in a narrow passage that is skipped"
                                            : " is too near to a wall to come down in") +
                                   ": it was not used.");
     if (!hole && params.entry == EntryKind::kPredrilledHole)
       throw GeometryError(
-          GeometryErrorCode::kEntryOutside, *given.entry_point,
+          GeometryErrorCode::kEntryOutside, shown(*params.entry_point),
           skipped ? "The pre-drilled hole lies in a narrow passage that is skipped: choose the "
                     "entry 'Automatic', or another NarrowPassages."
                   : "The pre-drilled hole's centre lies outside the ground that the tool can "
@@ -328,7 +227,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     const Region& region = parts[i].centres;
     if (!rest && params.entry == EntryKind::kPredrilledHole && i != hole_region) {
       path.report.notes.push_back(
-          "The region " + near(region.outer.vertices().front().p, mirror) +
+          "The region " + near(shown(region.outer.vertices().front().p)) +
           ", which does not hold the pre-drilled hole, was left uncut: choose the entry "
           "'Automatic', or drill it and use an operation of its own.");
       path.report.termination = Termination::kIncomplete;
@@ -338,7 +237,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     }
     if (hole && i != hole_region)
       path.report.notes.push_back(
-          "The region " + near(region.outer.vertices().front().p, mirror) +
+          "The region " + near(shown(region.outer.vertices().front().p)) +
           " does not hold the pre-drilled hole: it has an entry of its own.");
     RegionTask task;
     task.centres = region;
@@ -347,10 +246,11 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     task.rest = rest;
     if (i == hole_region) task.hole = hole;
     task.mirrored = mirror;
+    if (abridged) task.whole_place = abridged->whole_place;
     Progress share([&](double done) {
       return progress.report((static_cast<double>(i) + done) / static_cast<double>(parts.size()));
     });
-    RegionResult result = clear(clearer, parts[i], task, params, share);
+    RegionResult result = clear_part(clearer, parts[i], task, params, share);
     path.report.uncut_area += result.uncut_area;
     path.report.passes += result.passes * levels;
     path.report.links += result.links * levels;
@@ -358,6 +258,7 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
   }
+  if (abridged && path.report.uncut_area > 0) return std::nullopt;
 
   if (const std::optional<std::string> note =
           tight_turns_note(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
@@ -382,12 +283,20 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
   if (params.feed_control != FeedControl::kConstantRemovalRate)
     find_feed_limits(runs, profile, params.feed, width);
   note_engagement(runs, profile, passages);
-  set_feeds(runs, profile, params, mirror, path.report);
+  set_feeds(runs, profile, params, shown, path.report);
   apply_feed_limits(runs);
   note_feeds(runs, passages);
   if (!progress.cancelled()) tell(passages, ground, mirror, path.report);
   if (const std::optional<std::string> note = helix_note(runs, params))
     path.report.notes.push_back(*note);
+
+  if (abridged) {
+    const std::optional<Unabridged> added = abridged->unabridge(runs);
+    if (!added) return std::nullopt;
+    path.report.passes += added->passes * levels;
+    path.report.links += added->links * levels;
+    removed += added->area;
+  }
 
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
@@ -428,6 +337,55 @@ Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& input
     path.report.notes.push_back("Cancelled before everything was cut.");
   }
   return path;
+}
+
+Work work_of(const std::vector<Region>& regions, const ClearingParams& params) {
+  check(params);
+  if (params.cut_mode == CutMode::kClimb) return {regions, params};
+  Work work{mirrored(regions), params};
+  if (params.entry_point) work.params.entry_point = mirrored(*params.entry_point);
+  return work;
+}
+
+}  // namespace
+
+std::vector<Region> reachable_ground(const std::vector<Region>& regions, double tool_diameter,
+                                     double stock_to_leave) {
+  require(tool_diameter > 0 && std::isfinite(tool_diameter),
+          "The tool's diameter must be positive.");
+  require(stock_to_leave >= 0 && std::isfinite(stock_to_leave),
+          "The stock to leave must not be negative.");
+  const double radius = 0.5 * tool_diameter;
+  std::vector<std::string> notes;
+  const auto as_it_is = [](Vec2 p) { return p; };
+  const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, as_it_is, notes);
+  return offset(offset(allowed, -(radius + stock_to_leave + kWallGap)), radius);
+}
+
+Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& regions,
+                  const ClearingParams& params, Progress& progress) {
+  return *clear(clearer, work_of(regions, params), nullptr, progress);
+}
+
+std::optional<Toolpath> clear_abridged_by(const RegionClearer& clearer, const Abridge& abridge,
+                                          const std::vector<Region>& regions,
+                                          const ClearingParams& params, Progress& progress) {
+  Work work = work_of(regions, params);
+  if (params.stock || !params.wall_pass) return std::nullopt;
+  std::vector<std::string> notes;
+  const auto as_it_is = [](Vec2 p) { return p; };
+  const std::vector<Region> allowed =
+      allowed_ground(work.regions, params.tool_diameter, as_it_is, notes);
+  const std::optional<Abridged> abridged =
+      abridge(work.regions, places_of_tool(allowed, params), work.params);
+  if (!abridged) return std::nullopt;
+  work.regions = abridged->regions;
+  work.params.entry_point = abridged->entry_point;
+  try {
+    return clear(clearer, work, &*abridged, progress);
+  } catch (const GeometryError&) {
+    return std::nullopt;  // the whole says what is wrong, if it is
+  }
 }
 
 }  // namespace evenload

@@ -82,7 +82,7 @@ class RegionClearing {
   }
 
  private:
-  Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
+  Vec2 shown(Vec2 p) const { return shown_place(task_, p); }
 
   void report_uncut() {
     if (!leftover_.prepared()) prepare_leftover();
@@ -451,7 +451,7 @@ class RegionClearing {
     std::vector<Candidate> candidates;
     for (const PassStart& start : starts) {
       const bool same_front = last_start && distance(*last_start, start.pose.p) < radius_;
-      const double extra = same_front ? 0 : kLeavingPrice * radius_;
+      const double extra = (same_front ? 0 : kLeavingPrice * radius_) + left_out(start.pose.p);
       candidates.push_back({&start, extra, distance(here_.p, start.pose.p) + extra});
     }
     std::sort(candidates.begin(), candidates.end(),
@@ -470,6 +470,14 @@ class RegionClearing {
       best = candidate.start;
     }
     return *best;
+  }
+
+  // mm at link feed: what the way to `to` takes longer in the whole.
+  double left_out(Vec2 to) const {
+    if (!task_.whole_place) return 0;
+    const double whole = distance(task_.whole_place(here_.p), task_.whole_place(to));
+    return std::max(0.0, whole - distance(here_.p, to)) *
+           std::min(1.0, params_.link_feed / params_.rapid_feed);
   }
 
   void prepare_leftover() {
@@ -519,6 +527,11 @@ class RegionClearing {
 };
 
 }  // namespace
+
+Vec2 shown_place(const RegionTask& task, Vec2 p) {
+  if (task.whole_place) p = task.whole_place(p);
+  return {task.mirrored ? -p.x : p.x, p.y};
+}
 
 RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
                           Progress& progress) {

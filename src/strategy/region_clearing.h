@@ -2,6 +2,7 @@
 // stage by stage.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -35,6 +36,9 @@ struct RegionTask {
   bool mirrored = false;       // places named in notes and errors are to be mirrored back
   // rad: what passes with fewer moves may exceed the engagement angle by.
   double overload = kSmoothOverload;
+  // Where places of the task are in the whole, before they are mirrored; empty: where they are
+  // here.
+  std::function<Vec2(Vec2)> whole_place;
   std::vector<Region> around;  // where links may go; empty: within `centres`
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.
   std::vector<PlanarRun> before;
@@ -42,6 +46,9 @@ struct RegionTask {
   // Not with `rest`.
   RegionResult opening;
 };
+
+// Where a place of the task is shown to the user.
+Vec2 shown_place(const RegionTask& task, Vec2 p);
 
 // Condition: `params` checked; climb milling (the caller mirrors for conventional). Stops early
 // when `progress` is cancelled.

@@ -14,8 +14,8 @@ namespace {
 // Share of the side step at the limit that is left beside a wall at most: the scallops of the
 // pattern come on top.
 constexpr double kMostBeside = 0.9;
-// Share of half the room: a pattern that is narrower hardly advances.
-constexpr double kMostOfRoom = 1.0 / 3;
+// Shares of half the room that are tried, the last the most.
+constexpr double kOfRoom[] = {1.0 / 3, 0.5};
 
 // min for a mm of the slot: the pattern, and the passes along both walls.
 double time_per_length(const PatternFigures& figures, const TrochoidPattern& pattern,
@@ -46,7 +46,7 @@ double most_beside(const TrochoidParams& slot) {
     const double wall = 1 / std::abs(slot.curvature) + 0.5 * slot.width;
     limit = side_step_on_contour(slot.engagement, slot.tool_radius, wall, Contour::kConcave);
   }
-  return std::min(kMostBeside * limit, kMostOfRoom * half_room(slot));
+  return std::min(kMostBeside * limit, kOfRoom[1] * half_room(slot));
 }
 
 std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot) {
@@ -58,20 +58,21 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
     best.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};
   double least = time_per_length(figures_of(*whole, slot), *whole, slot, 0);
   best.pattern = std::move(*whole);
-  if (kind == TrochoidKind::kConstantEngagement) {
-    TrochoidParams narrow = slot;
-    narrow.finish_walls = false;
-    const double beside = most_beside(slot);
-    narrow.width -= 2 * beside;
-    std::optional<TrochoidPattern> pattern = make_pattern(kind, narrow);
-    const double time =
-        pattern ? time_per_length(figures_of(*pattern, narrow), *pattern, slot, beside) : least;
-    if (time < least) {
+  if (kind == TrochoidKind::kConstantEngagement)
+    for (const double share : kOfRoom) {
+      const double beside = std::min(most_beside(slot), share * half_room(slot));
+      if (beside <= best.beside) break;
+      TrochoidParams narrow = slot;
+      narrow.finish_walls = false;
+      narrow.width -= 2 * beside;
+      std::optional<TrochoidPattern> pattern = make_pattern(kind, narrow);
+      if (!pattern) break;
+      const double time = time_per_length(figures_of(*pattern, narrow), *pattern, slot, beside);
+      if (time >= least) break;
       least = time;
       best.pattern = std::move(*pattern);
       best.beside = beside;
     }
-  }
   best.reach = reach_of(best.pattern);
   best.removal = slot.width / least;
   return best;

@@ -1,9 +1,14 @@
 #include "strategy/slot_rooms.h"
 
+#include <utility>
+
 #include "support/errors.h"
 
 namespace evenload {
 namespace {
+
+// Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
+constexpr double kLongestEnd = 8;
 
 std::optional<WallPlace> place_on_wall(const Area& centres, Vec2 p) {
   const BoundaryIndex::Hit hit = centres.nearest(p);
@@ -59,6 +64,21 @@ std::optional<Region> room_between(const Region& region, const Area& centres,
   border.push_back(back);
   if (!go_along(centres, back.b, front.front().a, border)) return std::nullopt;
   return closed_room(region, border);
+}
+
+bool is_end(const Region& room, const SlotStretch& stretch, double s) {
+  const double h = stretch.half_room;
+  return room.area() < kLongestEnd * h * h + 2 * h * s;
+}
+
+std::optional<StartRoom> start_room(const Region& region, const Area& centres,
+                                    const SlotStretch& stretch, double s,
+                                    const std::vector<Segment>& front) {
+  std::optional<Region> room = room_behind(region, centres, front);
+  if (room && is_end(*room, stretch, s)) return StartRoom{std::move(*room), true};
+  room = room_between(region, centres, stretch, s - stretch.half_room, front);
+  if (!room) return std::nullopt;
+  return StartRoom{std::move(*room), false};
 }
 
 }  // namespace evenload

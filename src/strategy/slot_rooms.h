@@ -20,10 +20,23 @@ std::vector<Segment> round_front(const SlotStretch& stretch, double s);
 std::optional<Region> room_behind(const Region& region, const Area& centres,
                                   const std::vector<Segment>& front);
 
+// True where a room behind a front `s` mm along the stretch is the end of a slot, and no more.
+bool is_end(const Region& room, const SlotStretch& stretch, double s);
+
 // What lies between `front` and half a circle behind `s` mm along the stretch. Nothing where the
 // walls end before.
 std::optional<Region> room_between(const Region& region, const Area& centres,
                                    const SlotStretch& stretch, double s,
                                    const std::vector<Segment>& front);
+
+// From the front of a period `s` mm along the stretch down to the end of the slot, or where that
+// has none, no further than a helix as wide as the slot needs.
+struct StartRoom {
+  Region room;
+  bool is_end = false;
+};
+std::optional<StartRoom> start_room(const Region& region, const Area& centres,
+                                    const SlotStretch& stretch, double s,
+                                    const std::vector<Segment>& front);
 
 }  // namespace evenload

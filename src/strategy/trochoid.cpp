@@ -1,442 +1,85 @@
 #include "strategy/trochoid.h"
 
-#include <algorithm>
-#include <cmath>
-#include <limits>
 #include <optional>
-#include <string>
 #include <utility>
 
-#include "feed/load_profile.h"
-#include "geometry/box_tree.h"
-#include "strategy/entry.h"
-#include "strategy/links.h"
-#include "strategy/mirror.h"
+#include "strategy/abridged.h"
+#include "strategy/pattern_cache.h"
 #include "strategy/slot.h"
-#include "strategy/slot_rooms.h"
-#include "strategy/trochoid_notes.h"
-#include "strategy/trochoid_pattern.h"
-#include "support/errors.h"
+#include "strategy/slot_abridging.h"
+#include "strategy/slot_unabridging.h"
 
 namespace evenload {
 namespace {
 
-// Fewer periods are not worth a pattern.
-constexpr int kFewestPeriods = 4;
-// Steps between two places that are tried for a first period: how much of a step may be lost.
-constexpr double kTrySpacing = 0.25;
-// rad^3: below the limit, times its square, is what steering aims at here, since it may pass that
-// by kSmoothOverload, and by more where a cusp is met at a small angle.
-constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
-constexpr double kMostPassRoom = 0.05;  // of the limit
-// Share of the tool's radius: between two looks along a cut that shall be clear.
-constexpr double kLook = 0.1;
-// Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
-constexpr double kLongestEnd = 8;
-// Share of a step: what is thinner in front of a period is a scallop.
-constexpr double kScallop = 0.25;
-// Share of a step: what is thinner is no material where a period shall cut nothing.
-constexpr double kThin = 0.002;
-// Of unit vectors: towards the front, not the walls.
-constexpr double kAcross = 0.5;
-// Share of the tool's radius: between two looks for material along a middle.
-constexpr double kMiddleLook = 0.5;
-constexpr double kSameArea = 1e-6;  // mm^2
-// mm and 1/mm: of half rooms and curvatures.
-constexpr double kAlike = 1e-9;
+// So often is less taken out of slots, where something was found to be done there only once.
+constexpr int kMostAttempts = 3;
 
-// A stretch with the pattern that fits it, in the direction of its middle.
-struct Way : SlotPattern {
-  SlotStretch stretch;
-  double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period, mm
-};
-
-ClearingParams for_passes(ClearingParams params) {
-  const double limit = params.engagement_angle;
-  params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
-  return params;
+// What is left of long slots, but for pieces that were found not to be worth it.
+std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
+                                       const std::vector<Region>& centres,
+                                       const ClearingParams& params, PatternCache& patterns,
+                                       std::vector<SlotPiece>& spared, SlotsDone& done) {
+  Abridged abridged;
+  abridged.entry_point = params.entry_point;
+  const double radius = 0.5 * params.tool_diameter;
+  done.cuts = cuts_of(
+      regions, find_slots(Area(centres), (kWidestSlot - 1) * radius), spared, params,
+      [&](const SlotStretch& stretch) { return patterns.pattern_of(stretch); },
+      abridged.entry_point);
+  if (done.cuts.empty()) return std::nullopt;
+  abridged.regions = done.cuts.back().ground;
+  abridged.whole_place = WholePlaces(done.cuts);
+  abridged.unabridge = [&done, &spared, params](std::vector<PlanarRun>& runs) {
+    return unabridge(runs, done.cuts, done.repeated, params, spared);
+  };
+  return abridged;
 }
-
-class SlotClearing {
- public:
-  SlotClearing(TrochoidKind kind, const RegionTask& task, const ClearingParams& params,
-               TrochoidReport& report, Progress& progress)
-      : kind_(kind),
-        task_(task),
-        params_(params),
-        passes_(for_passes(params)),
-        report_(report),
-        progress_(progress),
-        radius_(0.5 * params.tool_diameter),
-        turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
-        centres_({task.centres}),
-        ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr) {
-    if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
-  }
-
-  RegionResult run() {
-    const double before = report_.length;
-    if (!task_.rest && task_.before.empty()) {
-      find_ways();
-      if (start()) follow_ways();
-    }
-    const bool is_repeated = report_.length > before;
-    RegionTask rest = task_;
-    rest.opening = std::move(opening_);
-    RegionResult result = clear_region(rest, passes_, progress_);
-    if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
-    return result;
-  }
-
- private:
-  // ---- where no pattern is repeated ----
-
-  std::string told_fallback() const {
-    const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
-                                        : task_.centres.outer.vertices()[0].p;
-    return fallback_note(kind_, task_.mirrored ? mirrored(place) : place, why_none());
-  }
-
-  std::string why_none() const {
-    if (task_.rest || !task_.before.empty())
-      return "where earlier cuts left the material in pieces of any shape";
-    if (!longest_stretch_) {
-      if (find_slots(centres_, std::numeric_limits<double>::infinity()).empty())
-        return "where no walls stay equally far apart, straight or as arcs about one centre, for "
-               "as long as the slot is wide";
-      return "where the walls are more than four tool diameters apart";
-    }
-    if (is_too_short_) return "where the slot is too short for a few periods";
-    if (ways_.empty()) return "where the tool has too little room to turn in the slot";
-    return "where no ground for a first period could be cleared";
-  }
-
-  // ---- the ways ----
-
-  void find_ways() {
-    for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
-      if (!longest_stretch_) longest_stretch_ = stretch;
-      add_way(stretch);
-      add_way(stretch.reversed());
-    }
-    is_too_short_ = is_too_short_ && ways_.empty();
-  }
-
-  void add_way(const SlotStretch& stretch) {
-    TrochoidParams slot;
-    slot.tool_radius = radius_;
-    slot.width = 2 * (radius_ + stretch.half_room);
-    slot.curvature = stretch.middle.curvature();
-    slot.engagement = params_.engagement_angle;
-    slot.turn_radius = turn_radius_;
-    slot.feed = params_.feed;
-    slot.maximum_feed =
-        params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
-    slot.link_feed = params_.link_feed;
-    if (std::abs(slot.curvature) * 0.5 * slot.width >= 1) return;
-    const std::optional<SlotPattern> pattern = pattern_for(slot);
-    if (!pattern) return;
-    const Way way{*pattern, stretch};
-    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
-      is_too_short_ = true;
-      return;
-    }
-    ways_.push_back(way);
-  }
-
-  // Stretches of one width and curvature share a pattern.
-  std::optional<SlotPattern> pattern_for(const TrochoidParams& slot) const {
-    for (const Way& way : ways_)
-      if (std::abs(way.stretch.half_room - half_room(slot)) < kAlike &&
-          std::abs(way.pattern.curvature - slot.curvature) < kAlike)
-        return way;
-    return slot_pattern(kind_, slot);
-  }
-
-  std::vector<Segment> cut_at(const Way& way, double s) const {
-    return placed(way.pattern.cut, pose_on(way.stretch, s));
-  }
-
-  // ---- the start ----
-
-  // Makes ground in which a way can begin. False where there is none.
-  bool start() {
-    if (ways_.empty()) return false;
-    if (task_.hole) return clear_room_about_hole();
-    if (params_.entry == EntryKind::kPredrilledHole) return false;
-    if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic)
-      for (const Way& way : ways_)
-        if (first_free(way)) return true;
-    return clear_smallest_end();
-  }
-
-  // The smallest end of one of the longest ways.
-  bool clear_smallest_end() {
-    std::optional<Region> best;
-    for (const Way& way : ways_) {
-      if (way.stretch.middle.length() < ways_.front().stretch.middle.length() - kSameWall) break;
-      std::optional<Region> room = start_room(way, first_place(way));
-      if (room && (!best || room->area() < best->area() - kSameArea)) best = std::move(room);
-    }
-    return best && clear_room(*best);
-  }
-
-  bool clear_room_about_hole() {
-    for (const Way& way : ways_) {
-      const Segment& middle = way.stretch.middle;
-      if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
-      const double at = middle.nearest(*task_.hole) * middle.length();
-      if (at > 0.5 * middle.length() + kSameWall) continue;  // the way back has it nearer
-      const std::optional<Region> room = start_room(way, std::max(first_place(way), at));
-      return room && room->contains(*task_.hole) && clear_room(*room);
-    }
-    return false;
-  }
-
-  // The first place of a period that leaves room behind its front for a helix as wide as the slot.
-  double first_place(const Way& way) const {
-    const double h = way.stretch.half_room;
-    const double helix = helix_radius(params_, {{}, h});
-    const double wish = 2 * h + (task_.hole ? 0 : wished_stretch(helix, params_));
-    return std::max(-way.reach.back, wish - way.reach.ahead);
-  }
-
-  // From the front of a period at `s` down to the end of the slot, or where that has none, no
-  // further than a helix needs.
-  std::optional<Region> start_room(const Way& way, double s) const {
-    const double h = way.stretch.half_room;
-    const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
-    std::optional<Region> room = room_behind(task_.centres, centres_, front);
-    if (room && room->area() < kLongestEnd * h * h + 2 * h * s) return room;
-    return room_between(task_.centres, centres_, way.stretch, s - h, front);
-  }
-
-  // False where the tool finds no way in; then the whole region may still have one.
-  bool clear_room(const Region& room) {
-    RegionTask task = task_;
-    task.centres = room;
-    task.around = {task_.centres};
-    task.is_part = true;
-    try {
-      task.opening = opening_;
-      RegionResult cleared = clear_region(task, passes_, progress_);
-      take(std::move(cleared));
-      return !opening_.runs.empty();
-    } catch (const GeometryError&) {
-      return false;
-    }
-  }
-
-  // ---- the way ----
-
-  // The last place before the material at which a whole period would cut nothing; none where there
-  // is no such place, or nothing to be cut beyond it.
-  std::optional<double> first_free(const Way& way) const {
-    const std::optional<double> edge = edge_of_material(way);
-    if (!edge) return std::nullopt;
-    const double reach = way.reach.ahead - way.reach.back + 2 * radius_;
-    std::optional<double> last;
-    for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
-         s += kTrySpacing * way.pattern.step)
-      if (is_clear(cut_at(way, s), kThin * way.pattern.step))
-        last = s;
-      else if (last)
-        break;
-    return last && has_work(way, *last + way.pattern.step) ? last : std::nullopt;
-  }
-
-  // Where the middle leads from cleared ground into material for the first time, to a look.
-  std::optional<double> edge_of_material(const Way& way) const {
-    bool was_clear = false;
-    for (double s = 0; s <= way.stretch.middle.length(); s += kMiddleLook * radius_) {
-      const bool clear = ground_.is_cleared_point(pose_on(way.stretch, s).p);
-      if (was_clear && !clear) return s;
-      was_clear = clear;
-    }
-    return std::nullopt;
-  }
-
-  // Whether a period at `s` would take more than the scallops that another one left.
-  bool has_work(const Way& way, double s) const {
-    for (const Segment& move : cut_at(way, s)) {
-      const Vec2 p = move.point(0.5), right = -left_normal(move.tangent(0.5));
-      if (!ground_.is_cleared_point(p + (radius_ - kScallop * way.pattern.step) * right) &&
-          std::abs(dot(right, unit(pose_on(way.stretch, s).heading))) > kAcross)
-        return true;
-    }
-    return false;
-  }
-
-  // `thin` mm: what is no thicker does not count.
-  bool is_clear(const std::vector<Segment>& moves, double thin) const {
-    for (const Segment& move : moves) {
-      const int n = static_cast<int>(std::ceil(move.length() / (kLook * radius_)));
-      for (int i = 0; i <= n; ++i)
-        if (!ground_.is_clear(move.point(static_cast<double>(i) / n), thin)) return false;
-    }
-    return true;
-  }
-
-  void follow_ways() {
-    for (bool found = true; found && !progress_.cancelled();) {
-      found = false;
-      for (const Way& way : ways_) {
-        const std::optional<double> free = first_free(way);
-        if (!free || *free + way.pattern.step > way.last()) continue;
-        const double end = follow(way, *free + way.pattern.step);
-        if (way.beside > 0) clear_end(way, end);
-        found = true;
-        break;
-      }
-    }
-  }
-
-  // The end of the slot beyond a period at `s`, so that the walls are left to passes from there.
-  void clear_end(const Way& way, double s) {
-    const SlotStretch back = way.stretch.reversed();
-    const double h = back.half_room, from = back.middle.length() - s - way.reach.back;
-    const std::optional<Region> room =
-        room_behind(task_.centres, centres_, round_front(back, from));
-    if (room && room->area() < kLongestEnd * h * h + 2 * h * from) clear_room(*room);
-  }
-
-  // Repeats the pattern from the place `from` on; returns the last place.
-  double follow(const Way& way, double from) {
-    const double step = way.pattern.step, begin = from;
-    double s = from;
-    for (; s <= way.last() && has_work(way, s) && !progress_.cancelled(); s += step) {
-      const std::vector<Segment> cut = cut_at(way, s);
-      const bool is_first = s == begin;
-      // Once as much is cut as a period reaches, the ground is what the pattern left.
-      const bool is_sure = s - begin > way.reach.ahead - way.reach.back + 2 * radius_;
-      if (is_first)
-        go_to({cut.front().a, angle_of(cut.front().tangent(0))});
-      else
-        link_back(placed(way.pattern.link, pose_on(way.stretch, s - step)), is_sure,
-                  {cut.front().a, angle_of(cut.front().tangent(0))});
-      add(MoveKind::kCut, cut);
-      ++opening_.passes;
-      progress_.report(std::min(1.0, s / way.stretch.middle.length()));
-    }
-    note(way, s - begin);
-    return s - step;
-  }
-
-  void link_back(const std::vector<Segment>& link, bool is_sure, const Pose& to) {
-    if (!is_sure && !is_free({ground_, ground_.size()}, centres_, link, length_of(link))) {
-      go_to(to);
-      return;
-    }
-    add(MoveKind::kLink, link);
-    ++opening_.links;
-  }
-
-  void go_to(const Pose& to) {
-    if (opening_.runs.empty()) {
-      append({{DescentKind::kPlunge, to.p, {}, 0, {}, false}, {}, true});
-      return;
-    }
-    const std::vector<Segment> link =
-        quicker_link({ground_, ground_.size()}, centres_, here_, to, turn_radius_, params_);
-    if (link.empty()) {
-      append({{DescentKind::kPlunge, to.p, {}, 0, {}, true}, {}, false});
-      return;
-    }
-    add(MoveKind::kLink, link);
-    ++opening_.links;
-  }
-
-  // Goes on from what has grown out of the opening.
-  void take(RegionResult grown) {
-    const std::size_t runs = opening_.runs.size();
-    const std::size_t moves = runs > 0 ? opening_.runs.back().moves.size() : 0;
-    for (std::size_t i = runs > 0 ? runs - 1 : 0; i < grown.runs.size(); ++i) {
-      const PlanarRun& run = grown.runs[i];
-      if (i >= runs) add_descent(run.descent, ground_);
-      for (std::size_t k = i < runs ? moves : 0; k < run.moves.size(); ++k)
-        ground_.add(run.moves[k].segment);
-    }
-    opening_ = std::move(grown);
-    if (opening_.runs.empty()) return;
-    const PlanarRun& run = opening_.runs.back();
-    here_ = {run.descent.at, 0};
-    if (!run.moves.empty())
-      here_ = {run.moves.back().segment.b, angle_of(run.moves.back().segment.tangent(1))};
-  }
-
-  void append(PlanarRun run) {
-    add_descent(run.descent, ground_);
-    for (const PlanarMove& move : run.moves) ground_.add(move.segment);
-    here_ = {run.descent.at, 0};
-    if (!run.moves.empty()) {
-      const Segment& last = run.moves.back().segment;
-      here_ = {last.b, angle_of(last.tangent(1))};
-    }
-    opening_.runs.push_back(std::move(run));
-  }
-
-  void add(MoveKind kind, const std::vector<Segment>& moves) {
-    for (const Segment& move : moves) {
-      PlanarMove planar;
-      planar.kind = kind;
-      planar.segment = move;
-      opening_.runs.back().moves.push_back(planar);
-      ground_.add(move);
-    }
-    here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
-  }
-
-  void note(const Way& way, double length) {
-    report_.length += length;
-    note_residual(way);
-    if (length <= report_.longest) return;
-    report_.longest = length;
-    report_.step = way.pattern.step;
-    report_.iterations = iterations(way);
-    report_.residual = iterations(way) == 0 ? 0 : way.pattern.residuals.back();
-    report_.removal_rate = way.removal * (params_.top - params_.levels.front());
-  }
-
-  static int iterations(const Way& way) {
-    return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
-  }
-
-  // Once for all ways of one pattern.
-  void note_residual(const Way& way) {
-    if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
-    const std::string note = unsettled_note(iterations(way), way.pattern.residuals.back());
-    std::vector<std::string>& notes = opening_.notes;
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
-  }
-
-  TrochoidKind kind_;
-  const RegionTask& task_;
-  const ClearingParams& params_;
-  ClearingParams passes_;
-  TrochoidReport& report_;
-  Progress& progress_;
-  double radius_, turn_radius_;
-  Area centres_;
-  ClearedGround ground_;
-  std::vector<Way> ways_;  // the longest first, both directions of each
-  RegionResult opening_;
-  Pose here_;
-  std::optional<SlotStretch> longest_stretch_;
-  bool is_too_short_ = false;  // every stretch with a pattern
-};
 
 }  // namespace
 
-TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
-                          const ClearingParams& params, Progress& progress) {
-  TrochoidalPath result;
+std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
+                                                   PatternCache& patterns,
+                                                   const ClearingParams& params,
+                                                   Progress& progress) {
+  std::vector<SlotPiece> spared;
+  for (int attempt = 0; attempt < kMostAttempts; ++attempt) {
+    SlotsDone done;
+    const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
+                                      Progress& share) {
+      return clear_slots_of(task, checked, patterns, done, share);
+    };
+    const Abridge abridge = [&](const std::vector<Region>& whole,
+                                const std::vector<Region>& centres, const ClearingParams& checked) {
+      return abridged_slots(whole, centres, checked, patterns, spared, done);
+    };
+    const std::size_t known = spared.size();
+    if (std::optional<Toolpath> path =
+            clear_abridged_by(clearer, abridge, regions, params, progress))
+      return TrochoidalPath{std::move(*path), done.report};
+    if (spared.size() == known) break;
+  }
+  return std::nullopt;
+}
+
+TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCache& patterns,
+                                 const ClearingParams& params, Progress& progress) {
+  SlotsDone done;
   const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
                                     Progress& share) {
-    return SlotClearing(kind, task, checked, result.report, share).run();
+    return clear_slots_of(task, checked, patterns, done, share);
   };
-  result.path = clear_by(clearer, regions, params, progress);
-  return result;
+  Toolpath path = clear_by(clearer, regions, params, progress);
+  return {std::move(path), done.report};
+}
+
+TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
+                          const ClearingParams& params, Progress& progress) {
+  ClearingParams fine = params;
+  fine.feed_steps = kSlotFeedSteps;
+  PatternCache patterns(kind, fine);
+  std::optional<TrochoidalPath> path = clear_abridged_slots(regions, patterns, fine, progress);
+  return path ? std::move(*path) : clear_whole_slots(regions, patterns, fine, progress);
 }
 
 }  // namespace evenload

@@ -8,39 +8,40 @@
 //    every other stretch that it can begin in over cleared ground, whichever way.
 // 4. What is left, the walls, and places of varying width, is cleared pass by pass.
 //
+// Slots that are longer than that takes are made shorter first, and their paths longer after
+// (slot_abridging.h): the time to compute does not grow with a slot's length, but for the output.
+//
 // A note tells of every region in which no pattern is repeated, and of patterns that have not
 // settled.
 #pragma once
 
+#include <optional>
 #include <vector>
 
+#include "strategy/pattern_cache.h"
 #include "strategy/pocket.h"
+#include "strategy/slot_clearing.h"
 #include "strategy/slot_pattern.h"
 
 namespace evenload {
-
-// Of the longest way along which a pattern was repeated at once, in any region; all 0 where none
-// was.
-struct TrochoidReport {
-  double step = 0;          // mm, of its pattern
-  int iterations = 0;       // passes that were steered; 0 for patterns found in one go
-  double residual = 0;      // mm, at the end of the iteration
-  double removal_rate = 0;  // mm^3/min at the first level: the slot's width times its depth over
-                            // the time per mm, links and wall passes in it, entry and ends not
-  double longest = 0;       // mm, of this way
-  double length = 0;        // mm of slot along which patterns are repeated, all regions together
-};
 
 struct TrochoidalPath {
   Toolpath path;
   TrochoidReport report;
 };
 
-// Slots wider than this many tool diameters are pockets: they are cleared pass by pass.
-inline constexpr double kWidestSlot = 4;
-
 // Arguments and errors as for clear_pocket.
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress);
+
+// Its two ways to get there. By way of shorter slots; nothing where none is long enough, or their
+// path cannot be made longer.
+std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
+                                                   PatternCache& patterns,
+                                                   const ClearingParams& params,
+                                                   Progress& progress);
+// As they are.
+TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCache& patterns,
+                                 const ClearingParams& params, Progress& progress);
 
 }  // namespace evenload

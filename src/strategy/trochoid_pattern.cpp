@@ -17,10 +17,14 @@ namespace evenload {
 namespace {
 
 constexpr int kMostPasses = 30;
+// Passes at most that are looked at together.
+constexpr std::size_t kMostAlternating = 6;
 // Shares of half the room that are tried as turn radii, up to the wish.
-constexpr double kTurnShares[] = {0.1, 0.3, 0.8};
+constexpr double kTurnShares[] = {0.05, 0.1, 0.3, 0.8};
+// Share of the best removal rate: below, wider turns are not tried either.
+constexpr double kWorthMore = 0.985;
 // Share of the tool's radius: no turn is tighter for the sake of the removal rate.
-constexpr double kTightestTurn = 0.05;
+constexpr double kTightestTurn = 0.025;
 // Share of the tool's radius: so far before the end of the last pass on the wall the next begins.
 constexpr double kRunUp = 0.1;
 // Places at which the advance of a front is looked at.
@@ -185,28 +189,43 @@ TrochoidPattern pattern_of(const PassSequence& sequence, const Passes& passes,
   return pattern;
 }
 
+// mm: by how much the advance differs from place to place, of the last pass or, where that is less,
+// in the mean of a few: once settled, passes go on to alternate within the steering's tolerance.
+// Condition: two fronts at least.
+double residual_of(const std::vector<Front>& fronts) {
+  double residual = std::numeric_limits<double>::infinity();
+  const std::size_t most = std::min<std::size_t>(kMostAlternating, fronts.size() - 1);
+  for (std::size_t k = 1; k <= most; ++k) {
+    const Front &now = fronts.back(), &before = fronts[fronts.size() - 1 - k];
+    double least = std::numeric_limits<double>::infinity(), furthest = -least;
+    for (int i = 0; i < kFrontLooks; ++i) {
+      least = std::min(least, now[i] - before[i]);
+      furthest = std::max(furthest, now[i] - before[i]);
+    }
+    residual = std::min(residual, (furthest - least) / static_cast<double>(k));
+  }
+  return residual;
+}
+
 PassSequence iterate(Passes& passes, const TrochoidParams& params, int most) {
   PassSequence result;
-  Front last{};
+  std::vector<Front> fronts;
   const auto is_settled = [&] {
     return !result.residuals.empty() && result.residuals.back() < kSettled * params.tool_radius;
   };
   for (int k = 0; k < most && !is_settled(); ++k) {
     std::vector<Segment> pass = passes.next();
     if (pass.empty()) break;
-    const Front front = passes.front_of(pass);
+    fronts.push_back(passes.front_of(pass));
     // One that ends on its way across leaves a front to the next that has yet to be taken.
-    if (!std::isfinite(mean_of(front))) continue;
-    if (!result.passes.empty()) {
-      double least = std::numeric_limits<double>::infinity(), most_advance = -least;
-      for (int i = 0; i < kFrontLooks; ++i) {
-        least = std::min(least, front[i] - last[i]);
-        most_advance = std::max(most_advance, front[i] - last[i]);
-      }
-      result.residuals.push_back(most_advance - least);
-      result.advance = mean_of(front) - mean_of(last);
+    if (!std::isfinite(mean_of(fronts.back()))) {
+      fronts.pop_back();
+      continue;
     }
-    last = front;
+    if (!result.passes.empty()) {
+      result.residuals.push_back(residual_of(fronts));
+      result.advance = mean_of(fronts.back()) - mean_of(fronts.end()[-2]);
+    }
     result.passes.push_back(std::move(pass));
   }
   return result;
@@ -252,6 +271,7 @@ std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams&
     std::optional<TrochoidPattern> pattern = settled_pattern(params, turn);
     if (!pattern) continue;
     const double removal = figures_of(*pattern, params).removal;
+    if (removal < kWorthMore * most) break;
     if (removal <= most) continue;
     most = removal;
     best = std::move(pattern);

@@ -20,12 +20,22 @@ namespace {
 constexpr double kLook = 0.1;
 // Steps are found to this share of the tool's radius.
 constexpr double kStepShare = 2e-4;
-// Shares of half the room: turn radii of links that are tried, beside their halves.
-constexpr double kLinkTurns[] = {0.9, 0.6, 0.35};
-// Widths of the slot: no link back is longer.
+// Shares of half the room: turn radii of links that are tried at either end.
+constexpr double kLinkTurns[] = {0.03, 0.05, 0.08, 0.13, 0.2, 0.35, 0.6, 0.9};
+// The same where left turns alone do not lead back, beside their halves.
+constexpr double kOtherTurns[] = {0.9, 0.6, 0.35};
+// Widths of the slot: no such link is longer.
 constexpr double kLongestLink = 4;
+// Share of the tool's radius: a link turns no more tightly, but as the pattern itself does.
+constexpr double kTightestLink = 0.03;
+// mm: of a link's ends, along which it may graze.
+constexpr double kLinkEnds = 0.06;
+// Rounding.
+constexpr double kNoLength = 1e-7;
 // How much smaller a step is tried while none is known that keeps the limit.
 constexpr double kSmallerStep = 0.9;
+// So many steps are tried at most where the overload is expected, before halving goes on.
+constexpr int kMostInProportion = 8;
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -85,10 +95,26 @@ class Repeated {
   ClearedGround ground_;
 };
 
-bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
+// rad, above the limit; negative below.
+double overload_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
   std::vector<PlanarRun> runs;
   const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
-  return worst_engagement(runs, profile, kMeanLength) <= most_engagement(params);
+  return worst_engagement(runs, profile, kMeanLength) - most_engagement(params);
+}
+
+// A step that was tried.
+struct Tried {
+  double step = 0, overload = 0;
+};
+
+// The step to be tried between one that keeps the limit and one that does not: where the overload
+// would vanish if it grew in proportion, a little towards the end that was not tried last, so that
+// both come near.
+double step_between(const Tried& kept, const Tried& too_long, bool last_kept, double exact) {
+  const double share = kept.overload / (kept.overload - too_long.overload);
+  const double step = kept.step + share * (too_long.step - kept.step);
+  return std::clamp(step + (last_kept ? 0.5 : -0.5) * exact, kept.step + 0.4 * exact,
+                    too_long.step - 0.4 * exact);
 }
 
 // min, of a period, its feeds set as those of every path.
@@ -101,7 +127,7 @@ double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
     move.segment = segment;
     runs[0].moves.push_back(move);
   }
-  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed};
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, kSlotFeedSteps};
   if (params.maximum_feed > params.feed)
     set_constant_load(runs, profile, feeds);
   else
@@ -109,6 +135,24 @@ double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
   double time = 0;
   for (const PlanarMove& move : runs[0].moves) time += move.segment.length() / move.feed;
   return time;
+}
+
+// Left turn, straight on, left turn, by radii of their own. Empty where there is no such way.
+std::vector<Segment> left_turns(const Pose& from, const Pose& to, double first, double second) {
+  const Vec2 one = from.p + first * left_normal(unit(from.heading)),
+             two = to.p + second * left_normal(unit(to.heading)), d = two - one;
+  if (norm(d) <= std::abs(second - first)) return {};
+  const double heading = angle_of(d) - std::asin((second - first) / norm(d));
+  const double turned = wrap_positive(heading - from.heading),
+               left = wrap_positive(to.heading - heading);
+  if (turned + left > 2 * kPi - kNoLength) return {};
+  std::vector<Segment> moves;
+  if (turned > kNoLength) moves.push_back(Segment::arc(one, first, from.heading - kPi / 2, turned));
+  const Vec2 a = one - first * left_normal(unit(heading)),
+             b = two - second * left_normal(unit(heading));
+  if (distance(a, b) > kNoLength) moves.push_back(Segment::line(a, b));
+  if (left > kNoLength) moves.push_back(Segment::arc(two, second, heading - kPi / 2, left));
+  return moves;
 }
 
 }  // namespace
@@ -202,16 +246,20 @@ std::optional<TrochoidPattern> with_greatest_step(
     double most) {
   const double exact = kStepShare * params.tool_radius;
   std::optional<TrochoidPattern> best;
-  double low = 0, high = most;
-  for (double step = most; step > exact && high - low > exact;
-       step = best ? 0.5 * (low + high) : kSmallerStep * high) {
+  Tried low, high{most, 0};
+  double step = most;
+  for (int tries = 1; step > exact && high.step - low.step > exact; ++tries) {
     TrochoidPattern pattern = of_step(step);
-    if (!keeps_limit(pattern, params)) {
-      high = step;
-      continue;
-    }
-    best = std::move(pattern);
-    low = step;
+    const Tried tried{step, overload_of(pattern, params)};
+    const bool keeps = tried.overload <= 0;
+    (keeps ? low : high) = tried;
+    if (keeps) best = std::move(pattern);
+    if (!best)
+      step = kSmallerStep * high.step;
+    else if (tries < kMostInProportion && high.overload > low.overload)
+      step = step_between(low, high, keeps, exact);
+    else
+      step = 0.5 * (low.step + high.step);
   }
   return best;
 }
@@ -224,13 +272,25 @@ std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const Troch
   const Segment &first = pattern.cut.front(), &last = pattern.cut.back();
   const Segment next = placed(first, place_along(pattern.curvature, pattern.step));
   const Pose from{last.b, angle_of(last.tangent(1))}, to{next.a, angle_of(next.tangent(0))};
-  const double h = half_room(params);
+  const double h = half_room(params),
+               least = std::min(kTightestLink * params.tool_radius, pattern.turn_radius);
+  std::vector<std::vector<Segment>> ways;
+  for (const double one : kLinkTurns)
+    for (const double other : kLinkTurns) {
+      if (std::min(one, other) * h < least) continue;
+      std::vector<Segment> way = left_turns(from, to, one * h, other * h);
+      if (!way.empty()) ways.push_back(std::move(way));
+    }
+  std::stable_sort(ways.begin(), ways.end(),
+                   [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+  for (const std::vector<Segment>& way : ways)
+    if (is_free({ground, ground.size()}, centres, way, kLinkEnds)) return way;
+  // Where the last turn has gone beyond the way back, right turns as well.
   std::vector<Segment> best;
-  for (const double share : kLinkTurns) {
-    std::vector<Segment> link = shortest_link({ground, ground.size()}, centres, from, to, share * h,
-                                              kLongestLink * params.width);
-    if (!link.empty() && (best.empty() || length_of(link) < length_of(best)))
-      best = std::move(link);
+  for (const double share : kOtherTurns) {
+    std::vector<Segment> way = shortest_link({ground, ground.size()}, centres, from, to, share * h,
+                                             kLongestLink * params.width);
+    if (!way.empty() && (best.empty() || length_of(way) < length_of(best))) best = std::move(way);
   }
   return best;
 }

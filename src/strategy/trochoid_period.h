@@ -17,6 +17,7 @@
 #include <vector>
 
 #include "cutting/cleared_ground.h"
+#include "feed/feed_control.h"
 #include "geometry/curve.h"
 #include "strategy/steering.h"
 
@@ -82,6 +83,9 @@ struct PatternFigures {
   double time = 0;                         // min, of a period
   double removal = 0;                      // mm^2/min: width * step / time
 };
+// The load changes all along a period, and there are hundreds of them: steps of the feed that a
+// long pass would hardly gain by are a good part of their time. 0.1 mm take 6 ms at 1000 mm/min.
+inline constexpr FeedSteps kSlotFeedSteps{0.004, 0.1};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 

@@ -125,6 +125,25 @@ TEST(FeedControl, NeverExceedsTheLoadAndCoversEveryMoveExactly) {
   }
 }
 
+TEST(FeedControl, IsTheFasterTheFinerItsSteps) {
+  std::mt19937 random(7);
+  double coarse_time = 0, fine_time = 0;
+  for (int round = 0; round < 10; ++round) {
+    const std::vector<PlanarRun> runs = random_runs(random);
+    const std::vector<LoadSample> profile = random_profile(random, runs);
+    FeedParams params;
+    for (const FeedSteps& steps : {FeedSteps{}, FeedSteps{0.002, 0.1}}) {
+      std::vector<PlanarRun> timed = runs;
+      params.steps = steps;
+      set_constant_load(timed, profile, params);
+      double& time = steps.shortest < FeedSteps{}.shortest ? fine_time : coarse_time;
+      for (const PlanarRun& run : timed)
+        for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed;
+    }
+  }
+  EXPECT_LT(fine_time, 0.99 * coarse_time);
+}
+
 TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
   // A change of feed where a move ends has a price of half a millisecond.
   constexpr double kPricePerMove = 0.0005;

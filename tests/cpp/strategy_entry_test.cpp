@@ -90,6 +90,28 @@ TEST(Entry, KeepsItsHelixRoundWhereThatRemovesAsMuchAsACut) {
   std::optional<Entry> entry = descend_within(Area({wide}), widest(wide), params);
   stretch_helix(*entry, Area({wide}), params);
   EXPECT_EQ(norm(entry->descent.stretch), 0);
+TEST(Entry, StretchesAHelixAlongASlotWithRoundEndsFromEitherOfThem) {
+  ClearingParams params;
+  for (const double degrees : {60.0, 90.0, 110.0, 150.0})
+    for (const double room : {0.75, 1.5, 2.0})
+      for (const double angle : {0.0, 0.4, 1.2, 2.5}) {
+        SCOPED_TRACE(std::to_string(degrees) + " " + std::to_string(room));
+        params.engagement_angle = degrees * kPi / 180;
+        const auto at = [&](double x, double y) { return rotated(Vec2{x, y}, angle); };
+        const Area slot({make_region(
+            Curve({{at(0, -room)}, {at(40, -room), 1}, {at(40, room)}, {at(0, room), 1}}, true))});
+        for (const double x : {0.0, 40.0}) {
+          std::optional<Entry> entry = descend_within(slot, {at(x, 0), room}, params);
+          ASSERT_TRUE(entry);
+          stretch_helix(*entry, slot, params);
+          const Descent& helix = entry->descent;
+          ASSERT_GT(norm(helix.stretch), 1);
+          EXPECT_NEAR(std::abs(dot(normalized(helix.stretch), unit(angle))), 1, 1e-6);
+          EXPECT_GT(slot.signed_distance(helix.centre + helix.stretch), helix.radius - 1e-6);
+          EXPECT_GT(slot.signed_distance(helix.centre - helix.stretch), helix.radius - 1e-6);
+          EXPECT_LT(cleared_area(helix, 3), kMostCleared * kPi * 36 + 1e-6);
+        }
+      }
 }
 
 TEST(Entry, IsNeverAPlunge) {

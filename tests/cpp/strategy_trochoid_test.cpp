@@ -126,6 +126,37 @@ TEST(ClearSlot, FollowsBentSlotsAndClearsJunctions) {
   }
 }
 
+TEST(ClearSlot, GoesOnBeyondTheCornerOfAnAngleAndIntoTheStemOfATee) {
+  for (const double width : {7.5, 12.0}) {
+    SCOPED_TRACE(width);
+    const Region angle = make_region(
+        shapes::polygon({{0, 0}, {60, 0}, {60, width}, {width, width}, {width, 60}, {0, 60}}));
+    const Region tee = make_region(shapes::polygon({{0, 0},
+                                                    {70, 0},
+                                                    {70, width},
+                                                    {35 + width / 2, width},
+                                                    {35 + width / 2, 50},
+                                                    {35 - width / 2, 50},
+                                                    {35 - width / 2, width},
+                                                    {0, width}}));
+    const ClearingParams params = params_at();
+    for (const Region& region : {angle, tee}) {
+      const TrochoidalPath result = clear(region, params);
+      expect_good(region, params, result);
+      EXPECT_GT(result.report.length, 70);  // more than either arm
+    }
+  }
+}
+
+TEST(ClearSlot, StartsInAShortSlotWhereTheLongestEndsInOthers) {
+  const Region comb = make_region(shapes::polygon(
+      {{0, 0}, {50, 0}, {50, 40}, {40, 40}, {40, 10}, {10, 10}, {10, 40}, {0, 40}}));
+  const ClearingParams params = params_at();
+  const TrochoidalPath result = clear(comb, params);
+  expect_good(comb, params, result);
+  EXPECT_GT(result.report.length, 20);
+}
+
 TEST(ClearSlot, CutsConventionallyInTheMirrorImage) {
   const Region region = slot_around(line(40), 10, SlotEnds::kRound);
   ClearingParams params = params_at();
@@ -196,7 +227,7 @@ void expect_fallback(const Region& region, TrochoidKind kind, const std::string&
 TEST(ClearSlot, KeepsTheLimitWhereTheFirstPeriodBeginsWhateverTheTolerance) {
   for (const double width : {6.2, 6.3, 7.5}) {
     SCOPED_TRACE(width);
-    const Region region = slot_around(line(30), width, SlotEnds::kRound);
+    const Region region = slot_around(line(36), width, SlotEnds::kRound);
     ClearingParams params = params_at();
     params.tolerance = 0.1;
     const TrochoidalPath result = clear(region, params);

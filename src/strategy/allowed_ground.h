@@ -1,0 +1,25 @@
+// Where the tool may be: the pocket, and room outside its open edges.
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "geometry/region.h"
+
+namespace evenload {
+
+// The regions within which the tool's whole disc must stay. `notes` gets those open edges that had
+// to be taken for walls; `shown`: where a place is shown to the user.
+std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
+                                   const std::function<Vec2(Vec2)>& shown,
+                                   std::vector<std::string>& notes);
+
+bool has_open_edges(const std::vector<Region>& regions);
+// The same with nothing but open pieces: all of its border lies against cleared ground.
+std::vector<Region> bared(std::vector<Region> regions);
+
+// A place for a note.
+std::string near(Vec2 p);
+
+}  // namespace evenload

@@ -1,0 +1,411 @@
+#include "strategy/slot_clearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "feed/load_profile.h"
+#include "geometry/box_tree.h"
+#include "strategy/entry.h"
+#include "strategy/links.h"
+#include "strategy/slot.h"
+#include "strategy/slot_rooms.h"
+#include "strategy/slot_way.h"
+#include "strategy/trochoid_notes.h"
+#include "strategy/trochoid_pattern.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+// Fewer periods are not worth a pattern.
+constexpr int kFewestPeriods = 4;
+// rad^3: below the limit, times its square, is what steering aims at here, since it may pass that
+// by kSmoothOverload, and by more where a cusp is met at a small angle.
+constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
+constexpr double kMostPassRoom = 0.05;  // of the limit
+// Half rooms: a junction reaches no further.
+constexpr double kLongestJunction = 8;
+constexpr double kSameArea = 1e-6;  // mm^2
+
+ClearingParams for_passes(ClearingParams params) {
+  const double limit = params.engagement_angle;
+  params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
+  return params;
+}
+
+class SlotClearing {
+ public:
+  SlotClearing(const RegionTask& task, const ClearingParams& params, PatternCache& patterns,
+               SlotsDone& done, Progress& progress)
+      : task_(task),
+        params_(params),
+        passes_(for_passes(params)),
+        patterns_(patterns),
+        cuts_(done.cuts),
+        repeated_(done.repeated),
+        report_(done.report),
+        progress_(progress),
+        radius_(0.5 * params.tool_diameter),
+        turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
+        centres_({task.centres}),
+        ground_(grown(bounds_of({task.centres}), radius_), radius_,
+                task.has_open_edges ? &task.material : nullptr) {
+    if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
+  }
+
+  RegionResult run() {
+    const double before = report_.length;
+    if (!task_.rest && task_.before.empty()) {
+      find_ways();
+      if (start()) follow_ways();
+    }
+    const bool is_repeated = report_.length > before;
+    RegionTask rest = task_;
+    rest.opening = std::move(opening_);
+    RegionResult result = clear_region(rest, passes_, progress_);
+    if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
+    return result;
+  }
+
+ private:
+  // ---- where no pattern is repeated ----
+
+  std::string told_fallback() const {
+    const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
+                                        : task_.centres.outer.vertices()[0].p;
+    return fallback_note(patterns_.kind(), shown_place(task_, place), why_none());
+  }
+
+  std::string why_none() const {
+    if (task_.rest || !task_.before.empty())
+      return "where earlier cuts left the material in pieces of any shape";
+    if (!longest_stretch_) {
+      if (find_slots(centres_, std::numeric_limits<double>::infinity()).empty())
+        return "where no walls stay equally far apart, straight or as arcs about one centre, for "
+               "as long as the slot is wide";
+      return "where the walls are more than four tool diameters apart";
+    }
+    if (is_too_short_) return "where the slot is too short for a few periods";
+    if (ways_.empty()) return "where the tool has too little room to turn in the slot";
+    return "where no ground for a first period could be cleared";
+  }
+
+  // ---- the ways ----
+
+  void find_ways() {
+    for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
+      if (!longest_stretch_) longest_stretch_ = stretch;
+      add_way(stretch);
+      add_way(stretch.reversed());
+    }
+    std::stable_sort(ways_.begin(), ways_.end(),
+                     [](const Way& a, const Way& b) { return a.whole() > b.whole() + kSameWall; });
+    is_too_short_ = is_too_short_ && ways_.empty();
+  }
+
+  void add_way(const SlotStretch& stretch) {
+    const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
+    if (!pattern) return;
+    const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
+    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
+      is_too_short_ = true;
+      return;
+    }
+    ways_.push_back(way);
+  }
+
+  // mm, between two places of the way.
+  double taken_out(const Way& way, double from, double to) const {
+    const double whole = way.stretch.middle.length(), first = std::clamp(from / whole, 0.0, 1.0),
+                 last = std::clamp(to / whole, 0.0, 1.0);
+    if (first >= last) return 0;
+    return evenload::taken_out(cuts_,
+                               {way.stretch.middle.part(first, last), way.stretch.half_room});
+  }
+
+  // ---- the start ----
+
+  // Makes ground in which a way can begin. False where there is none.
+  bool start() {
+    if (ways_.empty()) return false;
+    if (task_.hole) return clear_room_about_hole();
+    if (params_.entry == EntryKind::kPredrilledHole) return false;
+    if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic)
+      for (const Way& way : ways_)
+        if (first_free(way, ground_)) return true;
+    for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
+      const double length = ways_[first].whole();
+      while (last < ways_.size() && ways_[last].whole() > length - kSameWall) ++last;
+      if (clear_smallest_end(first, last)) return true;
+    }
+    return false;
+  }
+
+  // Of the ways [first, last), which are equally long: an end of the slot if there is one.
+  bool clear_smallest_end(std::size_t first, std::size_t last) {
+    std::optional<StartRoom> best;
+    for (std::size_t i = first; i < last; ++i) {
+      std::optional<StartRoom> room = start_room_of(ways_[i], first_place(ways_[i]));
+      if (!room) continue;
+      const bool is_better = !best || (room->is_end != best->is_end
+                                           ? room->is_end
+                                           : room->room.area() < best->room.area() - kSameArea);
+      if (is_better) best = std::move(room);
+    }
+    return best && clear_room(best->room);
+  }
+
+  bool clear_room_about_hole() {
+    for (const Way& way : ways_) {
+      const Segment& middle = way.stretch.middle;
+      if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
+      const double at = middle.nearest(*task_.hole) * middle.length();
+      const double before = taken_out(way, 0, at);
+      // The way back has it nearer.
+      if (at + before > 0.5 * way.whole() + kSameWall) continue;
+      const std::optional<StartRoom> start = start_room_of(way, std::max(first_place(way), at));
+      return start && start->room.contains(*task_.hole) && clear_room(start->room);
+    }
+    return false;
+  }
+
+  // The first place of a period that leaves room behind its front for a helix as wide as the slot.
+  double first_place(const Way& way) const {
+    const double h = way.stretch.half_room;
+    const double helix = helix_radius(params_, {{}, h});
+    const double wish = 2 * h + (task_.hole ? 0 : wished_stretch(helix, params_));
+    return std::max(-way.reach.back, wish - way.reach.ahead);
+  }
+
+  std::optional<StartRoom> start_room_of(const Way& way, double s) const {
+    return start_room(task_.centres, centres_, way.stretch, s,
+                      placed(way.front, pose_on(way.stretch, s)));
+  }
+
+  static std::ptrdiff_t descents(const RegionResult& result) {
+    return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
+      return run.descent.kind != DescentKind::kPlunge;
+    });
+  }
+
+  // False where the tool finds no way in, or none at its depth once it is down; then the whole
+  // region may still have one.
+  bool clear_room(const Region& room) {
+    RegionTask task = task_;
+    task.centres = room;
+    task.around = {task_.centres};
+    task.is_part = true;
+    try {
+      task.opening = opening_;
+      RegionResult cleared = clear_region(task, passes_, progress_);
+      if (!opening_.runs.empty() && descents(cleared) > descents(opening_)) return false;
+      take(std::move(cleared));
+      return !opening_.runs.empty();
+    } catch (const GeometryError&) {
+      return false;
+    }
+  }
+
+  // ---- the way ----
+
+  void follow_ways() {
+    while (!progress_.cancelled() && (follow_one() || clear_next_room())) continue;
+  }
+
+  // The first way that can begin in cleared ground. False where none can.
+  bool follow_one() {
+    for (const Way& way : ways_) {
+      const std::optional<double> free = first_free(way, ground_);
+      if (!free || *free + way.pattern.step > way.last()) continue;
+      const double end = follow(way, *free + way.pattern.step);
+      if (way.beside > 0) clear_end(way, end);
+      return true;
+    }
+    return false;
+  }
+
+  // Where a junction is cleared, but not so far that a way could go on from it: up to that way's
+  // front. Every way once.
+  bool clear_next_room() {
+    for (Way& way : ways_) {
+      const std::optional<double> edge = edge_of_material(way, ground_);
+      if (way.has_next_room || !edge) continue;
+      const double s = std::max(-way.reach.back, *edge - way.reach.ahead + radius_);
+      if (way.last() - s < kFewestPeriods * way.pattern.step) continue;
+      way.has_next_room = true;
+      const std::optional<Region> room =
+          room_behind(task_.centres, centres_, placed(way.front, pose_on(way.stretch, s)));
+      if (room && is_mostly_clear(way, *room) && clear_room(*room)) return true;
+    }
+    return false;
+  }
+
+  // Whether nothing but a junction is left of a room behind a way: along the middles.
+  bool is_mostly_clear(const Way& way, const Region& room) const {
+    const double look = kMiddleLook * radius_;
+    double left = 0;
+    for (const Way& other : ways_)
+      for (double s = 0; s <= other.stretch.middle.length(); s += look) {
+        const Vec2 p = pose_on(other.stretch, s).p;
+        if (!ground_.is_cleared_point(p) && room.contains(p)) left += 0.5 * look;  // either way
+      }
+    return left < way.reach.ahead - way.reach.back + 2 * radius_ +
+                      kLongestJunction * way.stretch.half_room;
+  }
+
+  // The end of the slot beyond a period at `s`, so that the walls are left to passes from there.
+  void clear_end(const Way& way, double s) {
+    const SlotStretch back = way.stretch.reversed();
+    const double from = back.middle.length() - s - way.reach.back;
+    const std::optional<Region> room =
+        room_behind(task_.centres, centres_, round_front(back, from));
+    if (room && is_end(*room, back, from)) clear_room(*room);
+  }
+
+  // Repeats the pattern from the place `from` on; returns the last place.
+  double follow(const Way& way, double from) {
+    const double step = way.pattern.step, begin = from;
+    const int before = repeated_.empty() ? 0 : repeated_.back().first + repeated_.back().count;
+    repeated_.push_back(
+        {way.stretch, way.reach, way.stretch.half_room - way.beside, step, begin, before, 0});
+    double s = from;
+    for (; s <= way.last() && has_work(way, ground_, s) && !progress_.cancelled(); s += step) {
+      const std::vector<Segment> cut = cut_at(way, s);
+      const bool is_first = s == begin;
+      // Once as much is cut as a period reaches, the ground is what the pattern left.
+      const bool is_sure = s - begin > way.reach.ahead - way.reach.back + 2 * radius_;
+      if (is_first)
+        go_to({cut.front().a, angle_of(cut.front().tangent(0))});
+      else
+        link_back(placed(way.pattern.link, pose_on(way.stretch, s - step)), is_sure,
+                  {cut.front().a, angle_of(cut.front().tangent(0))});
+      add(MoveKind::kCut, cut, period());
+      ++repeated_.back().count;
+      ++opening_.passes;
+      progress_.report(std::min(1.0, s / way.stretch.middle.length()));
+    }
+    note(way, s - begin + taken_out(way, begin, s));
+    return s - step;
+  }
+
+  void link_back(const std::vector<Segment>& link, bool is_sure, const Pose& to) {
+    if (!is_sure && !is_free({ground_, ground_.size()}, centres_, link, length_of(link))) {
+      go_to(to);
+      return;
+    }
+    add(MoveKind::kLink, link, period());
+    ++opening_.links;
+  }
+
+  // The number of the period that is being made.
+  int period() const { return repeated_.back().first + repeated_.back().count; }
+
+  void go_to(const Pose& to) {
+    if (opening_.runs.empty()) {
+      append({{DescentKind::kPlunge, to.p, {}, 0, {}, false}, {}, true});
+      return;
+    }
+    const std::vector<Segment> link =
+        quicker_link({ground_, ground_.size()}, centres_, here_, to, turn_radius_, params_);
+    if (link.empty()) {
+      append({{DescentKind::kPlunge, to.p, {}, 0, {}, true}, {}, false});
+      return;
+    }
+    add(MoveKind::kLink, link);
+    ++opening_.links;
+  }
+
+  // Goes on from what has grown out of the opening.
+  void take(RegionResult grown) {
+    const std::size_t runs = opening_.runs.size();
+    const std::size_t moves = runs > 0 ? opening_.runs.back().moves.size() : 0;
+    for (std::size_t i = runs > 0 ? runs - 1 : 0; i < grown.runs.size(); ++i) {
+      const PlanarRun& run = grown.runs[i];
+      if (i >= runs) add_descent(run.descent, ground_);
+      for (std::size_t k = i < runs ? moves : 0; k < run.moves.size(); ++k)
+        ground_.add(run.moves[k].segment);
+    }
+    opening_ = std::move(grown);
+    if (opening_.runs.empty()) return;
+    const PlanarRun& run = opening_.runs.back();
+    here_ = {run.descent.at, 0};
+    if (!run.moves.empty())
+      here_ = {run.moves.back().segment.b, angle_of(run.moves.back().segment.tangent(1))};
+  }
+
+  void append(PlanarRun run) {
+    add_descent(run.descent, ground_);
+    for (const PlanarMove& move : run.moves) ground_.add(move.segment);
+    here_ = {run.descent.at, 0};
+    if (!run.moves.empty()) {
+      const Segment& last = run.moves.back().segment;
+      here_ = {last.b, angle_of(last.tangent(1))};
+    }
+    opening_.runs.push_back(std::move(run));
+  }
+
+  void add(MoveKind kind, const std::vector<Segment>& moves, int period = -1) {
+    for (const Segment& move : moves) {
+      PlanarMove planar;
+      planar.kind = kind;
+      planar.segment = move;
+      planar.period = period;
+      opening_.runs.back().moves.push_back(planar);
+      ground_.add(move);
+    }
+    here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
+  }
+
+  void note(const Way& way, double length) {
+    report_.length += length;
+    note_residual(way);
+    if (length <= report_.longest) return;
+    report_.longest = length;
+    report_.step = way.pattern.step;
+    report_.iterations = iterations(way);
+    report_.residual = iterations(way) == 0 ? 0 : way.pattern.residuals.back();
+    report_.removal_rate = way.removal * (params_.top - params_.levels.front());
+  }
+
+  static int iterations(const Way& way) {
+    return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
+  }
+
+  // Once for all ways of one pattern.
+  void note_residual(const Way& way) {
+    if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
+    const std::string note = unsettled_note(iterations(way), way.pattern.residuals.back());
+    std::vector<std::string>& notes = opening_.notes;
+    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+  }
+
+  const RegionTask& task_;
+  const ClearingParams& params_;
+  ClearingParams passes_;
+  PatternCache& patterns_;
+  const std::vector<SlotCut>& cuts_;
+  std::vector<RepeatedPeriods>& repeated_;
+  TrochoidReport& report_;
+  Progress& progress_;
+  double radius_, turn_radius_;
+  Area centres_;
+  ClearedGround ground_;
+  std::vector<Way> ways_;  // the longest first, both directions of each
+  RegionResult opening_;
+  Pose here_;
+  std::optional<SlotStretch> longest_stretch_;
+  bool is_too_short_ = false;  // every stretch with a pattern
+};
+
+}  // namespace
+
+RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,
+                            PatternCache& patterns, SlotsDone& done, Progress& progress) {
+  return SlotClearing(task, params, patterns, done, progress).run();
+}
+
+}  // namespace evenload

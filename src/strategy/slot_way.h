@@ -1,0 +1,40 @@
+// Ways along slots, and how far they are cleared: where the pattern of a stretch can begin, and
+// whether there is still something for it to cut. Places are mm along the stretch's middle, those
+// of a period that of its origin.
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/slot.h"
+#include "strategy/slot_pattern.h"
+
+namespace evenload {
+
+// A stretch with the pattern that fits it, in the direction of its middle.
+struct Way : SlotPattern {
+  SlotStretch stretch;
+  double taken_out = 0;  // mm, of the stretch
+  bool has_next_room = false;
+  double whole() const { return stretch.middle.length() + taken_out; }
+  double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period
+};
+
+// Share of the tool's radius: between two looks for material along a middle.
+inline constexpr double kMiddleLook = 0.5;
+
+// The cut of a period.
+std::vector<Segment> cut_at(const Way& way, double s);
+
+// The last place before the material at which a whole period would cut nothing; none where there is
+// no such place, or nothing to be cut beyond it.
+std::optional<double> first_free(const Way& way, const ClearedGround& ground);
+
+// Where the middle leads from cleared ground into material for the first time, to a look.
+std::optional<double> edge_of_material(const Way& way, const ClearedGround& ground);
+
+// Whether a period at `s` would take more than the scallops that another one left.
+bool has_work(const Way& way, const ClearedGround& ground, double s);
+
+}  // namespace evenload
