@@ -11,6 +11,7 @@
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
+#include "strategy/feeds.h"
 #include "strategy/lame_refusals.h"
 #include "strategy/lame_shapes.h"
 #include "strategy/lame_turns.h"
@@ -29,6 +30,8 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
+// Engagements, evenly up to half a turn, whose feeds are asked for.
+constexpr int kPaces = 48;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
@@ -55,6 +58,7 @@ class Opening {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         shapes_(params, lame, arc_tolerance()),
+        pace_(pace()),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {}
 
@@ -101,6 +105,22 @@ class Opening {
     return *first;
   }
 
+  // What the feed control makes of straight cuts of some widths.
+  std::optional<MonotoneSpline> pace() const {
+    const LoadShare share = load_share(params_, task_.mirrored);
+    if (!share || params_.feed_control == FeedControl::kConstantRemovalRate) return {};
+    std::vector<double> widths{0}, paces{1 / params_.maximum_feed};
+    for (int i = 1; i <= kPaces; ++i) {
+      const double engaged = i * kPi / kPaces;
+      const AngularInterval arc{-kPi / 2, engaged - kPi / 2};
+      const double chip = engaged < kPi / 2 ? std::sin(engaged) : 1;
+      widths.push_back(side_step(engaged, radius_));
+      const double load = share({engaged, widths.back(), chip, 0}, {arc});
+      paces.push_back(std::max(load / params_.feed, 1 / params_.maximum_feed));
+    }
+    return MonotoneSpline(std::move(widths), std::move(paces));
+  }
+
   TurnTask turn_task(bool inwards) const {
     TurnTask turns;
     turns.tool_radius = radius_;
@@ -110,6 +130,7 @@ class Opening {
     turns.feed = params_.feed;
     turns.maximum_feed =
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
+    turns.pace = pace_;
     return turns;
   }
 
@@ -307,6 +328,7 @@ class Opening {
   Progress& progress_;
   double radius_;
   LameShapes shapes_;
+  std::optional<MonotoneSpline> pace_;
   ClearedGround ground_;
   LameOpening made_;
 };

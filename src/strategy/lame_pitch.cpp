@@ -201,8 +201,10 @@ double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const Turn
       const double apart = dot(back, left_normal(here.direction));
       const double bent = (task.inwards ? -1 : 1) * task.tool_radius * here.curvature;
       const double width = std::max(0.0, apart * (1 + bent));
-      turn += here.speed * (next - angles[i]) *
-              std::max(width / (nominal * task.feed), 1 / task.maximum_feed);
+      const double pace = task.pace
+                              ? task.pace->value(width)
+                              : std::max(width / (nominal * task.feed), 1 / task.maximum_feed);
+      turn += here.speed * (next - angles[i]) * pace;
     }
     total += parts * turn * (levels[k + 1] - levels[k]) / step;
   }

@@ -21,8 +21,10 @@ struct TurnTask {
   double engagement = kPi / 3;  // rad
   bool inwards = false;         // clockwise, from outside in
   std::optional<double> pitch;  // mm per turn of the larger change of the semi-axes, at most
-  double feed = 255;            // mm/min at the engagement
-  double maximum_feed = 510;    // mm/min where there is less; `feed` for a constant feed
+  // min/mm by the width that is cut, mm; without it the removal rate is constant at these feeds.
+  std::optional<MonotoneSpline> pace;
+  double feed = 255;          // mm/min at the engagement
+  double maximum_feed = 510;  // mm/min where there is less; `feed` for a constant feed
 };
 
 // The largest change of the growth's share from one turn to the next, by the share that is reached.

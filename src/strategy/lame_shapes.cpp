@@ -63,7 +63,7 @@ std::vector<LameCurve> LameShapes::with_rounder_ones(const LameCurve& last, cons
                                                      LameSide side) const {
   std::vector<LameCurve> curves{last};
   if (lame_.exponent_end || lame_.rest == LameRest::kLeave ||
-      params_.feed_control != FeedControl::kConstantFeed)
+      params_.feed_control == FeedControl::kConstantRemovalRate)
     return curves;
   LameWishes wishes = last_wishes();
   wishes.centre = last.centre;

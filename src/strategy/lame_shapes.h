@@ -38,8 +38,8 @@ class LameShapes {
   // circle.
   std::optional<LameCurve> first_like(const LameCurve& other, const Curve& outline) const;
 
-  // The last curve itself, and at a constant feed rounder ones about its middle: their turns are
-  // filled more evenly, and leave more, which is cleared.
+  // The last curve itself, and, but for a constant removal rate, which makes good for uneven turns,
+  // rounder ones about its middle: their turns are filled more evenly, and leave more to clear.
   std::vector<LameCurve> with_rounder_ones(const LameCurve& last, const Curve& outline,
                                            LameSide side) const;
 

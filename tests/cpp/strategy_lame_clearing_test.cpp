@@ -368,6 +368,25 @@ TEST(LameClearing, AtAConstantFeedEndsRounderAroundIslandsAndInRingsToo) {
   }
 }
 
+TEST(LameClearing, EndsRounderWhereChipsOrForcesAreHeldButNotWhereTheRemovalRateIs) {
+  const Case pocket = corpus::load("lame_square35");
+  ClearingParams params = pocket.params();
+  const double closest = spiral(pocket, params).figures->last.exponent;
+  for (const FeedControl control :
+       {FeedControl::kConstantChipThickness, FeedControl::kConstantForce}) {
+    params.feed_control = control;
+    params.force_coefficients = {796, 169, 28, 31};
+    params.teeth = 1;
+    params.spindle_speed = 6366;
+    const LameToolpath path = spiral(pocket, params);
+    EXPECT_LE(corpus::judge(pocket, path).cut_engagement, pocket.engagement_angle + 1 * kDegree);
+    EXPECT_GT(path.figures->last.exponent, closest + 0.1);
+    LameParams lame;
+    lame.exponent_end = closest;
+    EXPECT_GT(spiral(pocket, params, lame).report.cutting_time, 1.04 * path.report.cutting_time);
+  }
+}
+
 TEST(LameClearing, TheRestIsClearedAtASlightlySmallerAngle) {
   const auto less_by = [](double degrees) {
     ClearingParams params;
