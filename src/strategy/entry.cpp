@@ -140,22 +140,6 @@ double wished_stretch(double helix_radius, const ClearingParams& params) {
   return gain * longest > lacking ? std::max(0.0, lacking / gain) : longest;
 }
 
-namespace {
-
-// Those of directions_of, and along the straight walls, one of which may be no nearer than the
-// round end of a slot.
-std::vector<double> directions_to_stretch(const Area& centres, const Descent& helix) {
-  std::vector<double> directions;
-  for (const double angle : directions_of(centres, helix.centre)) directions.push_back(angle);
-  for (const Curve& curve : centres.curves())
-    for (const Segment& wall : curve.segments())
-      if (!wall.is_arc() && wall.length() > helix.radius)
-        directions.push_back(angle_of(wall.tangent(0)));
-  return directions;
-}
-
-}  // namespace
-
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params) {
   Descent& helix = entry.descent;
   if (helix.kind != DescentKind::kHelix) return;
