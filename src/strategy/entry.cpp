@@ -16,8 +16,12 @@ namespace {
 constexpr double kNarrowestHelix = 0.02;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
-// Share of a helix's radius that it keeps from the walls where it is stretched.
+// Share of a helix's radius that it keeps from the walls where it is stretched; and the share
+// between two looks for them, which no corner of a wall that is as far away at both can use up.
 constexpr double kStretchedRoom = 0.005;
+constexpr double kLook = 0.19;
+// mm
+constexpr double kAtBorder = 1e-5;
 // Share of the tool's radius: a wider helix would leave a post in its middle.
 constexpr double kWidestHelix = 0.98;
 // Directions in which room for a ramp is looked for at first; the best is then refined.
@@ -35,13 +39,14 @@ constexpr double kBeside = 1.02;
 
 // mm from `from` to where the border of `centres` is `room` mm away, `limit` at most.
 double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit, double room = 0) {
-  double length = 0;
+  double length = 0, known = 0;
   while (length < limit) {
     const double inside = centres.signed_distance(from + length * direction) - room;
-    if (inside < 1e-5) break;
-    length += inside;
+    if (inside < kAtBorder) return known;
+    known = length + inside;
+    length += std::max(inside, kLook * room);
   }
-  return std::min(length, limit);
+  return std::min(known, limit);
 }
 
 // Along the nearest wall, which runs beside the longest line between walls close together, and

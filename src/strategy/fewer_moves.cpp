@@ -94,12 +94,13 @@ class FewerMoves {
 
   // Replaces the best row that begins with the move `i`, if there is one.
   bool replace_row(std::size_t i) {
-    if (done_ < stretch_.from || !can_go(i)) return false;
+    if (done_ < stretch_.from || !may_begin(i)) return false;
     Best best;
     double length = moves_[i].length();
     for (std::size_t j = i + 1; j < std::min(moves_.size(), i + kMost); ++j) {
       length += moves_[j].length();
-      if (length > kLongestRow * radius_ || done_ + length > stretch_.to || !can_go(j) ||
+      if (length > kLongestRow * radius_ || done_ + length > stretch_.to ||
+          follows_border(moves_[j], centres_) ||
           !is_tangent(moves_[j - 1], moves_[j], kSameDirection))
         break;
       if (j + 1 - i >= kFewest) try_row(i, j, best);
@@ -112,7 +113,8 @@ class FewerMoves {
     return true;
   }
 
-  bool can_go(std::size_t k) const {
+  // A pass may leave its wall a little earlier, but must not come to it later.
+  bool may_begin(std::size_t k) const {
     return moves_[k].length() < kShortOnBorder * radius_ || !follows_border(moves_[k], centres_);
   }
 
