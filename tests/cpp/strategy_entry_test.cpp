@@ -90,6 +90,8 @@ TEST(Entry, KeepsItsHelixRoundWhereThatRemovesAsMuchAsACut) {
   std::optional<Entry> entry = descend_within(Area({wide}), widest(wide), params);
   stretch_helix(*entry, Area({wide}), params);
   EXPECT_EQ(norm(entry->descent.stretch), 0);
+}
+
 TEST(Entry, StretchesAHelixAlongASlotWithRoundEndsFromEitherOfThem) {
   ClearingParams params;
   for (const double degrees : {60.0, 90.0, 110.0, 150.0})
