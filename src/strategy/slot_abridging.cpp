@@ -215,10 +215,13 @@ class Abridging {
   }
 
   // mm that a pattern needs of a slot, from where it is entered to its other end, until it repeats
-  // itself and while it does.
+  // itself and while it does. Periods begin behind the front, which a narrower one may be far from.
+  // Whichever end that is, the middle of what is left is among them.
   double needed(const SlotPattern& pattern, double half_room) const {
-    const double reach = pattern.reach.ahead - pattern.reach.back + 2 * radius_;
-    return wished_room(half_room) + reach + 2 * radius_ + 4 * pattern.pattern.step;
+    const double wished = wished_room(half_room),
+                 ahead = std::max(pattern.front_ahead, pattern.reach.ahead);
+    const double repeating = ahead - pattern.reach.back + 4 * radius_ + 4 * pattern.pattern.step;
+    return std::max(wished + repeating, 2 * (wished + ahead + pattern.pattern.step));
   }
 
   void cut(std::vector<SlotStretch>& stretches, const SlotPiece& piece, double half_width,

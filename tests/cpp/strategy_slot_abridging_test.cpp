@@ -177,6 +177,7 @@ TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
     FeedControl control = FeedControl::kConstantRemovalRate;
     CutMode mode = CutMode::kClimb;
     int levels = 1;
+    double degrees = 60;
   };
   const std::vector<Case> cases = {
       {"narrow", slot_around(line(90), 7.5, SlotEnds::kRound)},
@@ -190,10 +191,15 @@ TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
       {"constant feed", slot_around(line(100), 10, SlotEnds::kSquare), kOurs,
        FeedControl::kConstantFeed},
       {"conventional, two levels", slot_around(line(100), 10, SlotEnds::kRound), kOurs,
-       FeedControl::kConstantRemovalRate, CutMode::kConventional, 2}};
+       FeedControl::kConstantRemovalRate, CutMode::kConventional, 2},
+      {"small angle", slot_around(line(30), 7.5, SlotEnds::kSquare), kOurs,
+       FeedControl::kConstantRemovalRate, CutMode::kClimb, 1, 30},
+      {"large angle", slot_around(line(90), 7, SlotEnds::kRound), kOurs,
+       FeedControl::kConstantRemovalRate, CutMode::kClimb, 1, 75}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
     ClearingParams params = usual_params();
+    params.engagement_angle = c.degrees * kDegree;
     params.feed_control = c.control;
     params.cut_mode = c.mode;
     if (c.levels == 2) params.levels = {-3, -6};
