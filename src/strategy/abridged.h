@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <optional>
 #include <vector>
 
@@ -18,13 +19,17 @@ struct Unabridged {
   double area = 0;  // mm^2 that are cleared
 };
 
+// mm^2 by the numbers of the periods, PlanarMove::period.
+using RemovedByPeriod = std::map<int, double>;
+
 struct Abridged {
   std::vector<Region> regions;
   std::optional<Vec2> entry_point;
   std::function<Vec2(Vec2)> whole_place;  // where a place of the abridged work is in the whole
   // Makes the path of the whole from that of the abridged work, feeds and all. Nothing, and `runs`
   // of no use, where that cannot be done exactly.
-  std::function<std::optional<Unabridged>(std::vector<PlanarRun>& runs)> unabridge;
+  std::function<std::optional<Unabridged>(std::vector<PlanarRun>& runs, const RemovedByPeriod&)>
+      unabridge;
 };
 
 // Nothing where there is nothing to leave out. `regions`: of tool centres are `centres`.

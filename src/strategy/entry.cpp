@@ -24,9 +24,9 @@ constexpr double kLook = 0.19;
 constexpr double kAtBorder = 1e-5;
 // Share of the tool's radius: a wider helix would leave a post in its middle.
 constexpr double kWidestHelix = 0.98;
-// Directions in which room for a ramp is looked for at first; the best is then refined.
+// Directions all round in which room is looked for at first; the best is then refined.
 constexpr int kRampDirections = 180;
-// rad: to which the ramp's direction is refined.
+// rad: to which it is refined.
 constexpr double kRampAngle = 1e-4;
 // mm: by how much a line must be longer than another to be taken in its place.
 constexpr double kLonger = 1e-9;
@@ -57,8 +57,8 @@ std::array<double, 4> directions_of(const Area& centres, Vec2 from) {
   return {along, along + kPi / 2, along + kPi, along + 3 * kPi / 2};
 }
 
-// Where `length_towards` is greatest. Between walls hardly wider than the room that is asked for,
-// lines run along them, which no fixed set of directions would find.
+// Where `length` is greatest, in `turn` rad from 0 on. Between walls hardly wider than the room
+// that is asked for, lines run along them, which no fixed set of directions would find.
 template <typename Length>
 double direction_of_longest(const Area& centres, Vec2 from, double turn, const Length& length) {
   double best = 0, longest = -1;

@@ -35,11 +35,12 @@ std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params);
 inline constexpr double kLongestRamp = 1.5;
-// The same entry, but a helix stretched along the nearest wall, or across it, until it removes as
+// The same entry, but a helix stretched in the direction with the most room, until it removes as
 // much in a time as a cut at the engagement angle, or as far as there is room: it goes down no
 // faster than a circle, but clears more on the way. Law: a helix that is stretched clears no more
 // than kMostCleared times the area of a circle with the tool's diameter for its radius.
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params);
+// Ground that no pass has cleared at the engagement angle; twice the area is too much of it.
 inline constexpr double kMostCleared = 1.8;
 // mm: by how much, where there is room.
 double wished_stretch(double helix_radius, const ClearingParams& params);

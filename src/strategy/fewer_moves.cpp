@@ -24,11 +24,12 @@ constexpr double kFinerRatios[] = {1.25, 1.12};
 // Shares of the tool's radius: the longest row, and what lies between two looks, along moves whose
 // time alone matters as well.
 constexpr double kLongestRow = 4;
-// Moves this short along the border may be replaced: remainders before a pass leaves the wall.
-constexpr double kShortOnBorder = 0.05;
 constexpr double kLook = 0.05;
 constexpr double kOldLook = 0.2;
 constexpr int kFewestLooks = 4;
+// Share of the tool's radius: moves along the border that are as short, remainders before a pass
+// leaves its wall, may be replaced.
+constexpr double kShortOnBorder = 0.05;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
 // Of unit vectors along moves that are tangent to each other.
@@ -40,7 +41,8 @@ constexpr double kMostTurn = 1.75 * kPi;
 constexpr double kMostArc = 0.9 * kPi;
 // What a turn may be tighter by, for rounding.
 constexpr double kAsTight = 1.001;
-// rad: by how much more or less than the old moves a new one may be expected to meet.
+// Into how many parts a new move is divided by the places where it is compared with the old ones;
+// rad: by how much more or less than they it may be expected to meet.
 constexpr int kChangeLooks = 4;
 constexpr double kMostMore = 0.08;
 constexpr double kMostLess = 0.15;
@@ -64,14 +66,12 @@ class FewerMoves {
         full_width_(side_step(params.engagement_angle, radius_)),
         limit_(params.engagement_angle + overload) {
     double turn = 0, last = 0;  // mm
-    for (auto move = moves.rbegin(); move != moves.rend(); ++move) {
+    for (auto move = moves.rbegin(); move != moves.rend() && !comes_back_; ++move) {
       turn += move->sweep;
-      if (std::abs(turn) > kMostTurn) break;
-      last += move->length();
+      comes_back_ = std::abs(turn) > kMostTurn;
+      if (!comes_back_) last += move->length();
     }
-    const double before = length_of(moves) - last;
-    comes_back_ = before > 0;
-    stretch_.from = std::max(stretch_.from, before);
+    if (comes_back_) stretch_.from = std::max(stretch_.from, length_of(moves) - last);
   }
 
   std::vector<Segment> made() {
@@ -234,7 +234,7 @@ class FewerMoves {
   const Area& centres_;
   ClearedGround& ground_;
   const ClearingParams& params_;
-  bool comes_back_;
+  bool comes_back_ = false;
   double radius_;
   double full_width_;     // mm, of a straight cut at the engagement angle
   double limit_;          // rad

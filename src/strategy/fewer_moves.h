@@ -20,8 +20,8 @@ struct Stretch {
 // at no more than `overload` rad above `params`' engagement angle, and where the time that it costs
 // at a constant removal rate is worth the blocks. `ground`: before the moves, and again in the end.
 // Laws: the moves follow each other as before, and begin and end where they did; moves along the
-// border of `centres` stay as they are, but for short ones, and so does, of a pass that comes back to
-// where it was, all that it comes back to.
+// border of `centres` stay as they are, but for short ones, and so does, of a pass that comes back
+// to where it was, all that it comes back to.
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
                                       const Area& centres, ClearedGround& ground,
                                       const ClearingParams& params, double overload);

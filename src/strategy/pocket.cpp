@@ -276,7 +276,12 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
                            share_of_nominal);
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
-  for (const LoadSample& sample : profile) removed += sample.width * sample.length;
+  RemovedByPeriod removed_by_period;
+  for (const LoadSample& sample : profile) {
+    const double area = sample.width * sample.length;
+    removed += area;
+    removed_by_period[runs[sample.run].moves[sample.move].period] += area;
+  }
 
   const double width = side_step(params.engagement_angle, radius);
   // Constant removal rate keeps the limits of passages by itself, and more finely.
@@ -291,7 +296,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
     path.report.notes.push_back(*note);
 
   if (abridged) {
-    const std::optional<Unabridged> added = abridged->unabridge(runs);
+    const std::optional<Unabridged> added = abridged->unabridge(runs, removed_by_period);
     if (!added) return std::nullopt;
     path.report.passes += added->passes * levels;
     path.report.links += added->links * levels;

@@ -17,9 +17,10 @@ inline constexpr double kSmoothing = 1e-3;
 
 // `moves` with each move shorter than kShortest, and the longer neighbour that it is tangent to,
 // replaced by one line or arc, or by a bi-arc, from where the two began to where they ended, in the
-// same directions. They are replaced only where what comes instead stays within `smoothing` mm of
-// them, inside `centres`, and has no piece as short. Laws: the moves follow each other as before,
-// and end where they ended; moves along the border of `centres` stay as they are.
+// same directions, or for pieces that posts turn by as much within a quarter of a degree. They are
+// replaced only where what comes instead stays within `smoothing` mm of them, inside `centres`, and
+// has no piece as short. Laws: the moves follow each other as before, and end where they ended;
+// moves along the border of `centres` stay as they are.
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
                                          double smoothing = kSmoothing);
 

@@ -13,9 +13,7 @@ namespace {
 
 // A piece of fewer periods is not worth taking out.
 constexpr int kFewestPeriods = 8;
-// Of unit vectors: walls along the middle; 1e4 mm further on that is less than kSameDistance.
-constexpr double kAlong = 1e-11;
-// mm: from the middle to both walls.
+// mm: from the middle to both walls, at both of their ends.
 constexpr double kSameDistance = 1e-7;
 // Each cut costs a look at all of the border.
 constexpr std::size_t kMostCuts = 64;
@@ -40,8 +38,10 @@ bool is_wall(const Segment& piece, const Segment& middle, double half_width, dou
   if (piece.is_arc() != middle.is_arc()) return false;
   if (!middle.is_arc()) {
     const Vec2 u = middle.tangent(0), n = left_normal(u), way = piece.tangent(0);
-    return dot(way, u) * side < 0 && std::abs(cross(way, u)) < kAlong &&
-           std::abs(side * dot(piece.a - middle.a, n) - half_width) < kSameDistance;
+    const auto is_beside = [&](Vec2 p) {
+      return std::abs(side * dot(p - middle.a, n) - half_width) < kSameDistance;
+    };
+    return dot(way, u) * side < 0 && is_beside(piece.a) && is_beside(piece.b);
   }
   const double radius = middle.radius - sense(middle) * side * half_width;
   return sense(piece) * sense(middle) * side < 0 &&
@@ -76,6 +76,13 @@ std::vector<Walls> walls_beside(const std::vector<Region>& ground, const Segment
   std::sort(result.begin(), result.end(),
             [](const Walls& a, const Walls& b) { return a.from > b.from; });
   return result;
+}
+
+// The walls to both sides of a place of what a cut has left.
+std::optional<Walls> walls_at(const SlotCut& cut, double at) {
+  for (const Walls& pair : walls_beside(cut.ground, cut.stretch.middle, cut.half_width))
+    if (pair.region == cut.region && pair.from < at && pair.to > at) return pair;
+  return std::nullopt;
 }
 
 double share_of(const Segment& piece, const Segment& middle, double at) {
@@ -215,10 +222,13 @@ class Abridging {
   }
 
   // mm that a pattern needs of a slot, from where it is entered to its other end, until it repeats
-  // itself and while it does.
+  // itself and while it does. Periods begin behind the front, which a narrower one may be far from.
+  // Whichever end that is, the middle of what is left is among them.
   double needed(const SlotPattern& pattern, double half_room) const {
-    const double reach = pattern.reach.ahead - pattern.reach.back + 2 * radius_;
-    return wished_room(half_room) + reach + 2 * radius_ + 4 * pattern.pattern.step;
+    const double wished = wished_room(half_room),
+                 ahead = std::max(pattern.front_ahead, pattern.reach.ahead);
+    const double repeating = ahead - pattern.reach.back + 4 * radius_ + 4 * pattern.pattern.step;
+    return std::max(wished + repeating, 2 * (wished + ahead + pattern.pattern.step));
   }
 
   void cut(std::vector<SlotStretch>& stretches, const SlotPiece& piece, double half_width,
@@ -250,7 +260,7 @@ class Abridging {
     cuts_.push_back(std::move(cut));
   }
 
-  // False where the ground would cross itself.
+  // False where that cannot be, or rounding has led a wall off the others.
   bool take_out(SlotCut& cut, const Walls& walls, const Segment& middle, double at) {
     const Region& whole = ground_[walls.region];
     motion_ = motion_along(middle, -cut.out);
@@ -262,13 +272,14 @@ class Abridging {
     for (const Curve& island : whole.islands)
       islands.push_back(is_beyond(sides_, island.vertices().front().p) ? moved(island, motion_)
                                                                        : island);
+    cut.ground = ground_;
     try {
-      Region left = make_region(without(whole.outer, walls, middle, cut.out), islands);
-      ground_[walls.region] = std::move(left);
-    } catch (const GeometryError&) {
+      cut.ground[walls.region] = make_region(without(whole.outer, walls, middle, cut.out), islands);
+    } catch (const GeometryError&) {  // the ground would cross itself
       return false;
     }
-    cut.ground = ground_;
+    if (!walls_at(cut, cut.at)) return false;
+    ground_ = cut.ground;
     return true;
   }
 
@@ -334,11 +345,8 @@ double taken_out(const std::vector<SlotCut>& cuts, const SlotStretch& stretch) {
 
 GroundSides::GroundSides(const SlotCut& cut, double at) {
   const Segment& middle = cut.stretch.middle;
-  const std::vector<Walls> all = walls_beside(cut.ground, middle, cut.half_width);
-  const auto walls = std::find_if(all.begin(), all.end(), [&](const Walls& pair) {
-    return pair.region == cut.region && pair.from < at && pair.to > at;
-  });
-  EVENLOAD_ASSERT(walls != all.end());
+  const std::optional<Walls> walls = walls_at(cut, at);
+  EVENLOAD_ASSERT(walls.has_value());
   const SlotSides sides = divided(cut.ground[cut.region].outer, *walls, middle, at);
   before_ = Area({sides.before});
   beyond_ = Area({sides.beyond});

@@ -56,6 +56,10 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
   best.front = whole->cut;
   if (kind != TrochoidKind::kConstantEngagement)  // loops cut on beyond the left wall
     best.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};
+  TrochoidPattern front;
+  front.cut = best.front;
+  front.curvature = slot.curvature;
+  best.front_ahead = reach_of(front).ahead;
   double least = time_per_length(figures_of(*whole, slot), *whole, slot, 0);
   best.pattern = std::move(*whole);
   if (kind == TrochoidKind::kConstantEngagement)

@@ -25,8 +25,9 @@ struct SlotPattern {
   // Across all of the slot, from the right wall to the left one, in the pattern's frame: where what
   // lies behind it is cleared a pattern as wide as the slot goes on at the limit.
   std::vector<Segment> front;
-  double beside = 0;   // mm left along each wall
-  double removal = 0;  // mm^2/min, passes along the walls and all
+  double front_ahead = 0;  // mm along the middle that it reaches, from the pattern's origin
+  double beside = 0;       // mm left along each wall
+  double removal = 0;      // mm^2/min, passes along the walls and all
 };
 
 // `slot.width`: of the slot; `slot.finish_walls` is set here.

@@ -15,6 +15,9 @@ constexpr double kSameStep = 1e-9;
 // mm along a move of a slot's length: from a parallel to the middle.
 constexpr double kParallel = 1e-6;
 
+// Of what periods remove that repeat each other: less is missing only for looks at other places.
+constexpr double kAsMuch = 0.99;
+
 // Of what the tool's centre has gone over to both sides of the middle: links there are clear of
 // what the pattern leaves at its sides.
 constexpr double kClearWidth = 0.5;
@@ -57,9 +60,11 @@ double middle_of(Interval a) { return 0.5 * (a.first + a.second); }
 
 class Undo {
  public:
-  Undo(const SlotCut& cut, std::vector<RepeatedPeriods>& patterns, const ClearingParams& params)
+  Undo(const SlotCut& cut, const RemovedByPeriod& removed, std::vector<RepeatedPeriods>& patterns,
+       const ClearingParams& params)
       : cut_(cut),
         middle_(cut.stretch.middle),
+        removed_(removed),
         patterns_(patterns),
         params_(params),
         radius_(0.5 * params.tool_diameter) {}
@@ -106,6 +111,7 @@ class Undo {
       if (!at || !made) continue;
       const int number = static_cast<int>(std::floor(middle_of(*made) / p.step));
       if (number * p.step <= p.reach.ahead - p.reach.back + clear) continue;
+      if (!removes_as_much_as_any(p, p.first + number)) continue;
       const double one = first + sign * at->first, other = first + sign * at->second;
       return Undoing{i,
                      p.first + number,
@@ -115,6 +121,16 @@ class Undo {
                      sign > 0};
     }
     return std::nullopt;
+  }
+
+  bool removes_as_much_as_any(const RepeatedPeriods& pattern, int period) const {
+    const auto removed = [&](int number) {
+      const auto found = removed_.find(number);
+      return found == removed_.end() ? 0 : found->second;
+    };
+    double most = 0;
+    for (int i = 0; i < pattern.count; ++i) most = std::max(most, removed(pattern.first + i));
+    return removed(period) >= kAsMuch * most;
   }
 
   // ---- how ----
@@ -154,10 +170,11 @@ class Undo {
     std::vector<Segment> whole;
     if (starts_beyond == ends_beyond)
       whole = {starts_beyond ? placed(way, motion_along(middle_, cut_.out)) : way};
+    else if (!is_done_)
+      return false;
     else if (move.kind == MoveKind::kCut)
       whole = lengthened(way, ends_beyond, 0.5 * cut_.step());
-    else if (is_done_ &&
-             way.length() + cut_.out <= length_of_retract(way.length() + cut_.out, params_))
+    else if (way.length() + cut_.out <= length_of_retract(way.length() + cut_.out, params_))
       whole = bent(way, ends_beyond);
     for (const Segment& segment : whole) {
       moves.push_back(move);
@@ -275,6 +292,7 @@ class Undo {
 
   const SlotCut& cut_;
   const Segment& middle_;
+  const RemovedByPeriod& removed_;
   std::vector<RepeatedPeriods>& patterns_;
   const ClearingParams& params_;
   double radius_;
@@ -285,7 +303,8 @@ class Undo {
 
 }  // namespace
 
-std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vector<SlotCut>& cuts,
+std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const RemovedByPeriod& removed,
+                                    const std::vector<SlotCut>& cuts,
                                     std::vector<RepeatedPeriods> patterns,
                                     const ClearingParams& params, std::vector<SlotPiece>& spared) {
   const std::size_t known = spared.size();
@@ -297,7 +316,7 @@ std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vec
   if (spared.size() > known) return std::nullopt;
   Unabridged added;
   for (auto cut = cuts.rbegin(); cut != cuts.rend(); ++cut)
-    if (!Undo(*cut, patterns, params).run(runs, added)) {
+    if (!Undo(*cut, removed, patterns, params).run(runs, added)) {
       spared.push_back(cut->from);
       return std::nullopt;
     }

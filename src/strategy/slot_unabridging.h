@@ -27,9 +27,11 @@ struct RepeatedPeriods {
 // Turns `runs`, feeds and all, from those of what is left after all cuts into those of the whole.
 // `patterns`: in the order in which they were made. Laws: moves are tangent where they were; links
 // past the place are no longer than a retract would be. Nothing, and `runs` of no use, where that
-// cannot be done: `spared` then gets the pieces in which no pattern repeats itself, or one in which
-// it does so the other way, or something else leads past.
-std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const std::vector<SlotCut>& cuts,
+// cannot be done, as where the period removes less than others of its pattern, since something else
+// has cleared a part of it: `spared` then gets the pieces in which no pattern repeats itself, or
+// one in which it does so the other way, or something else leads past.
+std::optional<Unabridged> unabridge(std::vector<PlanarRun>& runs, const RemovedByPeriod& removed,
+                                    const std::vector<SlotCut>& cuts,
                                     std::vector<RepeatedPeriods> patterns,
                                     const ClearingParams& params, std::vector<SlotPiece>& spared);
 

@@ -30,8 +30,9 @@ std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
   if (done.cuts.empty()) return std::nullopt;
   abridged.regions = done.cuts.back().ground;
   abridged.whole_place = WholePlaces(done.cuts);
-  abridged.unabridge = [&done, &spared, params](std::vector<PlanarRun>& runs) {
-    return unabridge(runs, done.cuts, done.repeated, params, spared);
+  abridged.unabridge = [&done, &spared, params](std::vector<PlanarRun>& runs,
+                                                const RemovedByPeriod& removed) {
+    return unabridge(runs, removed, done.cuts, done.repeated, params, spared);
   };
   return abridged;
 }

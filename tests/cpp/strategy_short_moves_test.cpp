@@ -68,7 +68,7 @@ TEST(ShortMoves, AreTakenUpByTheirNeighboursWithoutCorners) {
     EXPECT_LE(distance(smooth.back().b, moves.back().b), 1e-9);
     for (std::size_t i = 1; i < smooth.size(); ++i) {
       EXPECT_LE(distance(smooth[i - 1].b, smooth[i].a), 1e-9);
-      EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-4);
+      EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
     }
     for (const Segment& move : smooth)
       for (int k = 0; k <= 20; ++k)

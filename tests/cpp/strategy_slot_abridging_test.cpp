@@ -177,6 +177,7 @@ TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
     FeedControl control = FeedControl::kConstantRemovalRate;
     CutMode mode = CutMode::kClimb;
     int levels = 1;
+    double degrees = 60;
   };
   const std::vector<Case> cases = {
       {"narrow", slot_around(line(90), 7.5, SlotEnds::kRound)},
@@ -190,10 +191,15 @@ TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
       {"constant feed", slot_around(line(100), 10, SlotEnds::kSquare), kOurs,
        FeedControl::kConstantFeed},
       {"conventional, two levels", slot_around(line(100), 10, SlotEnds::kRound), kOurs,
-       FeedControl::kConstantRemovalRate, CutMode::kConventional, 2}};
+       FeedControl::kConstantRemovalRate, CutMode::kConventional, 2},
+      {"small angle", slot_around(line(30), 7.5, SlotEnds::kSquare), kOurs,
+       FeedControl::kConstantRemovalRate, CutMode::kClimb, 1, 30},
+      {"large angle", slot_around(line(90), 7, SlotEnds::kRound), kOurs,
+       FeedControl::kConstantRemovalRate, CutMode::kClimb, 1, 75}};
   for (const Case& c : cases) {
     SCOPED_TRACE(c.name);
     ClearingParams params = usual_params();
+    params.engagement_angle = c.degrees * kDegree;
     params.feed_control = c.control;
     params.cut_mode = c.mode;
     if (c.levels == 2) params.levels = {-3, -6};
@@ -275,6 +281,13 @@ TEST(ClearSlot, NamesPlacesBeyondWhatItTookOut) {
   EXPECT_NE(note.find("near (40"), std::string::npos) << note;
 }
 
+// Every period removes the same.
+RemovedByPeriod even(const RepeatedPeriods& periods) {
+  RemovedByPeriod removed;
+  for (int i = 0; i < periods.count; ++i) removed[periods.first + i] = 1;
+  return removed;
+}
+
 TEST(SlotUnabridging, SparesSlotsThatALinkPassesAslant) {
   const Region slot = slot_around(line(300), 10, SlotEnds::kSquare);
   const ClearingParams params = usual_params();
@@ -304,7 +317,8 @@ TEST(SlotUnabridging, SparesSlotsThatALinkPassesAslant) {
     std::vector<PlanarRun> runs{run};
     runs[0].moves.push_back(back);
     std::vector<SlotPiece> spared;
-    const std::optional<Unabridged> added = unabridge(runs, cuts, {periods}, params, spared);
+    const std::optional<Unabridged> added =
+        unabridge(runs, even(periods), cuts, {periods}, params, spared);
     EXPECT_EQ(added.has_value(), aslant == 0);
     EXPECT_EQ(spared.size(), aslant == 0 ? 0u : 1u);
     if (!added) continue;
@@ -343,7 +357,7 @@ TEST(SlotUnabridging, BendsALinkThatLeadsBackAcrossTheSlot) {
     std::vector<PlanarRun> runs{run};
     runs[0].moves.push_back(link);
     std::vector<SlotPiece> spared;
-    ASSERT_TRUE(unabridge(runs, cuts, {periods}, params, spared));
+    ASSERT_TRUE(unabridge(runs, even(periods), cuts, {periods}, params, spared));
     const std::vector<PlanarMove>& moves = runs[0].moves;
     ASSERT_EQ(moves.size(), run.moves.size() + cuts[0].periods + 5);
     const Segment &first = moves[moves.size() - 5].segment, &last = moves.back().segment;
@@ -355,10 +369,16 @@ TEST(SlotUnabridging, BendsALinkThatLeadsBackAcrossTheSlot) {
       EXPECT_LT(distance(a.b, b.a), 1e-9);
       EXPECT_LT(norm(a.tangent(1) - b.tangent(0)), 1e-9);
     }
+    // Where something else has cleared a part, a period is not like those that were taken out.
+    RemovedByPeriod less = even(periods);
+    for (auto& [number, area] : less)
+      if (number > periods.count / 4) area = 0.9;
+    std::vector<PlanarRun> beside{run};
+    EXPECT_FALSE(unabridge(beside, less, cuts, {periods}, params, spared));
     // Before the pattern is done nobody knows what a link would meet.
     std::vector<PlanarRun> early{run};
     early[0].moves.insert(early[0].moves.begin(), link);
-    EXPECT_FALSE(unabridge(early, cuts, {periods}, params, spared));
+    EXPECT_FALSE(unabridge(early, even(periods), cuts, {periods}, params, spared));
   }
 }
 
