@@ -24,7 +24,7 @@ constexpr double kFinerRatios[] = {1.25, 1.12};
 // Shares of the tool's radius: the longest row, and what lies between two looks, along moves whose
 // time alone matters as well.
 constexpr double kLongestRow = 4;
-constexpr double kLook = 0.05;
+constexpr double kLook = 0.03;
 constexpr double kOldLook = 0.2;
 constexpr int kFewestLooks = 4;
 // Share of the tool's radius: moves along the border that are as short, remainders before a pass
