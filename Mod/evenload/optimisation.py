@@ -228,26 +228,33 @@ def _candidates(task, tool, angle, watch):
     possible = [row for row in rows if not row.refused]
     if not possible:
         return rows
-    heights = {row.axial_depth for row in possible}
     core = task.core
-    try:
-        path = ScaledPath(core, task.regions, tool, angle, heights, task, watch)
-    except core.GeometryError as error:
-        if error.code != "tool too large":
-            raise
-        for row in possible:
-            _refuse(row, "tool size", str(error))
-        return rows
-    if path.cancelled:
-        return None
     edge = core.ForceCoefficients(*(tool.material[key] for key in ("ktc", "krc", "kte", "kre")))
     helix = math.radians(tool.helix_angle_deg)
     model = core.ForceModel(edge, 0.5 * tool.diameter, tool.teeth, helix)
-    loads = Loads(path, task.regions, model, tool, edge, task.hole, task.resolution)
-    for height, group in itertools.groupby(possible, lambda row: row.axial_depth):
-        if not watch(1.0):
+    groups = [
+        (height, list(group))
+        for height, group in itertools.groupby(possible, lambda row: row.axial_depth)
+    ]
+    for k, (height, group) in enumerate(groups):
+        # How far a helix is stretched depends on the height: each has a path of its own.
+        try:
+            path = ScaledPath(
+                *(core, task.regions, tool, angle, {height}, task),
+                lambda share: watch((k + share) / len(groups)),
+            )
+        except core.GeometryError as error:
+            if error.code != "tool too large":
+                raise
+            for row in possible:
+                _refuse(row, "tool size", str(error))
+            return rows
+        if path.cancelled:
             return None
-        _LevelOf(task, tool, path, loads, height).fill(list(group))
+        loads = Loads(path, task.regions, model, tool, edge, task.hole, task.resolution)
+        if not watch((k + 1) / len(groups)):
+            return None
+        _LevelOf(task, tool, path, loads, height).fill(group)
     return rows
 
 

@@ -25,7 +25,9 @@ KIND, X, Y, Z, SWEEP, CX, CY, FEED = range(8)  # columns of moves
 
 
 class ScaledPath:
-    """The path of `tool` at `engagement_deg` for levels of any of `heights`."""
+    """The path of `tool` at `engagement_deg` for levels of any of `heights`, with helices stretched
+    for the highest.
+    """
 
     def __init__(self, core, regions, tool, engagement_deg, heights, settings, progress):
         self.core, self.settings = core, settings

@@ -132,6 +132,11 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   return entry;
 }
 
+bool is_shrunk(const Descent& helix, const ClearingParams& params) {
+  return helix.kind == DescentKind::kHelix &&
+         helix.radius < std::min(0.5 * params.helix_diameter, widest_helix(params)) - kAtBorder;
+}
+
 double wished_stretch(double helix_radius, const ClearingParams& params) {
   const double r = 0.5 * params.tool_diameter;
   // Areas: what is cleared, and what a cut clears in the same time; and what a mm adds to both.

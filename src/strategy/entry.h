@@ -42,6 +42,8 @@ inline constexpr double kLongestRamp = 1.5;
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params);
 // Ground that no pass has cleared at the engagement angle; twice the area is too much of it.
 inline constexpr double kMostCleared = 1.8;
+// Whether a helix is narrower than wished for want of room.
+bool is_shrunk(const Descent& helix, const ClearingParams& params);
 // mm: by how much, where there is room.
 double wished_stretch(double helix_radius, const ClearingParams& params);
 

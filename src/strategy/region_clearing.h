@@ -32,8 +32,10 @@ struct RegionTask {
   bool has_open_edges = false;
   bool rest = false;         // earlier cuts left the material: the rest of the ground is cleared
   std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region; not with `rest`
-  bool is_part = false;      // more is cleared later: what is left is neither measured nor noted
-  bool mirrored = false;     // places named in notes and errors are to be mirrored back
+  // An entry's helix, along the room, though a helix was asked for and has room as wished.
+  bool stretch_helix = false;
+  bool is_part = false;   // more is cleared later: what is left is neither measured nor noted
+  bool mirrored = false;  // places named in notes and errors are to be mirrored back
   // rad: what passes with fewer moves may exceed the engagement angle by.
   double overload = kSmoothOverload;
   // Where places of the task are in the whole, before they are mirrored; empty: where they are

@@ -201,6 +201,7 @@ class SlotClearing {
     task.is_part = true;
     try {
       task.opening = opening_;
+      task.stretch_helix = true;
       RegionResult cleared = clear_region(task, passes_, progress_);
       if (!opening_.runs.empty() && descents(cleared) > descents(opening_)) return false;
       take(std::move(cleared));

@@ -270,6 +270,8 @@ std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams&
     tried = turn;
     std::optional<TrochoidPattern> pattern = settled_pattern(params, turn);
     if (!pattern) continue;
+    // Tighter than posts can write only where nothing else serves.
+    if (best && turns_at_corners(best->cut) && !turns_at_corners(pattern->cut)) most = 0;
     const double removal = figures_of(*pattern, params).removal;
     if (removal < kWorthMore * most) break;
     if (removal <= most) continue;

@@ -12,6 +12,7 @@
 #include "strategy/area.h"
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -224,6 +225,12 @@ PeriodReach reach_of(const TrochoidPattern& pattern) {
   return reach;
 }
 
+bool turns_at_corners(const std::vector<Segment>& moves) {
+  return std::any_of(moves.begin(), moves.end(), [](const Segment& move) {
+    return move.is_arc() && becomes_corners(move.radius, move.sweep);
+  });
+}
+
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
   PatternFigures figures;
   std::vector<PlanarRun> runs;
@@ -281,8 +288,11 @@ std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const Troch
       std::vector<Segment> way = left_turns(from, to, one * h, other * h);
       if (!way.empty()) ways.push_back(std::move(way));
     }
-  std::stable_sort(ways.begin(), ways.end(),
-                   [](const auto& a, const auto& b) { return length_of(a) < length_of(b); });
+  // Those that posts would turn into corners last.
+  std::stable_sort(ways.begin(), ways.end(), [](const auto& a, const auto& b) {
+    return std::pair(turns_at_corners(a), length_of(a)) <
+           std::pair(turns_at_corners(b), length_of(b));
+  });
   for (const std::vector<Segment>& way : ways)
     if (is_free({ground, ground.size()}, centres, way, kLinkEnds)) return way;
   // Where the last turn has gone beyond the way back, right turns as well.

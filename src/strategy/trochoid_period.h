@@ -95,6 +95,9 @@ std::optional<TrochoidPattern> with_greatest_step(
     const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
     double most);
 
+// Whether one of the moves is an arc so tight that posts write it as lines.
+bool turns_at_corners(const std::vector<Segment>& moves);
+
 // The shortest way from the end of the pattern's cut to the start of the next period's over what
 // the repeated pattern has cleared, within the slot; empty where there is none.
 std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const TrochoidParams& params);

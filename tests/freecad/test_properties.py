@@ -231,7 +231,7 @@ def descents(op):
 
 @pytest.mark.parametrize("diameter", [2.0, 5.4])
 def test_the_helix_has_its_diameter(pocket, diameter):
-    op = cleared(pocket(face_of(SQUARE)), HelixDiameter=diameter)
+    op = cleared(pocket(face_of(SQUARE)), Entry="Helix", HelixDiameter=diameter)
     helix = arcs(descents(op))
     assert helix and len(helix) == len(descents(op))
     for move in helix:
@@ -282,7 +282,8 @@ def test_the_automatic_entry_takes_an_open_side_then_a_hole_then_a_helix_then_a_
     b = pocket(face_of(SQUARE))
     (down,) = first_descent(cleared(b, **hole))
     assert down[1][:2] == down[2][:2] == (20, 15)
-    assert {m[0] for m in first_descent(cleared(b))} == {"G3"}
+    # A helix that is stretched, so that it removes as much as a cut.
+    assert {m[0] for m in first_descent(cleared(b))} == {"G1", "G3"}
     ramp = first_descent(cleared(pocket(face_of(rectangle(0, 0, 30, 6.1)))))
     assert {m[0] for m in ramp} == {"G1"} and all(m[1][:2] != m[2][:2] for m in ramp)
 
@@ -292,7 +293,7 @@ def test_a_hole_in_one_pocket_leaves_the_others_their_own_entry(pocket):
     op = cleared(b, HoleDiameter=8, EntryPoint=Vector(15, 15, 0))
     down = first_descent(op)
     assert {m[0] for m in down if m[2][0] < 35} == {"G1"}
-    assert {m[0] for m in down if m[2][0] > 35} == {"G3"}
+    assert "G3" in {m[0] for m in down if m[2][0] > 35}
     assert "does not hold the pre-drilled hole" in op.Report
 
 
