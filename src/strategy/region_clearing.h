@@ -36,8 +36,9 @@ struct RegionTask {
   bool stretch_helix = false;
   bool is_part = false;   // more is cleared later: what is left is neither measured nor noted
   bool mirrored = false;  // places named in notes and errors are to be mirrored back
-  // rad: what passes with fewer moves may exceed the engagement angle by.
-  double overload = kSmoothOverload;
+  // rad: what passes with fewer moves may exceed the engagement angle by. Trochoids and spirals are
+  // held to one degree.
+  double overload = 0.5 * kSmoothOverload;
   // Where places of the task are in the whole, before they are mirrored; empty: where they are
   // here.
   std::function<Vec2(Vec2)> whole_place;
