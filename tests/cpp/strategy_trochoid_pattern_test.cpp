@@ -64,7 +64,8 @@ TEST(TrochoidPattern, OfCirclesHasTheStepOfTheClosedForm) {
 void expect_joined(const Segment& a, const Segment& b) {
   EXPECT_LT(distance(a.b, b.a), 1e-6);
   // Circles and cycloids are joined by bi-arcs, whose directions are rounded.
-  EXPECT_LT(norm(a.tangent(1) - b.tangent(0)), 1e-4);
+  // Posts turn pieces far shorter than their rounding by as much as a quarter of a degree.
+  EXPECT_LT(norm(a.tangent(1) - b.tangent(0)), 5e-3);
 }
 
 TEST(TrochoidPattern, IsTangentStaysInTheSlotAndKeepsTheLimitOnceItRepeats) {
