@@ -6,7 +6,7 @@
 #include <limits>
 #include <sstream>
 
-#include "cutting/engagement.h"
+#include "strategy/feeds.h"
 #include "toolpath/helix.h"
 
 namespace evenload {
@@ -32,6 +32,8 @@ constexpr double kRampAngle = 1e-4;
 constexpr double kLonger = 1e-9;
 // Share of a helix's radius: it is not stretched by less.
 constexpr double kShortestStretch = 0.1;
+// mm: to which the stretch of a helix is found.
+constexpr double kStretch = 1e-3;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
 // Share of the tool's radius from the stock at which the tool comes down outside.
@@ -139,15 +141,29 @@ bool is_shrunk(const Descent& helix, const ClearingParams& params) {
 
 double wished_stretch(double helix_radius, const ClearingParams& params) {
   const double r = 0.5 * params.tool_diameter;
-  // Areas: what is cleared, and what a cut clears in the same time; and what a mm adds to both.
-  const double rate = side_step(params.engagement_angle, r) * params.feed / params.plunge_feed;
-  const double slope = (params.top - params.levels.front()) / std::tan(params.helix_angle);
-  const double lacking =
-      rate * (slope + 2 * kPi * helix_radius) - kPi * std::pow(helix_radius + r, 2);
-  const double gain = 2 * (helix_radius + r) - 2 * rate;
-  const double longest = (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
-                         (2 * (helix_radius + r));
-  return gain * longest > lacking ? std::max(0.0, lacking / gain) : longest;
+  const double depth = params.top - params.levels.front() + kAboveMaterial;
+  const double slope = depth / std::tan(params.helix_angle);
+  const LevelTurnFeeds feeds = entry_feeds(params);
+  Descent helix;
+  helix.radius = helix_radius;
+  // mm^2: by how much less it clears than a cut does in the same time.
+  const auto lacks = [&](double stretch) {
+    helix.stretch = {0.5 * stretch, 0};
+    const double time =
+        slope / feeds.plunge + duration(level_pieces(helix, depth, slope, r, feeds));
+    return feeds.rate * time - cleared_area(helix, r);
+  };
+  const double longest =
+      std::max(0.0, (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
+                        (2 * (helix_radius + r)));
+  if (lacks(longest) > 0) return longest;
+  if (lacks(0) <= 0) return 0;
+  double too_short = 0, enough = longest;
+  while (enough - too_short > kStretch) {
+    const double middle = 0.5 * (too_short + enough);
+    (lacks(middle) > 0 ? too_short : enough) = middle;
+  }
+  return enough;
 }
 
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params) {
@@ -164,13 +180,8 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
   };
   const double angle = direction_of_longest(centres, helix.centre, kPi, both_ways);
   const double ahead = free(angle, wish), behind = free(angle + kPi, wish - ahead);
-  const double longest = ahead + behind;
+  const double stretch = ahead + behind;
   const Vec2 u = unit(angle);
-  // A whole number of half turns, none of them flatter than it may be.
-  const double slope =
-      (params.top - params.levels.front() + kAboveMaterial) / std::tan(params.helix_angle);
-  const double circle = kPi * helix.radius;
-  const double stretch = slope / std::ceil(slope / (circle + longest)) - circle;
   if (stretch < kShortestStretch * helix.radius) return;
   helix.centre = helix.centre + (0.5 * stretch - std::min(behind, stretch)) * u;
   helix.stretch = 0.5 * stretch * u;

@@ -9,6 +9,7 @@
 #include "cutting/engagement.h"
 #include "feed/feed_control.h"
 #include "feed/load_share.h"
+#include "strategy/allowed_ground.h"
 
 namespace evenload {
 namespace {
@@ -41,15 +42,34 @@ std::size_t worst_of(const std::vector<LoadSample>& profile, Value value) {
   return worst;
 }
 
+// The first run that begins with a helix, nullptr where none does.
+const PlanarRun* helix_of(const std::vector<PlanarRun>& runs) {
+  const auto run = std::find_if(runs.begin(), runs.end(), [](const PlanarRun& candidate) {
+    return candidate.descent.kind == DescentKind::kHelix;
+  });
+  return run == runs.end() ? nullptr : &*run;
+}
+
 std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample,
                      const std::function<Vec2(Vec2)>& shown) {
-  const Vec2 p = shown(runs[sample.run].moves[sample.move].segment.point(sample.t));
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "near (" << p.x << ", " << p.y << ")";
-  return text.str();
+  return near(shown(runs[sample.run].moves[sample.move].segment.point(sample.t)));
 }
 
 }  // namespace
+
+LevelTurnFeeds entry_feeds(const ClearingParams& params) {
+  const double radius = 0.5 * params.tool_diameter;
+  LevelTurnFeeds feeds;
+  feeds.plunge = params.plunge_feed;
+  feeds.rate = side_step(params.engagement_angle, radius) * params.feed;
+  if (params.feed_control != FeedControl::kConstantRemovalRate) return feeds;
+  // The engagement at which a cut is as fast as may be, and its chips, which a slot's are as thick
+  // as at this feed.
+  const double angle =
+      engagement_angle(std::min(2 * radius, feeds.rate / params.maximum_feed), radius);
+  feeds.highest = params.maximum_feed * largest_chip_thickness(angle, 1);
+  return feeds;
+}
 
 LoadShare load_share(const ClearingParams& params, bool mirrored) {
   const double angle = params.engagement_angle, radius = 0.5 * params.tool_diameter;
@@ -84,10 +104,16 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     const double nominal = params.feed * largest_chip_thickness(params.engagement_angle, 1);
     const auto chip = [&](std::size_t i) { return feed[i] * profile[i].chip / nominal; };
     const std::size_t worst = worst_of(profile, chip);
-    if (chip(worst) > kThickChip)
-      note << "Chips get up to " << std::fixed << std::setprecision(2) << chip(worst)
+    const LevelTurnFeeds entry = entry_feeds(params);
+    const double in_helices = entry.highest / nominal;
+    const PlanarRun* helix = helix_of(runs);
+    const bool helix_is_worse = helix && entry.highest > entry.plunge && in_helices > chip(worst);
+    const double thickest = helix_is_worse ? in_helices : chip(worst);
+    if (thickest > kThickChip)
+      note << "Chips get up to " << std::fixed << std::setprecision(2) << thickest
            << " times as thick as in a straight cut at the engagement angle, "
-           << place_of(whole, profile[worst], shown)
+           << (helix_is_worse ? near(shown(helix->descent.centre))
+                              : place_of(whole, profile[worst], shown))
            << ": lower MaximumFeed, or choose another FeedControl, where that is too much.";
   } else if (params.feed_control == FeedControl::kConstantForce) {
     const auto share = [&](std::size_t i) { return profile[i].share; };

@@ -6,6 +6,7 @@
 
 #include "feed/load_profile.h"
 #include "strategy/constant_engagement.h"
+#include "toolpath/level_turn.h"
 #include "toolpath/planar.h"
 
 namespace evenload {
@@ -22,5 +23,10 @@ LoadShare load_share(const ClearingParams& params, bool mirrored);
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
                Report& report);
+
+// Of helix entries. Where the removal rate is held, the level turn gets as fast as gives chips as
+// thick as a cut gets at the largest feed; other controls have it descend's feed: a slot's chips
+// are thicker than nominal at more.
+LevelTurnFeeds entry_feeds(const ClearingParams& params);
 
 }  // namespace evenload

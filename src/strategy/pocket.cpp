@@ -324,7 +324,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   assembly.levels = params.levels;
   assembly.safe_height = params.safe_height;
   assembly.clearance_height = params.clearance_height;
-  assembly.plunge_feed = params.plunge_feed;
+  assembly.entry = entry_feeds(params);
   assembly.rapid_feed = params.rapid_feed;
   assembly.helix_angle = params.helix_angle;
   assembly.link_lift = params.link_lift;

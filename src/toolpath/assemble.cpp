@@ -172,8 +172,10 @@ class Assembler {
     // Air is no reason to go round and round.
     const double contact = std::min(from, top + kAboveMaterial);
     const bool is_helix = descent.kind == DescentKind::kHelix;
-    const int half_turns = is_helix ? half_turns_of(descent, contact - level) : 0;
-    const Vec2 start = half_turns % 2 ? 2 * descent.centre - descent.at : descent.at;
+    const std::vector<Segment> slope =
+        is_helix ? way_round(descent, (contact - level) / std::tan(params_.helix_angle), 0)
+                 : std::vector<Segment>{};
+    const Vec2 start = is_helix ? slope.front().a : descent.at;
     if (moves_.empty()) {
       Move move;
       move.kind = MoveKind::kRapid;
@@ -189,45 +191,35 @@ class Assembler {
         rapid_z(level);
       } else {
         rapid_z(from);
-        line(start, level, MoveKind::kEntry, params_.plunge_feed);
+        line(start, level, MoveKind::kEntry, params_.entry.plunge);
       }
       return;
     }
     rapid_z(from);
-    if (contact < from) line(start, contact, MoveKind::kEntry, params_.plunge_feed);
+    if (contact < from) line(start, contact, MoveKind::kEntry, params_.entry.plunge);
     if (is_helix)
-      helix(descent, half_turns, contact, level);
+      helix(descent, slope, contact, level);
     else
       ramp(descent, contact, level);
   }
 
-  // Half turns, which FreeCAD's dressups follow most exactly, that descend by `depth`.
-  int half_turns_of(const Descent& descent, double depth) const {
-    const double each = std::tan(params_.helix_angle) * half_turn_length(descent);
-    return std::max(1, static_cast<int>(std::ceil(depth / each - 1e-9)));
-  }
-
-  // Down by `half_turns`, to the place where the first pass begins.
-  void helix(const Descent& descent, int half_turns, double from, double level) {
-    for (int i = half_turns; i > 0; --i) {
-      const double first = level + (from - level) * i / half_turns;
-      half_turn_down(descent, i % 2 != 0, first, first - (from - level) / half_turns);
+  // Down along `slope`, to the place where the first pass begins, and round once more, level, for
+  // what the slope left of the floor.
+  void helix(const Descent& descent, const std::vector<Segment>& slope, double from, double level) {
+    double whole = 0, done = 0;
+    for (const Segment& segment : slope) whole += segment.length();
+    for (const Segment& segment : slope) {
+      done += segment.length();
+      go(segment, MoveKind::kEntry, level + (1 - done / whole) * (from - level),
+         params_.entry.plunge);
     }
-    // The last turn is level: it takes the floor that the slope left.
-    if (norm(descent.stretch) == 0) {
-      go(Segment::arc(descent.centre, descent.radius, angle_of(descent.at - descent.centre),
-                      2 * kPi),
-         MoveKind::kEntry, level, params_.plunge_feed);
-      return;
-    }
-    for (const bool second : {false, true}) half_turn_down(descent, second, level, level);
-  }
-
-  void half_turn_down(const Descent& descent, bool second, double from, double to) {
-    double done = 0;
-    for (const Segment& segment : half_turn(descent, second)) {
-      done += segment.length() / half_turn_length(descent);
-      go(segment, MoveKind::kEntry, from + done * (to - from), params_.plunge_feed);
+    const double turn = 2 * half_turn_length(descent);
+    double begin = 0;
+    for (const LevelPiece& piece :
+         level_pieces(descent, from - level, whole, params_.tool_radius, params_.entry)) {
+      for (const Segment& segment : way_round(descent, turn - begin, turn - piece.end))
+        go(segment, MoveKind::kEntry, level, piece.feed);
+      begin = piece.end;
     }
   }
 
@@ -237,7 +229,7 @@ class Assembler {
     const int legs = 2 * std::max(1, static_cast<int>(std::ceil((from - level) / per_leg / 2)));
     for (int i = 1; i <= legs + 2; ++i) {
       const double z = level + (from - level) * std::max(0, legs - i) / legs;
-      line(i % 2 ? descent.ramp_end : descent.at, z, MoveKind::kEntry, params_.plunge_feed);
+      line(i % 2 ? descent.ramp_end : descent.at, z, MoveKind::kEntry, params_.entry.plunge);
     }
   }
 

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "toolpath/level_turn.h"
 #include "toolpath/planar.h"
 #include "toolpath/toolpath.h"
 
@@ -18,8 +19,8 @@ struct AssemblyParams {
   std::vector<double> levels;    // mm, descending
   double safe_height = 5;        // mm: rapids below it only over cleared ground
   double clearance_height = 10;  // mm: rapids to the first descent
-  double plunge_feed = 255;      // mm/min
   double rapid_feed = 5000;      // mm/min, for the time only
+  LevelTurnFeeds entry;          // entries descend with its plunge feed
   double helix_angle = 0.05;     // rad
   double link_lift = 0;          // mm
   double tool_radius = 3;        // mm

@@ -206,7 +206,7 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
         const Move &from = moves[i - 1], &to = moves[i];
         if (to.kind == MoveKind::kCut) floor = to.z;
         if (to.kind != MoveKind::kEntry) continue;
-        EXPECT_EQ(to.feed, params.plunge_feed);
+        EXPECT_EQ(to.feed, params.entry.plunge);
         const double flat = flat_length(from, to), drop = from.z - to.z;
         if (flat == 0) {  // straight down in the air, to just above what is to be cut
           EXPECT_GT(to.z, floor);
@@ -228,6 +228,36 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
           runs.front().descent.kind == DescentKind::kHelix ? 2 * kPi * 2.7 : std::hypot(6, 3);
       EXPECT_GE(flat_at_level, whole - 1e-9);
     }
+}
+
+TEST(Assemble, DescendsAlongAHelixJustAsSteeplyAsItMay) {
+  for (const double angle : {0.01, 0.05, 0.5}) {
+    AssemblyParams params = two_levels();
+    params.helix_angle = angle;
+    const std::vector<Move> moves = assemble({helix_run()}, params);
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      const double flat = flat_length(moves[i - 1], moves[i]), drop = moves[i - 1].z - moves[i].z;
+      if (moves[i].kind == MoveKind::kEntry && flat > 0 && drop > 1e-9) {
+        EXPECT_NEAR(drop, std::tan(angle) * flat, 1e-6 * flat + 1e-6);
+      }
+    }
+  }
+}
+
+TEST(Assemble, TakesWhatTheSlopeLeftFasterWhereItThinsOut) {
+  AssemblyParams params = two_levels();
+  params.entry = {255, 400, 1.5 * 255};
+  const std::vector<Move> moves = assemble({helix_run()}, params);
+  double fastest = 0, turned = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    if (moves[i].kind != MoveKind::kEntry) continue;
+    const bool level = moves[i].z == moves[i - 1].z;
+    if (!level) EXPECT_EQ(moves[i].feed, 255);
+    if (level) turned += moves[i].sweep;
+    fastest = std::max(fastest, moves[i].feed);
+  }
+  EXPECT_NEAR(fastest, 400, 1e-9);
+  EXPECT_NEAR(turned, 2 * 2 * kPi, 1e-6);
 }
 
 TEST(Assemble, TurnsByHalfACircleAtMostAndNeverLeavesItsArcs) {
