@@ -213,20 +213,37 @@ std::vector<Segment> opened_up(const Curve& curve) {
   return pieces;
 }
 
+bool may_give_way(const Segment& move, const Demands& demands) {
+  return move.is_arc() && std::abs(move.sweep) >= demands.least_turn &&
+         !follows_border(move, demands.exact);
+}
+
+// The moves with those of [first, last) replaced, or else those and an arc beside them: no one arc
+// leads from an arc on past a wider one to a straight.
+std::vector<Segment> with_wider(const std::vector<Segment>& moves, std::size_t first,
+                                std::size_t last, const Demands& demands) {
+  std::vector<Segment> wider = Widening(moves, first, last, demands).widened();
+  if (wider.empty() && first > 0 && may_give_way(moves[first - 1], demands) &&
+      is_tangent(moves[first - 1], moves[first], kSameDirection))
+    wider = Widening(moves, first - 1, last, demands).widened();
+  if (wider.empty() && last < moves.size() && may_give_way(moves[last], demands) &&
+      is_tangent(moves[last - 1], moves[last], kSameDirection))
+    wider = Widening(moves, first, last + 1, demands).widened();
+  return wider;
+}
+
 std::vector<Segment> widened(const std::vector<Segment>& moves, const Demands& demands) {
   std::vector<Segment> result = moves;
   for (std::size_t i = 0; i < result.size();) {
     std::size_t end = i;
-    while (end < result.size() && is_tight(result[end]) &&
-           std::abs(result[end].sweep) >= demands.least_turn &&
-           !follows_border(result[end], demands.exact) &&
+    while (end < result.size() && is_tight(result[end]) && may_give_way(result[end], demands) &&
            (end == i || is_tangent(result[end - 1], result[end], kSameDirection)))
       ++end;
     if (end == i) {
       ++i;
       continue;
     }
-    std::vector<Segment> wider = Widening(result, i, end, demands).widened();
+    std::vector<Segment> wider = with_wider(result, i, end, demands);
     if (wider.empty())
       i = end;
     else

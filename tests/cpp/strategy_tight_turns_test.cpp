@@ -9,6 +9,7 @@
 
 #include "geometry_shapes.h"
 #include "judged.h"
+#include "strategy/move_checks.h"
 #include "strategy/tight_turns.h"
 #include "toolpath/path_commands.h"
 #include "toolpath/small_arc.h"
@@ -76,6 +77,28 @@ TEST(TightTurns, BecomeTangentArcsThatStayArcs) {
     }
     // The tightest that will do: a little less would become corners.
     EXPECT_LE(wide[1].radius * wide[1].radius * std::sin(std::abs(sweep)), 2 * kLeastSpan);
+  }
+}
+
+// From the tighter arc to the line no one arc leads: that arc gives way, too.
+TEST(TightTurns, GiveWayTogetherWithATighterArcBesideThem) {
+  ClearedGround ground = cleared_ground();
+  for (const bool reversed : {false, true}) {
+    const Segment before = Segment::arc({0, 0}, 0.4685, 0, 0.3),
+                  middle = Segment::arc(before.b - 0.1094 * unit(0.3), 0.1094, 0.3, 1.06),
+                  tight = Segment::arc(middle.b - 0.1368 * unit(1.36), 0.1368, 1.36, 0.08);
+    std::vector<Segment> moves{before, middle, tight,
+                               Segment::line(tight.b, tight.b + tight.tangent(1))};
+    if (reversed) {
+      std::reverse(moves.begin(), moves.end());
+      for (Segment& move : moves) move = move.reversed();
+    }
+    ASSERT_TRUE(has_corners(moves));
+    const std::vector<Segment> wide = widened(moves, ground, 0.0028);
+    EXPECT_EQ(wide.size(), 3u);
+    EXPECT_FALSE(has_corners(wide));
+    for (std::size_t i = 1; i < wide.size(); ++i)
+      EXPECT_TRUE(is_tangent(wide[i - 1], wide[i], 1e-5)) << i;
   }
 }
 
