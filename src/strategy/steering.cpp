@@ -33,13 +33,14 @@ constexpr double kThin = 1e-6;
 }  // namespace
 
 Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement,
-                   double right_radius)
+                   double right_radius, Steps steps)
     : ground_(ground),
       stage_(stage),
       theta_(engagement),
       radius_(ground.tool_radius()),
       turn_(stage.turn_radius),
-      right_radius_(right_radius) {}
+      right_radius_(right_radius),
+      steps_(steps) {}
 
 Steering::Contact Steering::contact(const Pose& at) const {
   const double right = at.heading - kPi / 2;

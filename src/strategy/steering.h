@@ -49,11 +49,18 @@ struct Pass {
   Pose end() const { return {moves.back().b, angle_of(moves.back().tangent(1))}; }
 };
 
+// How long the steps are.
+enum class Steps {
+  kFew,    // as long as the time that is lost where less than the limit is met allows
+  kExact,  // so short that hardly less is met: for passes that are repeated
+};
+
 class Steering {
  public:
   // `engagement` rad: the limit and target. `right_radius` mm: of the tightest right turn, towards
   // the material. Both references must outlive this object.
-  Steering(ClearedGround& ground, const Stage& stage, double engagement, double right_radius);
+  Steering(ClearedGround& ground, const Stage& stage, double engagement, double right_radius,
+           Steps steps = Steps::kFew);
   // Right turns as tight as left ones.
   Steering(ClearedGround& ground, const Stage& stage, double engagement)
       : Steering(ground, stage, engagement, stage.turn_radius) {}
@@ -98,6 +105,7 @@ class Steering {
   Step solve(double length) const;
   static bool is_steady(const Step& step);
   static double growth_after(const Error& error);
+  double slack_of(double length) const;
   Error error_of(const Step& step, const Contact& first, double enough) const;
   std::optional<Step> try_step(const Contact& first, Error* error);
   Step longer_than(const Step& step, const Contact& first, Error* error) const;
@@ -133,6 +141,7 @@ class Steering {
   double radius_;
   double turn_;
   double right_radius_;
+  Steps steps_;
   Pass pass_;
   Pose start_;
   Mode mode_ = Mode::kEnd;

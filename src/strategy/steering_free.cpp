@@ -26,6 +26,8 @@ constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a
 // radius.
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
 constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
+// Share of the slack that exact steps have; they aim at the limit itself.
+constexpr double kExactSlack = 0.25;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 // A share of the allowed error above which a step shrinks as much as it may at once.
 constexpr double kHopeless = kGrowth * kGrowth / (kLeastGrowth * kLeastGrowth);
@@ -79,8 +81,14 @@ double Steering::growth_after(const Error& error) {
 
 // What the end of a step of `length` mm aims at.
 double Steering::target_of(double length) const {
-  if (!rises_) return theta_;
+  if (!rises_ || steps_ == Steps::kExact) return theta_;
   return theta_ - std::min({kBias, kBiasShare * theta_, kBiasPerLength * radius_ / length});
+}
+
+// By how much less than the limit may be met on the way of a step of `length` mm.
+double Steering::slack_of(double length) const {
+  return (steps_ == Steps::kExact ? kExactSlack : 1) *
+         std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
 }
 
 // The curvature of the step of `length` mm from here at whose end the engagement is that aimed at,
@@ -147,7 +155,7 @@ Steering::Step Steering::solve(double length) const {
 Steering::Error Steering::error_of(const Step& step, const Contact& first, double enough) const {
   const double length = step.move.length();
   const bool steady = is_steady(step);
-  const double slack = std::min({kSlack, kSlackShare * theta_, kSlackPerLength * radius_ / length});
+  const double slack = slack_of(length);
   const double end = step.above;
   const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before.

@@ -19,8 +19,10 @@ namespace {
 constexpr int kMostPasses = 30;
 // Passes at most that are looked at together.
 constexpr std::size_t kMostAlternating = 6;
-// Shares of half the room that are tried as turn radii, up to the wish.
-constexpr double kTurnShares[] = {0.05, 0.1, 0.3, 0.8};
+// Turn radii that are tried, as multiples of the tightest, up to kWidestTurn and the wish.
+constexpr double kTurns[] = {1, 2, 4, 10};
+// Share of half the room.
+constexpr double kWidestTurn = 0.8;
 // Share of the best removal rate: below, wider turns are not tried either.
 constexpr double kWorthMore = 0.985;
 // Share of the tool's radius: no turn is tighter for the sake of the removal rate.
@@ -49,7 +51,7 @@ class Passes {
         ahead_(length_ahead()),
         stage_(stage(turn_radius)),
         ground_(grown_bounds(), params.tool_radius, nullptr),
-        steering_(ground_, stage_, params.engagement, turn_radius) {
+        steering_(ground_, stage_, params.engagement, turn_radius, Steps::kExact) {
     for (int i = 0; i <= kLinesBehind; ++i) {
       const double aside = room_ * (2.0 * i / kLinesBehind - 1);
       ground_.add(along_strip(aside, -back_, 0));
@@ -264,8 +266,9 @@ std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams&
   const double least = std::min(kTightestTurn * params.tool_radius, 0.5 * half_room(params));
   std::optional<TrochoidPattern> best;
   double most = 0, tried = 0;
-  for (const double share : kTurnShares) {
-    const double turn = std::min(std::max(share * half_room(params), least), params.turn_radius);
+  for (const double times : kTurns) {
+    const double turn =
+        std::min({times * least, kWidestTurn * half_room(params), params.turn_radius});
     if (turn == tried) continue;
     tried = turn;
     std::optional<TrochoidPattern> pattern = settled_pattern(params, turn);

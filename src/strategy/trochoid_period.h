@@ -54,7 +54,7 @@ struct PeriodReach {
 PeriodReach reach_of(const TrochoidPattern& pattern);
 
 // rad: exceeding the limit by less is not worth a shorter step; at small limits in proportion.
-inline constexpr double kPatternOverload = 0.5 * kPi / 180;
+inline constexpr double kPatternOverload = 0.7 * kPi / 180;
 inline constexpr double kFullOverload = kPi / 3;
 // rad: what a pattern may meet.
 double most_engagement(const TrochoidParams& params);
