@@ -5,6 +5,7 @@
 #include <deque>
 #include <limits>
 
+#include "feed/mean_load.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
@@ -18,13 +19,9 @@ constexpr double kChangePrice = 0.0005;
 constexpr double kShortestPart = 0.1;
 // s
 constexpr double kRounding = 1e-9;
+constexpr double kSameFeed = 1e-9;  // share of a feed
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
-
-struct Piece {
-  std::size_t first, last;  // samples, last excluded
-  double feed;
-};
 
 // Whether the feed may change after each of the samples [first, last): where a move ends, and so
 // far from its ends that no tiny move and no tight turn is split off.
@@ -53,16 +50,16 @@ std::vector<char> places_for_change(const std::vector<PlanarRun>& runs,
   return allowed;
 }
 
-// The best division of samples [first, last) into pieces of one feed.
-std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
-                          const std::vector<LoadSample>& profile, std::size_t first,
-                          std::size_t last, const FeedParams& params) {
+// The best division of samples [first, last) into pieces of one feed. `load` is theirs.
+std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
+                              const std::vector<LoadSample>& profile, std::size_t first,
+                              std::size_t last, const MeanLoad& load, const FeedParams& params) {
   const std::size_t n = last - first;
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
   const std::vector<char> may_change = places_for_change(runs, profile, first, last);
   std::vector<double> allowed(n);
-  for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(profile[first + i], params);
+  for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(load.share(i, i + 1, 0), params);
   // The least time up to a sample, were every sample a piece of its own.
   std::vector<double> least(n + 1, 0);
   for (std::size_t i = 0; i < n; ++i)
@@ -79,15 +76,15 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
     if (cheapest.front() + kLongestPiece < j) cheapest.pop_front();
     if (!may_change[j - 1]) continue;
     const double spent = beyond_least(cheapest.front());
-    double slowest = params.maximum_feed, length = 0;
+    double share = 0, length = 0;
     const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
     const double price = move_ends ? kChangePrice : params.steps.price;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
-      slowest = std::min(slowest, allowed[i]);
+      share = load.share(i, j, share);
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < params.steps.shortest && !(move_begins && move_ends)) continue;
-      const double time = length / slowest * 60;
+      const double slowest = allowed_feed(share, params), time = length / slowest * 60;
       // What a piece loses grows with its length.
       if (least[i] + spent + time + price >= cost[j] + kRounding) break;
       const double total = cost[i] + time + price;
@@ -98,18 +95,58 @@ std::vector<Piece> divide(const std::vector<PlanarRun>& runs,
       }
     }
   }
-  std::vector<Piece> pieces;
+  std::vector<FeedPiece> pieces;
   for (std::size_t j = n; j > 0; j = from[j])
     pieces.push_back({first + from[j], first + j, feed[j]});
   std::reverse(pieces.begin(), pieces.end());
   return pieces;
 }
 
+// s, a price for every piece in it.
+double cost_of(const std::vector<FeedPiece>& pieces, const std::vector<LoadSample>& profile,
+               const FeedParams& params) {
+  double cost = 0;
+  for (const FeedPiece& piece : pieces) {
+    cost += params.steps.price;
+    for (std::size_t i = piece.first; i < piece.last; ++i)
+      cost += profile[i].length / piece.feed * 60;
+  }
+  return cost;
+}
+
+// Those beside each other at one feed as one.
+std::vector<FeedPiece> joined(const std::vector<FeedPiece>& pieces) {
+  std::vector<FeedPiece> result;
+  for (const FeedPiece& piece : pieces)
+    if (!result.empty() && std::abs(result.back().feed - piece.feed) < kSameFeed * piece.feed)
+      result.back() = {result.back().first, piece.last, std::min(result.back().feed, piece.feed)};
+    else
+      result.push_back(piece);
+  return result;
+}
+
+// Feeds by means are found as if each piece were alone, and lowered where one is too fast beside
+// another. Where that costs more than means gain, every sample is held.
+std::vector<FeedPiece> pieces_of(const std::vector<PlanarRun>& runs,
+                                 const std::vector<LoadSample>& profile, std::size_t first,
+                                 std::size_t last, const FeedParams& params) {
+  const auto divided = [&](const MeanLoad& load) {
+    return divide(runs, profile, first, last, load, params);
+  };
+  const LoadSample* samples = profile.data() + first;
+  const MeanLoad means(samples, last - first, params.mean_length);
+  std::vector<FeedPiece> pieces = divided(means);
+  if (!means.limit(pieces, params.feed)) return pieces;
+  pieces = joined(pieces);
+  std::vector<FeedPiece> held = divided(MeanLoad(samples, last - first, 0));
+  const bool is_dearer = cost_of(pieces, profile, params) > cost_of(held, profile, params);
+  return is_dearer ? held : pieces;
+}
+
 }  // namespace
 
-double allowed_feed(const LoadSample& sample, const FeedParams& params) {
-  return sample.share * params.maximum_feed <= params.feed ? params.maximum_feed
-                                                           : params.feed / sample.share;
+double allowed_feed(double share, const FeedParams& params) {
+  return share * params.maximum_feed <= params.feed ? params.maximum_feed : params.feed / share;
 }
 
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params) {
@@ -140,7 +177,7 @@ std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
     }
     std::size_t end = i;
     while (end < profile.size() && profile[end].run == run && is_cut(profile[end])) ++end;
-    for (const Piece& piece : divide(runs, profile, i, end, params)) {
+    for (const FeedPiece& piece : pieces_of(runs, profile, i, end, params)) {
       std::fill_n(feeds.data() + piece.first, piece.last - piece.first, piece.feed);
       // The piece's samples, move by move.
       std::size_t a = piece.first;

@@ -22,18 +22,19 @@ struct FeedParams {
   double maximum_feed = 510;  // mm/min
   double link_feed = 1500;    // mm/min
   FeedSteps steps;
+  double mean_length = 0;  // mm: the load is held as a mean over so much of the path; 0: everywhere
 };
 
 // Every cut at `feed`, every link at `link_feed`.
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);
 
-// mm/min: the feed over the sample's share, up to `maximum_feed`.
-double allowed_feed(const LoadSample& sample, const FeedParams& params);
+// mm/min: the feed over the share, up to `maximum_feed`.
+double allowed_feed(double share, const FeedParams& params);
 
-// Cuts at feeds that no sample's load forbids, links at `link_feed`. Moves are split where the feed
-// changes, as few times as pays: the sum of the time and of a price per added block is the
-// least possible (dynamic programming over the samples), so that arcs stay whole where a change of
-// feed would save little. Returns the feed of every sample.
+// Cuts at feeds that no sample's load forbids, or no mean of it, links at `link_feed`. Moves are
+// split where the feed changes, as few times as pays: the sum of the time and of a price per added
+// block is the least possible (dynamic programming over the samples), so that arcs stay whole where
+// a change of feed would save little. Returns the feed of every sample.
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
                                       const std::vector<LoadSample>& profile,
                                       const FeedParams& params);

@@ -10,6 +10,7 @@
 #include "feed/feed_control.h"
 #include "feed/load_share.h"
 #include "strategy/allowed_ground.h"
+#include "strategy/move_checks.h"
 
 namespace evenload {
 namespace {
@@ -92,7 +93,8 @@ LoadShare load_share(const ClearingParams& params, bool mirrored) {
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
                Report& report) {
-  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
+  FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
+  if (params.feed_control == FeedControl::kConstantRemovalRate) feeds.mean_length = kMeanLength;
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
     set_constant_feed(runs, feeds);
     return;

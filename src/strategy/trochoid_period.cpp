@@ -128,7 +128,8 @@ double time_of(std::vector<PlanarRun> runs, std::vector<LoadSample> profile,
     move.segment = segment;
     runs[0].moves.push_back(move);
   }
-  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, kSlotFeedSteps};
+  const FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, kSlotFeedSteps,
+                         kMeanLength};
   if (params.maximum_feed > params.feed)
     set_constant_load(runs, profile, feeds);
   else

@@ -125,6 +125,99 @@ TEST(FeedControl, NeverExceedsTheLoadAndCoversEveryMoveExactly) {
   }
 }
 
+// mm, share times feed: of the cuts one after the other, from link to link.
+struct LoadedWay {
+  std::vector<double> until{0}, load;
+
+  // The mean over `length` mm; nothing is met beyond the ends.
+  double mean(double from, double length) const {
+    double sum = 0;
+    for (std::size_t i = 0; i < load.size(); ++i)
+      sum +=
+          load[i] * std::max(0.0, std::min(until[i + 1], from + length) - std::max(until[i], from));
+    return sum / length;
+  }
+};
+
+std::vector<LoadedWay> loaded_ways(const std::vector<PlanarRun>& runs,
+                                   const std::vector<LoadSample>& profile,
+                                   const std::vector<double>& feeds) {
+  std::vector<LoadedWay> ways(1);
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const LoadSample& sample = profile[i];
+    const bool is_cut = runs[sample.run].moves[sample.move].kind == MoveKind::kCut;
+    if (!is_cut || (i > 0 && profile[i - 1].run != sample.run)) ways.emplace_back();
+    if (!is_cut) continue;
+    ways.back().until.push_back(ways.back().until.back() + sample.length);
+    ways.back().load.push_back(sample.share * feeds[i]);
+  }
+  return ways;
+}
+
+TEST(FeedControl, HoldsNoMeanAboveTheLoadWhereOnlyMeansCount) {
+  std::mt19937 random(12);
+  for (const double length : {0.1, 0.35, 1.0}) {
+    double worst = 0;
+    for (int round = 0; round < 10; ++round) {
+      const std::vector<PlanarRun> before = random_runs(random);
+      const std::vector<LoadSample> profile = random_profile(random, before);
+      std::vector<PlanarRun> after = before;
+      FeedParams params;
+      params.steps = {0.002, 0.1};
+      params.mean_length = length;
+      const std::vector<double> feeds = set_constant_load(after, profile, params);
+      for (const LoadedWay& way : loaded_ways(before, profile, feeds))
+        for (double from = -length; from < way.until.back(); from += 0.03)
+          worst = std::max(worst, way.mean(from, length) / params.feed);
+    }
+    EXPECT_LE(worst, 1 + 1e-6) << length;
+    EXPECT_GT(worst, 0.99) << length;
+  }
+}
+
+double seconds(const std::vector<PlanarRun>& runs) {
+  double time = 0;
+  for (const PlanarRun& run : runs)
+    for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed * 60;
+  return time;
+}
+
+TEST(FeedControl, IsFasterWhereOnlyMeansCount) {
+  // Grains harder and softer, four in a tenth of a millimetre.
+  std::vector<LoadSample> profile;
+  for (int i = 0; i < 40; ++i)
+    profile.push_back({0, 0, (i + 0.5) / 40, 0.025, 0, 0, 0, i % 2 ? 1.0 : 0.4});
+  FeedParams params;
+  PlanarRun run;
+  run.moves = {{MoveKind::kCut, Segment::line({0, 0}, {1, 0})}};
+  std::vector<PlanarRun> peaks = {run}, means = {run};
+  set_constant_load(peaks, profile, params);
+  params.mean_length = 0.1;
+  set_constant_load(means, profile, params);
+  EXPECT_NEAR(seconds(means), 0.7 * seconds(peaks), 1e-6);
+}
+
+TEST(FeedControl, IsNoSlowerByMeansThanWithEverySampleHeld) {
+  // A change of feed where a move ends has a price of half a millisecond.
+  constexpr double kPricePerMove = 0.0005;
+  std::mt19937 random(13);
+  for (const double length : {0.1, 0.35})
+    for (int round = 0; round < 10; ++round) {
+      const std::vector<PlanarRun> runs = random_runs(random);
+      const std::vector<LoadSample> profile = random_profile(random, runs);
+      FeedParams params;
+      std::vector<PlanarRun> peaks = runs, means = runs;
+      set_constant_load(peaks, profile, params);
+      params.mean_length = length;
+      set_constant_load(means, profile, params);
+      const auto blocks = [](const std::vector<PlanarRun>& counted) {
+        return static_cast<double>(counted[0].moves.size() + counted[1].moves.size());
+      };
+      EXPECT_LT(seconds(means) + params.steps.price * blocks(means),
+                seconds(peaks) + params.steps.price * blocks(peaks) + 50 * kPricePerMove);
+    }
+}
+
 TEST(FeedControl, IsTheFasterTheFinerItsSteps) {
   std::mt19937 random(7);
   double coarse_time = 0, fine_time = 0;
@@ -136,9 +229,7 @@ TEST(FeedControl, IsTheFasterTheFinerItsSteps) {
       std::vector<PlanarRun> timed = runs;
       params.steps = steps;
       set_constant_load(timed, profile, params);
-      double& time = steps.shortest < FeedSteps{}.shortest ? fine_time : coarse_time;
-      for (const PlanarRun& run : timed)
-        for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed;
+      (steps.shortest < FeedSteps{}.shortest ? fine_time : coarse_time) += seconds(timed);
     }
   }
   EXPECT_LT(fine_time, 0.99 * coarse_time);
@@ -165,10 +256,7 @@ TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
         worst_share_time += move.segment.length() / feed * 60 + kPricePerMove;
       }
     set_constant_load(runs, profile, params);
-    double time = 0;
-    for (const PlanarRun& run : runs)
-      for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed * 60;
-    EXPECT_LE(time, worst_share_time);
+    EXPECT_LE(seconds(runs), worst_share_time);
   }
 }
 

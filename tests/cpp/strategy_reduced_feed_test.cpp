@@ -245,7 +245,7 @@ TEST(FeedLimits, HoldTheNominalRateInPassagesAndLeaveOtherMovesAlone) {
   profile[2].width = 1;
   profile[3].width = 1.4;
   find_feed_limits(runs, profile, 200, 1.5);
-  set_constant_feed(runs, {200, 400, 1000});
+  set_constant_feed(runs, {200, 400, 1000, {}, 0});
   apply_feed_limits(runs);
   EXPECT_EQ(runs[0].moves[0].feed, 200);
   EXPECT_NEAR(runs[0].moves[1].feed, 50, 1e-9);

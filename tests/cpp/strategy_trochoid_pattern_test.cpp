@@ -94,6 +94,27 @@ TEST(TrochoidPattern, IsTangentStaysInTheSlotAndKeepsTheLimitOnceItRepeats) {
         }
 }
 
+TEST(TurnsAtCorners, AreArcsThatPostsWriteAsLines) {
+  const auto turns = [](double radius, double sweep) {
+    return turns_at_corners(
+        {Segment::line({-1, 0}, {0, 0}), Segment::arc({0, radius}, radius, -kPi / 2, sweep)});
+  };
+  EXPECT_FALSE(turns_at_corners({}));
+  EXPECT_FALSE(turns_at_corners({Segment::line({0, 0}, {1e-3, 0})}));
+  // End points that span less than 0.005 mm^2 with the centre, to either side.
+  for (const double side : {1.0, -1.0}) {
+    EXPECT_TRUE(turns(0.05, side * 1.2));
+    EXPECT_FALSE(turns(0.1, side * 1.2));
+    EXPECT_TRUE(turns(0.1, side * 0.5));
+    EXPECT_FALSE(turns(0.2, side * 0.5));
+    // Longer ones do no harm, unless next to nothing is left of their radius.
+    EXPECT_FALSE(turns(0.05, side * 3));
+    EXPECT_TRUE(turns(0.005, side * 3));
+    // Corners of less than a degree do none either.
+    EXPECT_FALSE(turns(0.05, side * 0.01));
+  }
+}
+
 TEST(TrochoidPattern, RemovesWidthTimesStep) {
   for (const double curvature : {0.0, 0.02, -0.02}) {
     const TrochoidParams params = slot(1.5, 60, curvature);

@@ -1,0 +1,48 @@
+// Loads as means along a path: where the load changes within a tenth of a millimetre, a feed that
+// keeps its mean is faster than one that keeps its peak, and as much is removed in a time.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "feed/load_profile.h"
+
+namespace evenload {
+
+// Samples [first, last) at one feed.
+struct FeedPiece {
+  std::size_t first = 0, last = 0;
+  double feed = 0;  // mm/min
+};
+
+// Samples one after the other; beyond the first and the last nothing is met.
+class MeanLoad {
+ public:
+  // Means over `window` mm; 0: each sample is looked at by itself.
+  MeanLoad(const LoadSample* samples, std::size_t count, double window);
+
+  // What the samples [first, last) have in common at one feed: the greatest mean over a window that
+  // they hold, or over all of them where they hold none. `without_first`: the same of the samples
+  // [first + 1, last).
+  double share(std::size_t first, std::size_t last, double without_first) const;
+
+  // Lowers feeds, those of the fastest pieces first, where the mean of share times feed over a
+  // window is above `nominal`. Condition: `pieces` hold the samples in their order, without gaps.
+  // False where there is no such window.
+  bool limit(std::vector<FeedPiece>& pieces, double nominal) const;
+
+ private:
+  double sum_until(double place) const;
+  std::size_t sample_at(double place) const;
+  double mean(double from, double to) const;
+  bool limit(std::vector<FeedPiece>& pieces, const std::vector<std::size_t>& piece_of, double from,
+             double nominal) const;
+
+  double window_;
+  std::vector<double> share_;
+  std::vector<double> until_;  // mm, to the start of each sample, and to the end of the last
+  std::vector<double> sum_;    // of shares times mm, likewise
+  std::vector<double> after_, before_;  // means over the windows after and before these places
+};
+
+}  // namespace evenload
