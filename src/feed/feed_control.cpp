@@ -20,6 +20,8 @@ constexpr double kShortestPart = 0.1;
 // s
 constexpr double kRounding = 1e-9;
 constexpr double kSameFeed = 1e-9;  // share of a feed
+// Share of a block's price: what is not worth to look for another division.
+constexpr double kLittle = 0.25;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -65,6 +67,8 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
   for (std::size_t i = 0; i < n; ++i)
     least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
   cost[0] = 0;
+  // s/mm: under a load of share 1, and at the highest feed.
+  const double per_share = 60 / params.feed, least_time = 60 / params.maximum_feed;
   // What the places where the piece may begin cost beyond that least time: those that are the least
   // from themselves on, in order.
   std::deque<std::size_t> cheapest;
@@ -84,13 +88,13 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
       length += profile[first + i].length;
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < params.steps.shortest && !(move_begins && move_ends)) continue;
-      const double slowest = allowed_feed(share, params), time = length / slowest * 60;
+      const double time = length * std::max(share * per_share, least_time);
       // What a piece loses grows with its length.
       if (least[i] + spent + time + price >= cost[j] + kRounding) break;
       const double total = cost[i] + time + price;
       if (total < cost[j]) {
         cost[j] = total;
-        feed[j] = slowest;
+        feed[j] = allowed_feed(share, params);
         from[j] = i;
       }
     }
@@ -136,8 +140,10 @@ std::vector<FeedPiece> pieces_of(const std::vector<PlanarRun>& runs,
   const LoadSample* samples = profile.data() + first;
   const MeanLoad means(samples, last - first, params.mean_length);
   std::vector<FeedPiece> pieces = divided(means);
+  const double least = cost_of(pieces, profile, params);  // of samples that are held, too
   if (!means.limit(pieces, params.feed)) return pieces;
   pieces = joined(pieces);
+  if (cost_of(pieces, profile, params) - least < kLittle * params.steps.price) return pieces;
   std::vector<FeedPiece> held = divided(MeanLoad(samples, last - first, 0));
   const bool is_dearer = cost_of(pieces, profile, params) > cost_of(held, profile, params);
   return is_dearer ? held : pieces;

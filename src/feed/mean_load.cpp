@@ -17,10 +17,18 @@ MeanLoad::MeanLoad(const LoadSample* samples, std::size_t count, double window)
     until_.push_back(until_.back() + samples[i].length);
     sum_.push_back(sum_.back() + samples[i].share * samples[i].length);
   }
-  if (window_ <= 0) return;
-  for (const double place : until_) {
-    after_.push_back(mean(place, place + window_));
-    before_.push_back(mean(place - window_, place));
+  if (window_ <= 0 || count == 0) return;
+  const auto sum_until = [&](std::size_t sample, double place) {
+    return sum_[sample] + (place - until_[sample]) * share_[sample];
+  };
+  for (std::size_t i = 0, ahead = 0, behind = 0; i <= count; ++i) {
+    const double place = until_[i];
+    const double to = std::min(place + window_, until_.back()),
+                 from = std::max(0.0, place - window_);
+    while (ahead + 1 < count && until_[ahead + 1] < to) ++ahead;
+    while (behind + 1 < count && until_[behind + 1] <= from) ++behind;
+    after_.push_back((sum_until(ahead, to) - sum_[i]) / window_);
+    before_.push_back((sum_[i] - sum_until(behind, from)) / window_);
   }
 }
 
@@ -29,33 +37,24 @@ std::size_t MeanLoad::sample_at(double place) const {
   return static_cast<std::size_t>(after - until_.begin()) - 1;
 }
 
-double MeanLoad::sum_until(double place) const {
-  place = std::clamp(place, 0.0, until_.back());
-  const std::size_t i = sample_at(place);
-  return sum_[i] + (place - until_[i]) * share_[i];
-}
-
-double MeanLoad::mean(double from, double to) const {
-  return (sum_until(to) - sum_until(from)) / (to - from);
-}
-
-double MeanLoad::share(std::size_t first, std::size_t last, double without_first) const {
-  if (window_ <= 0) return std::max(without_first, share_[first]);
-  const double end = until_[last];
-  if (end - until_[first] <= window_) return (sum_[last] - sum_[first]) / (end - until_[first]);
-  const bool is_first_window = end - until_[first + 1] <= window_;
-  return std::max(after_[first], is_first_window ? before_[last] : without_first);
-}
-
 bool MeanLoad::limit(std::vector<FeedPiece>& pieces, double nominal) const {
   if (window_ <= 0) return false;
   std::vector<std::size_t> piece_of;  // each sample's
   for (std::size_t k = 0; k < pieces.size(); ++k)
     piece_of.resize(piece_of.size() + pieces[k].last - pieces[k].first, k);
+  // Within a piece every window is held already. A window begins or ends at each place; `ahead` and
+  // `behind` are the samples that its other end is in.
+  const std::size_t n = share_.size();
   bool lowered = false;
-  for (const double place : until_)
-    for (const double from : {place, place - window_})
-      lowered = limit(pieces, piece_of, from, nominal) || lowered;
+  for (std::size_t i = 0, ahead = 0, behind = 0; i <= n; ++i) {
+    const double place = until_[i];
+    while (ahead + 1 < n && until_[ahead + 1] < place + window_) ++ahead;
+    while (behind + 1 < n && until_[behind + 1] <= place - window_) ++behind;
+    if (i < n && piece_of[i] != piece_of[ahead])
+      lowered = limit(pieces, piece_of, place, nominal) || lowered;
+    if (i > 0 && piece_of[i - 1] != piece_of[behind])
+      lowered = limit(pieces, piece_of, place - window_, nominal) || lowered;
+  }
   return lowered;
 }
 

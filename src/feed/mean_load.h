@@ -2,6 +2,7 @@
 // keeps its mean is faster than one that keeps its peak, and as much is removed in a time.
 #pragma once
 
+#include <algorithm>
 #include <cstddef>
 #include <vector>
 
@@ -24,7 +25,13 @@ class MeanLoad {
   // What the samples [first, last) have in common at one feed: the greatest mean over a window that
   // they hold, or over all of them where they hold none. `without_first`: the same of the samples
   // [first + 1, last).
-  double share(std::size_t first, std::size_t last, double without_first) const;
+  double share(std::size_t first, std::size_t last, double without_first) const {
+    if (window_ <= 0) return std::max(without_first, share_[first]);
+    const double length = until_[last] - until_[first];
+    if (length <= window_) return (sum_[last] - sum_[first]) / length;
+    const bool is_first_window = until_[last] - until_[first + 1] <= window_;
+    return std::max(after_[first], is_first_window ? before_[last] : without_first);
+  }
 
   // Lowers feeds, those of the fastest pieces first, where the mean of share times feed over a
   // window is above `nominal`. Condition: `pieces` hold the samples in their order, without gaps.
@@ -32,9 +39,7 @@ class MeanLoad {
   bool limit(std::vector<FeedPiece>& pieces, double nominal) const;
 
  private:
-  double sum_until(double place) const;
   std::size_t sample_at(double place) const;
-  double mean(double from, double to) const;
   bool limit(std::vector<FeedPiece>& pieces, const std::vector<std::size_t>& piece_of, double from,
              double nominal) const;
 
