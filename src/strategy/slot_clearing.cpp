@@ -34,6 +34,7 @@ constexpr double kSameArea = 1e-6;  // mm^2
 ClearingParams for_passes(ClearingParams params) {
   const double limit = params.engagement_angle;
   params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
+  params.feed_steps = kSlotFeedSteps;
   return params;
 }
 
@@ -66,7 +67,9 @@ class SlotClearing {
     const bool is_repeated = report_.length > before;
     RegionTask rest = task_;
     rest.opening = std::move(opening_);
+    if (!is_repeated) passes_.feed_steps = params_.feed_steps;
     RegionResult result = clear_region(rest, passes_, progress_);
+    result.feed_steps = passes_.feed_steps;
     if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
     return result;
   }

@@ -76,11 +76,9 @@ TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCach
 
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {
-  ClearingParams fine = params;
-  fine.feed_steps = kSlotFeedSteps;
-  PatternCache patterns(kind, fine);
-  std::optional<TrochoidalPath> path = clear_abridged_slots(regions, patterns, fine, progress);
-  return path ? std::move(*path) : clear_whole_slots(regions, patterns, fine, progress);
+  PatternCache patterns(kind, params);
+  std::optional<TrochoidalPath> path = clear_abridged_slots(regions, patterns, params, progress);
+  return path ? std::move(*path) : clear_whole_slots(regions, patterns, params, progress);
 }
 
 }  // namespace evenload
