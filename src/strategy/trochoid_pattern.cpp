@@ -44,14 +44,14 @@ using Front = std::array<double, kFrontLooks>;
 // Steers pass after pass along a strip.
 class Passes {
  public:
-  Passes(const TrochoidParams& params, double turn_radius)
+  Passes(const TrochoidParams& params, double turn_radius, Steps steps)
       : params_(params),
         room_(half_room(params)),
         back_(4 * params.tool_radius + 2 * room_),
         ahead_(length_ahead()),
         stage_(stage(turn_radius)),
         ground_(grown_bounds(), params.tool_radius, nullptr),
-        steering_(ground_, stage_, params.engagement, turn_radius, Steps::kExact) {
+        steering_(ground_, stage_, params.engagement, turn_radius, steps) {
     for (int i = 0; i <= kLinesBehind; ++i) {
       const double aside = room_ * (2.0 * i / kLinesBehind - 1);
       ground_.add(along_strip(aside, -back_, 0));
@@ -233,8 +233,9 @@ PassSequence iterate(Passes& passes, const TrochoidParams& params, int most) {
   return result;
 }
 
-std::optional<TrochoidPattern> settled_pattern(const TrochoidParams& params, double turn_radius) {
-  Passes passes(params, turn_radius);
+std::optional<TrochoidPattern> settled_pattern(const TrochoidParams& params, double turn_radius,
+                                               Steps steps) {
+  Passes passes(params, turn_radius, steps);
   if (!passes.can_turn()) return std::nullopt;
   const PassSequence sequence = iterate(passes, params, kMostPasses);
   if (sequence.residuals.empty() || sequence.advance <= 0) return std::nullopt;
@@ -257,7 +258,7 @@ std::optional<TrochoidPattern> settled_pattern(const TrochoidParams& params, dou
 
 PassSequence iterate_passes(const TrochoidParams& params, double turn_radius, int most) {
   check(params);
-  Passes passes(params, turn_radius);
+  Passes passes(params, turn_radius, Steps::kExact);
   return passes.can_turn() ? iterate(passes, params, most) : PassSequence{};
 }
 
@@ -271,7 +272,9 @@ std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams&
         std::min({times * least, kWidestTurn * half_room(params), params.turn_radius});
     if (turn == tried) continue;
     tried = turn;
-    std::optional<TrochoidPattern> pattern = settled_pattern(params, turn);
+    // With next to no room to turn, steps come out as few or not at all.
+    std::optional<TrochoidPattern> pattern = settled_pattern(params, turn, Steps::kExact);
+    if (!pattern) pattern = settled_pattern(params, turn, Steps::kFew);
     if (!pattern) continue;
     // Tighter than posts can write only where nothing else serves.
     if (best && turns_at_corners(best->cut) && !turns_at_corners(pattern->cut)) most = 0;
