@@ -49,37 +49,83 @@ double most_beside(const TrochoidParams& slot) {
   return std::min(kMostBeside * limit, kOfRoom[1] * half_room(slot));
 }
 
+namespace {
+
+// A pattern that leaves so much beside either wall.
+struct Width {
+  double beside = 0;  // mm
+  TurnSearch search;
+  double time(const TurnSearch::Found& found, const TrochoidParams& slot) const {
+    return time_per_length(found.figures, found.pattern, slot, beside);
+  }
+};
+
+// As wide as the slot, and narrower, the wider first.
+std::vector<double> all_beside(const TrochoidParams& slot) {
+  std::vector<double> all{0};
+  for (const double share : kOfRoom) {
+    const double beside = std::min(most_beside(slot), share * half_room(slot));
+    if (beside > all.back()) all.push_back(beside);
+  }
+  return all;
+}
+
+TrochoidParams narrowed(const TrochoidParams& slot, double beside) {
+  TrochoidParams narrow = slot;
+  narrow.width -= 2 * beside;
+  narrow.finish_walls = beside <= 0;
+  return narrow;
+}
+
+// But for the front and what follows from that.
+std::optional<SlotPattern> constant_engagement(const TrochoidParams& slot) {
+  std::optional<Width> best;
+  SlotPattern result;
+  double least = 0;
+  for (const double beside : all_beside(slot)) {
+    Width width{beside, TurnSearch(narrowed(slot, beside))};
+    const TurnSearch::Found* found = width.search.first();
+    if (!found) break;
+    const double time = width.time(*found, slot);
+    if (beside <= 0)
+      result.front = found->pattern.cut;
+    else if (time >= least)
+      break;
+    least = time;
+    best = std::move(width);
+  }
+  if (!best) return std::nullopt;
+  const TurnSearch::Found* found = best->search.best();
+  result.pattern = found->pattern;
+  result.beside = best->beside;
+  result.removal = slot.width / best->time(*found, slot);
+  if (best->beside <= 0) result.front = found->pattern.cut;
+  return result;
+}
+
+std::optional<SlotPattern> loops(TrochoidKind kind, TrochoidParams slot) {
+  slot.finish_walls = true;
+  std::optional<TrochoidPattern> pattern = make_pattern(kind, slot);
+  if (!pattern) return std::nullopt;
+  SlotPattern result;
+  result.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};  // they go on beyond it
+  result.removal = slot.width / time_per_length(figures_of(*pattern, slot), *pattern, slot, 0);
+  result.pattern = std::move(*pattern);
+  return result;
+}
+
+}  // namespace
+
 std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot) {
-  std::optional<TrochoidPattern> whole = make_pattern(kind, slot);
-  if (!whole) return std::nullopt;
-  SlotPattern best;
-  best.front = whole->cut;
-  if (kind != TrochoidKind::kConstantEngagement)  // loops cut on beyond the left wall
-    best.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};
+  std::optional<SlotPattern> result =
+      kind == TrochoidKind::kConstantEngagement ? constant_engagement(slot) : loops(kind, slot);
+  if (!result) return std::nullopt;
   TrochoidPattern front;
-  front.cut = best.front;
+  front.cut = result->front;
   front.curvature = slot.curvature;
-  best.front_ahead = reach_of(front).ahead;
-  double least = time_per_length(figures_of(*whole, slot), *whole, slot, 0);
-  best.pattern = std::move(*whole);
-  if (kind == TrochoidKind::kConstantEngagement)
-    for (const double share : kOfRoom) {
-      const double beside = std::min(most_beside(slot), share * half_room(slot));
-      if (beside <= best.beside) break;
-      TrochoidParams narrow = slot;
-      narrow.finish_walls = false;
-      narrow.width -= 2 * beside;
-      std::optional<TrochoidPattern> pattern = make_pattern(kind, narrow);
-      if (!pattern) break;
-      const double time = time_per_length(figures_of(*pattern, narrow), *pattern, slot, beside);
-      if (time >= least) break;
-      least = time;
-      best.pattern = std::move(*pattern);
-      best.beside = beside;
-    }
-  best.reach = reach_of(best.pattern);
-  best.removal = slot.width / least;
-  return best;
+  result->front_ahead = reach_of(front).ahead;
+  result->reach = reach_of(result->pattern);
+  return result;
 }
 
 }  // namespace evenload

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "strategy/links.h"
+#include "strategy/move_ends.h"
 
 namespace evenload {
 namespace {
@@ -14,6 +16,9 @@ constexpr double kSameMiddle = 1e-6;
 constexpr double kSameStep = 1e-9;
 // mm along a move of a slot's length: from a parallel to the middle.
 constexpr double kParallel = 1e-6;
+
+// mm: of a cut with a feed of its own.
+constexpr double kShortestPiece = 0.1;
 
 // Of what periods remove that repeat each other: less is missing only for looks at other places.
 constexpr double kAsMuch = 0.99;
@@ -74,6 +79,9 @@ class Undo {
     if (!place) return false;
     place_ = *place;
     sides_.emplace(cut_, place_.at);
+    std::vector<PlanarRun> parts;
+    for (const PlanarRun& run : runs) lift_over(run, parts, added);
+    runs = std::move(parts);
     for (PlanarRun& run : runs)
       if (!undo(run)) return false;
     if (!was_repeated_) return false;
@@ -135,6 +143,40 @@ class Undo {
 
   // ---- how ----
 
+  bool leads_past(const PlanarMove& move) const {
+    return move.period < 0 &&
+           sides_->is_beyond(move.segment.a) != sides_->is_beyond(move.segment.b);
+  }
+
+  // Adds the run to `parts`, divided where a link would become longer than a retract: the tool goes
+  // up there, and comes down where the next cut begins.
+  void lift_over(const PlanarRun& run, std::vector<PlanarRun>& parts, Unabridged& added) const {
+    const auto is_link = [](const PlanarMove& move) {
+      return move.kind == MoveKind::kLink && move.period < 0;
+    };
+    parts.push_back({run.descent, {}, run.new_region});
+    for (auto move = run.moves.begin(); move != run.moves.end();) {
+      auto end = move;
+      bool past = false;
+      double length = cut_.out;  // mm
+      for (; end != run.moves.end() && is_link(*end); ++end) {
+        past = past || leads_past(*end);
+        length += end->segment.length();
+      }
+      const auto gap = [&] { return distance(move->segment.a, std::prev(end)->segment.b); };
+      const bool lifts =
+          past && end != run.moves.end() && length > length_of_retract(gap() + cut_.out, params_);
+      if (lifts) {
+        parts.push_back({{DescentKind::kPlunge, end->segment.a, {}, 0, {}, true}, {}, false});
+        --added.links;
+      } else {
+        parts.back().moves.insert(parts.back().moves.end(), move, end);
+      }
+      if (end != run.moves.end()) parts.back().moves.push_back(*end++);
+      move = end;
+    }
+  }
+
   bool undo(PlanarRun& run) {
     Descent& descent = run.descent;
     if (sides_->is_beyond(descent.at)) {
@@ -146,12 +188,13 @@ class Undo {
     }
     const RepeatedPeriods& pattern = patterns_[place_.pattern];
     std::vector<PlanarMove> moves, again;
-    for (const PlanarMove& move : run.moves) {
+    for (std::size_t i = 0; i < run.moves.size(); ++i) {
+      const PlanarMove& move = run.moves[i];
       if (move.period != place_.period && !again.empty()) repeat(again, moves);
       if (move.period == place_.period) again.push_back(move);
       if (move.period == pattern.first + pattern.count - 1) is_done_ = true;
       if (move.period < 0) {
-        if (!undo(move, moves)) return false;
+        if (!undo(run.moves, i, moves)) return false;
         continue;
       }
       moves.push_back(move);
@@ -164,18 +207,22 @@ class Undo {
 
   // A move that is no period's. False where it leads past the place, and nothing is known of what
   // it would meet.
-  bool undo(const PlanarMove& move, std::vector<PlanarMove>& moves) const {
+  bool undo(const std::vector<PlanarMove>& all, std::size_t i,
+            std::vector<PlanarMove>& moves) const {
+    const PlanarMove& move = all[i];
     const Segment& way = move.segment;
     const bool starts_beyond = sides_->is_beyond(way.a), ends_beyond = sides_->is_beyond(way.b);
     std::vector<Segment> whole;
-    if (starts_beyond == ends_beyond)
+    if (!leads_past(move))
       whole = {starts_beyond ? placed(way, motion_along(middle_, cut_.out)) : way};
     else if (!is_done_)
       return false;
-    else if (move.kind == MoveKind::kCut)
+    else if (move.kind == MoveKind::kCut) {
       whole = lengthened(way, ends_beyond, 0.5 * cut_.step());
-    else if (way.length() + cut_.out <= length_of_retract(way.length() + cut_.out, params_))
+      if (whole.empty()) return make_again(all, i, moves);
+    } else {
       whole = bent(way, ends_beyond);
+    }
     for (const Segment& segment : whole) {
       moves.push_back(move);
       moves.back().segment = segment;
@@ -183,19 +230,70 @@ class Undo {
     return !whole.empty();
   }
 
+  bool leads_along(const Segment& move) const {
+    if (move.is_arc() != middle_.is_arc()) return false;
+    return move.is_arc() ? distance(move.centre, middle_.centre) <= kParallel
+                         : std::abs(cross(move.b - move.a, middle_.tangent(0))) <= kParallel;
+  }
+
+  // A cut along the middle whose feed changes within a period, with what the periods left beside
+  // it: its last pieces of one step in all are made again, as the period is. False where there are
+  // none.
+  bool make_again(const std::vector<PlanarMove>& all, std::size_t i,
+                  std::vector<PlanarMove>& moves) const {
+    const std::vector<PlanarMove> pieces = last_step(all, i);
+    if (pieces.empty()) return false;
+    const bool forward = sides_->is_beyond(all[i].segment.b);
+    const auto push = [&](const PlanarMove& move, double by) {
+      moves.push_back(move);
+      moves.back().segment = placed(move.segment, motion_along(middle_, by));
+    };
+    push(all[i], forward ? 0 : cut_.out);
+    for (int k = 1; k <= cut_.periods; ++k)
+      for (const PlanarMove& piece : pieces)
+        push(piece, forward ? k * cut_.step() : cut_.out - k * cut_.step());
+    return true;
+  }
+
+  // The pieces of a cut along the middle that lead one step to the end of the move `last`; empty
+  // where it is shorter.
+  std::vector<PlanarMove> last_step(const std::vector<PlanarMove>& all, std::size_t last) const {
+    std::vector<PlanarMove> pieces;
+    double left = cut_.step();
+    for (std::size_t i = last + 1; i-- > 0;) {
+      const PlanarMove& move = all[i];
+      if (move.kind != MoveKind::kCut || move.period >= 0 || !leads_along(move.segment)) return {};
+      const double length =
+          std::abs(along(middle_, move.segment.b) - along(middle_, move.segment.a));
+      pieces.push_back(move);
+      if (length >= left) {
+        pieces.back().segment = move.segment.part(1 - left / length, 1);
+        break;
+      }
+      left -= length;
+      if (i == 0) return {};
+    }
+    std::reverse(pieces.begin(), pieces.end());
+    // No piece becomes tiny.
+    if (pieces.size() > 1 && pieces[0].segment.length() < kShortestPiece) {
+      pieces[1].segment = joined(pieces[0].segment, pieces[1].segment);
+      pieces[1].feed = std::min(pieces[0].feed, pieces[1].feed);
+      pieces.erase(pieces.begin());
+    }
+    return pieces;
+  }
+
   // A move along the middle, which must go on for `least` mm to both sides of the place: a cut that
   // passes a whole period has the feed for any more. Empty where it does not.
   std::vector<Segment> lengthened(const Segment& move, bool forward, double least) const {
     const double a = along(middle_, move.a), b = along(middle_, move.b);
     if (std::abs(a - place_.at) < least || std::abs(b - place_.at) < least) return {};
-    if (move.is_arc() != middle_.is_arc()) return {};
+    if (!leads_along(move)) return {};
     const Pose motion = motion_along(middle_, cut_.out);
     if (!move.is_arc()) {
-      if (std::abs(cross(move.b - move.a, middle_.tangent(0))) > kParallel) return {};
       return {forward ? Segment::line(move.a, moved(move.b, motion))
                       : Segment::line(moved(move.a, motion), move.b)};
     }
-    if (distance(move.centre, middle_.centre) > kParallel) return {};
     const double sweep = move.sweep + (move.sweep > 0 ? 1 : -1) * cut_.out / middle_.radius;
     if (std::abs(sweep) >= 2 * kPi) return {};
     const double start = move.start_angle + (forward ? 0 : motion.heading);

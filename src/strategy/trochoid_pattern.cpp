@@ -19,12 +19,14 @@ namespace {
 constexpr int kMostPasses = 30;
 // Passes at most that are looked at together.
 constexpr std::size_t kMostAlternating = 6;
-// Turn radii that are tried, as multiples of the tightest, up to kWidestTurn and the wish.
+// Turn radii that are tried, as multiples of the tightest, up to kWidestTurn and the wish; the
+// likely one serves best in most slots.
 constexpr double kTurns[] = {1, 2, 4, 10};
+constexpr double kLikelyTurn = 2;
 // Share of half the room.
 constexpr double kWidestTurn = 0.8;
-// Share of the best removal rate: below, wider turns are not tried either.
-constexpr double kWorthMore = 0.985;
+// Share of the best removal rate: beyond a radius that comes to less no others are tried.
+constexpr double kWorthMore = 0.997;
 // Share of the tool's radius: no turn is tighter for the sake of the removal rate.
 constexpr double kTightestTurn = 0.025;
 // Share of the tool's radius: so far before the end of the last pass on the wall the next begins.
@@ -262,29 +264,67 @@ PassSequence iterate_passes(const TrochoidParams& params, double turn_radius, in
   return passes.can_turn() ? iterate(passes, params, most) : PassSequence{};
 }
 
-std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params) {
+TurnSearch::TurnSearch(const TrochoidParams& params) : params_(params) {
   check(params);
   const double least = std::min(kTightestTurn * params.tool_radius, 0.5 * half_room(params));
-  std::optional<TrochoidPattern> best;
-  double most = 0, tried = 0;
   for (const double times : kTurns) {
-    const double turn =
+    const double radius =
         std::min({times * least, kWidestTurn * half_room(params), params.turn_radius});
-    if (turn == tried) continue;
-    tried = turn;
-    // With next to no room to turn, steps come out as few or not at all.
-    std::optional<TrochoidPattern> pattern = settled_pattern(params, turn, Steps::kExact);
-    if (!pattern) pattern = settled_pattern(params, turn, Steps::kFew);
-    if (!pattern) continue;
-    // Tighter than posts can write only where nothing else serves.
-    if (best && turns_at_corners(best->cut) && !turns_at_corners(pattern->cut)) most = 0;
-    const double removal = figures_of(*pattern, params).removal;
-    if (removal < kWorthMore * most) break;
-    if (removal <= most) continue;
-    most = removal;
-    best = std::move(pattern);
+    if (radii_.empty() || radius > radii_.back()) radii_.push_back(radius);
+    if (times == kLikelyTurn) first_ = radii_.size() - 1;
   }
+}
+
+const TurnSearch::Found* TurnSearch::with_radius(std::size_t i) {
+  const auto known = tried_.find(i);
+  if (known != tried_.end()) return known->second ? &*known->second : nullptr;
+  std::optional<Found>& found = tried_[i];
+  // With next to no room to turn, steps come out as few or not at all.
+  std::optional<TrochoidPattern> pattern = settled_pattern(params_, radii_[i], Steps::kExact);
+  if (!pattern) pattern = settled_pattern(params_, radii_[i], Steps::kFew);
+  if (!pattern) return nullptr;
+  const PatternFigures figures = figures_of(*pattern, params_);
+  const bool corners = evenload::turns_at_corners(pattern->cut);
+  found = Found{std::move(*pattern), figures, corners};
+  return &*found;
+}
+
+bool TurnSearch::is_better(const Found& a, const Found& b) {
+  if (a.turns_at_corners != b.turns_at_corners) return b.turns_at_corners;
+  return a.figures.removal > b.figures.removal;
+}
+
+const TurnSearch::Found* TurnSearch::first() {
+  if (const Found* found = with_radius(first_)) return found;
+  // Tighter turns fit more narrow rooms.
+  for (std::size_t i = 0; i < radii_.size(); ++i)
+    if (const Found* found = with_radius(i)) {
+      first_ = i;
+      return found;
+    }
+  return nullptr;
+}
+
+const TurnSearch::Found* TurnSearch::best() {
+  const Found* const start = first();
+  const Found* best = start;
+  // The removal rate rises to the best radius and falls beyond it, but for small bumps.
+  const auto go_to = [&](std::size_t i) {
+    const Found* found = with_radius(i);
+    if (!found) return false;
+    if (is_better(*found, *best)) best = found;
+    return found->figures.removal >= kWorthMore * best->figures.removal;
+  };
+  for (std::size_t i = first_; best && i-- > 0 && go_to(i);) continue;
+  if (best == start)
+    for (std::size_t i = first_ + 1; best && i < radii_.size() && go_to(i); ++i) continue;
   return best;
+}
+
+std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params) {
+  TurnSearch search(params);
+  const TurnSearch::Found* best = search.best();
+  return best ? std::optional(best->pattern) : std::nullopt;
 }
 
 }  // namespace evenload

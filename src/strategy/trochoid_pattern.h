@@ -8,7 +8,10 @@
 // one roll radius.
 #pragma once
 
+#include <cstddef>
+#include <map>
 #include <optional>
+#include <vector>
 
 #include "strategy/trochoid_period.h"
 
@@ -16,6 +19,34 @@ namespace evenload {
 
 // Nothing where the slot is too narrow for a pass to turn in. Throws as check() does.
 std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params);
+
+// The search for the turn radius, for those who have patterns of several widths to choose from.
+class TurnSearch {
+ public:
+  // Throws as check() does.
+  explicit TurnSearch(const TrochoidParams& params);
+
+  struct Found {
+    TrochoidPattern pattern;
+    PatternFigures figures;
+    bool turns_at_corners = false;
+  };
+  // With the radius that is likely to be the best, or where that does not serve, the next that
+  // does.
+  const Found* first();
+  // The best of those that are reached from the first one on as long as each is better: without
+  // turns that posts write as lines if there are such, and with the greatest removal rate.
+  const Found* best();
+
+ private:
+  const Found* with_radius(std::size_t i);
+  static bool is_better(const Found& a, const Found& b);
+
+  TrochoidParams params_;
+  std::vector<double> radii_;  // mm, ascending
+  std::size_t first_ = 0;      // where the search begins
+  std::map<std::size_t, std::optional<Found>> tried_;
+};
 
 // The passes from the round front on, for pictures and tests: cuts without links, in the frame
 // of the first, and how their advance differed from place to place.
