@@ -27,7 +27,7 @@ constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
 constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
 // Share of the slack that exact steps have; they aim at the limit itself.
-constexpr double kExactSlack = 0.25;
+constexpr double kExactSlack = 0.1;
 constexpr double kGrowth = 0.9, kLeastGrowth = 0.3, kMostGrowth = 2.5;  // of steps
 // A share of the allowed error above which a step shrinks as much as it may at once.
 constexpr double kHopeless = kGrowth * kGrowth / (kLeastGrowth * kLeastGrowth);

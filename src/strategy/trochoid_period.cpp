@@ -31,6 +31,8 @@ constexpr double kLongestLink = 4;
 constexpr double kTightestLink = 0.03;
 // mm: of a link's ends, along which it may graze.
 constexpr double kLinkEnds = 0.06;
+// rad: what is engaged by less cuts nothing.
+constexpr double kNoContact = 1 * kPi / 180;
 // Rounding.
 constexpr double kNoLength = 1e-7;
 // How much smaller a step is tried while none is known that keeps the limit.
@@ -236,12 +238,14 @@ PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& 
   PatternFigures figures;
   std::vector<PlanarRun> runs;
   const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
-  double within = 0;
-  for (const LoadSample& sample : profile)
+  double within = 0, met = 0;
+  for (const LoadSample& sample : profile) {
     if (std::abs(sample.engagement - params.engagement) <= kBand) within += sample.length;
+    if (sample.engagement > kNoContact) met += sample.length;
+  }
   figures.cut_length = length_of(pattern.cut);
   figures.link_length = length_of(pattern.link);
-  figures.area_per_length = params.width * pattern.step / figures.cut_length;
+  figures.area_per_length = params.width * pattern.step / met;
   figures.max_engagement = worst_engagement(runs, profile, kMeanLength);
   figures.within = within / figures.cut_length;
   figures.time = time_of(std::move(runs), profile, pattern.link, params);

@@ -54,7 +54,7 @@ struct PeriodReach {
 PeriodReach reach_of(const TrochoidPattern& pattern);
 
 // rad: exceeding the limit by less is not worth a shorter step; at small limits in proportion.
-inline constexpr double kPatternOverload = 0.7 * kPi / 180;
+inline constexpr double kPatternOverload = 0.75 * kPi / 180;
 inline constexpr double kFullOverload = kPi / 3;
 // rad: what a pattern may meet.
 double most_engagement(const TrochoidParams& params);
@@ -77,7 +77,7 @@ Region strip_of(const TrochoidParams& params, double back, double ahead);
 // What a pattern does once it repeats.
 struct PatternFigures {
   double cut_length = 0, link_length = 0;  // mm, of a period
-  double area_per_length = 0;              // mm^2 per mm of cut
+  double area_per_length = 0;              // mm^2 per mm of cut that meets material
   double max_engagement = 0;               // rad, mean over kMeanLength mm
   double within = 0;                       // share of the cut within kBand of the limit
   double time = 0;                         // min, of a period
