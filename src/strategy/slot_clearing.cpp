@@ -29,6 +29,8 @@ constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
 constexpr double kMostPassRoom = 0.05;  // of the limit
 // Half rooms: a junction reaches no further.
 constexpr double kLongestJunction = 8;
+// The same: so far beyond the corner inside where two ways meet both walls of a way are there.
+constexpr double kPastCorner = 1.1;
 constexpr double kSameArea = 1e-6;  // mm^2
 
 ClearingParams for_passes(ClearingParams params) {
@@ -241,11 +243,27 @@ class SlotClearing {
       const double s = std::max(-way.reach.back, *edge - way.reach.ahead + radius_);
       if (way.last() - s < kFewestPeriods * way.pattern.step) continue;
       way.has_next_room = true;
-      const std::optional<Region> room =
-          room_behind(task_.centres, centres_, placed(way.front, pose_on(way.stretch, s)));
+      const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
+      std::optional<Region> room = room_behind(task_.centres, centres_, front);
+      if (!room || !is_mostly_clear(way, *room)) room = corner_behind(front);
       if (room && is_mostly_clear(way, *room) && clear_room(*room)) return true;
     }
     return false;
+  }
+
+  // Between a front and the last place of another way that has walls on both sides: the smallest
+  // such room.
+  std::optional<Region> corner_behind(const std::vector<Segment>& front) const {
+    std::optional<Region> best;
+    for (const Way& other : ways_) {
+      // The tool goes round the corner between the two ways by its radius.
+      const double s =
+          other.stretch.middle.length() - kPastCorner * other.stretch.half_room - radius_;
+      if (s < 0) continue;
+      std::optional<Region> room = room_between(task_.centres, centres_, other.stretch, s, front);
+      if (room && (!best || room->area() < best->area())) best = std::move(room);
+    }
+    return best;
   }
 
   // Whether nothing but a junction is left of a room behind a way: along the middles.

@@ -38,7 +38,8 @@ std::optional<double> first_free(const Way& way, const ClearedGround& ground) {
   if (!edge) return std::nullopt;
   const double reach = way.reach.ahead - way.reach.back + 2 * ground.tool_radius();
   std::optional<double> last;
-  for (double s = std::max(-way.reach.back, *edge - reach); s <= std::min(way.last(), *edge);
+  const double from = -way.reach.back - way.stretch.half_room;
+  for (double s = std::max(from, *edge - reach); s <= std::min(way.last(), *edge);
        s += kTrySpacing * way.pattern.step)
     if (is_clear(cut_at(way, s), ground, kThin * way.pattern.step))
       last = s;
