@@ -229,12 +229,13 @@ class Opening {
     }
   }
 
+  // They are the last of the opening: its ground is asked for no more.
   void add_turns(const LameTurns& turns) {
-    add_moves(MoveKind::kCut, turns.moves);
     std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
-    const std::size_t before = moves.size() - turns.moves.size();
-    for (std::size_t i = 0; i < turns.moves.size(); ++i)
-      moves[before + i].smooth_front = turns.smooth_front[i];
+    for (std::size_t i = 0; i < turns.moves.size(); ++i) {
+      moves.push_back({MoveKind::kCut, turns.moves[i]});
+      moves.back().smooth_front = turns.smooth_front[i];
+    }
   }
 
   // Returns the radius of the circle that the tool's centre can run on in the hole.
