@@ -1,9 +1,14 @@
 # Lamé spirals on the four geometries of their source [Tancsa 2023], beside clearing at constant
 # engagement, contour-parallel milling, FreeCAD's Pocket and FreeCAD's Adaptive: time over the ideal
-# one, the forces and the engagement that the simulator finds, and how long a path takes to compute.
+# one, the forces and the engagement that the simulator finds, and how long a path takes to compute:
+# the fit and the spiral alone, with its feeds and report, and with what it leaves.
 # Contour-parallel milling, ours and that of FreeCAD's Pocket, is measured at the same feed, where
-# it slots and thus exceeds the removal rate, and at the same peak force.
+# it slots and thus exceeds the removal rate, and at the same peak force as the spiral's with the
+# feed control Constant force. FreeCAD's Pocket is set against that spiral at equal times, too:
+# slowed to the spiral's time, and the spiral hurried to the Pocket's, and to that of contours which
+# begin with a helix, as the spiral does.
 import math
+import time
 
 import contour_parallel
 import evenload
@@ -16,10 +21,30 @@ from timing import best_time
 CASES = ("lame_square35", "lame_hex50", "lame_square_island", "lame_hex_island")
 CUTTING = {"material": "Star test piece", "spindle_speed": 6366}
 CUT = 3  # kind of a move
+SPIRAL_IS_THERE = 0.5  # of the progress
 
 
 def spiral(case, **parameters):
     return pocket_case.path_of(case, _core.clear_with_lame_spiral, **parameters)
+
+
+def fit_and_spiral(case, repeats=5):
+    """The fewest seconds of the processor until the spiral is there, and its feeds are not: half of
+    the progress is reported then.
+    """
+    times = []
+    for _ in range(repeats):
+        start = time.process_time()
+        ends = []
+
+        def go_on(done):
+            if done >= SPIRAL_IS_THERE:
+                ends.append(time.process_time())
+            return not ends
+
+        spiral(case, progress=go_on)
+        times.append(ends[0] - start)
+    return min(times)
 
 
 def even_force():
@@ -52,9 +77,23 @@ def judged(case, moves, infer_kinds=False):
     }
 
 
-def at_share(moves, share):
-    """The same moves, cuts at a share of their feed."""
-    return [(*m[:7], share * m[7] if m[0] == CUT else m[7]) for m in moves]
+def at_share(moves, share, most=math.inf):
+    """The same moves, cuts at a share of their feed, but at `most` mm/min."""
+    return [(*m[:7], min(most, share * m[7]) if m[0] == CUT else m[7]) for m in moves]
+
+
+def in_time(case, moves, seconds, most=math.inf, infer_kinds=False):
+    """Figures of the moves with cuts at such a share of their feed, at `most` mm/min, that they
+    take `seconds`: the time is nearly a straight line over one over the share.
+    """
+    slow, fast = 1.0, 2.0
+    rows = {share: judged(case, at_share(moves, share, most), infer_kinds) for share in (1.0, 2.0)}
+    for _ in range(3):
+        at_slow, at_fast = rows[slow]["time"][0], rows[fast]["time"][0]
+        part = (seconds - at_slow) / (at_fast - at_slow)
+        slow, fast = fast, 1 / (1 / slow + part * (1 / fast - 1 / slow))
+        rows[fast] = judged(case, at_share(moves, fast, most), infer_kinds)
+    return rows[fast]
 
 
 def contours(case, moves, force, infer_kinds=False):
@@ -87,6 +126,13 @@ def figures():
         rows["freecad_pocket"], rows["freecad_pocket_same_force"] = contours(
             case, moves, force, True
         )
+        even = rows["spiral_even_force"]["time"][0]
+        rows["freecad_pocket_same_time"] = in_time(case, moves, even, infer_kinds=True)
+        ours = spiral(case, **even_force()).moves
+        for which, theirs in (("pockets", "freecad_pocket"), ("contours", "contours")):
+            rows["spiral_in_%s_time" % which] = in_time(
+                case, ours, rows[theirs]["time"][0], case["max_feed"]
+            )
         for which, row in rows.items():
             for figure, (value, unit) in row.items():
                 yield "lame.%s.%s.%s" % (name, which, figure), value, unit
@@ -94,6 +140,7 @@ def figures():
         yield "lame.%s.compute" % name, best_time(lambda: spiral(case)), "s"
         alone = best_time(lambda: spiral(case, rest="leave"))
         yield "lame.%s.compute_spiral" % name, alone, "s"
+        yield "lame.%s.compute_fit_and_spiral" % name, fit_and_spiral(case), "s"
 
 
 PATHS = (
@@ -105,6 +152,23 @@ PATHS = (
     "contours_same_force",
     "freecad_pocket",
     "freecad_pocket_same_force",
+    "freecad_pocket_same_time",
+    "spiral_in_pockets_time",
+    "spiral_in_contours_time",
+)
+# The spiral's path and the contours' that are set against each other.
+COMPARED = (
+    ("at the same feed", "spiral", "freecad_pocket"),
+    ("at the same peak force", "spiral_even_force", "freecad_pocket_same_force"),
+    ("in the spiral's time", "spiral_even_force", "freecad_pocket_same_time"),
+    ("in the Pocket's time", "spiral_in_pockets_time", "freecad_pocket"),
+    ("in time of helix, contours", "spiral_in_contours_time", "contours"),
+)
+SAME = 0.005  # of two figures: less is no difference
+COMPUTED = (
+    ("fit and spiral alone", "compute_fit_and_spiral"),
+    ("with feeds and report, rest left", "compute_spiral"),
+    ("with the rest", "compute"),
 )
 COLUMNS = ("time", "time_ratio", "force_peak", "force_mean", "max_engagement")
 
@@ -119,6 +183,42 @@ def table(values):
                 value = values.get("lame.%s.%s.%s" % (name, which, column))
                 line += "%16s" % ("-" if value is None else "%.2f" % value)
             yield line
-    yield "s to compute, rest left: " + ", ".join(
-        "%s %.3f" % (name, values.get("lame.%s.compute_spiral" % name, math.nan)) for name in CASES
-    )
+    yield ""
+    yield from verdicts(values)
+    yield ""
+    for what, figure in COMPUTED:
+        yield what + ": " + ", ".join(
+            "%s %.1f ms" % (name, 1000 * values.get("lame.%s.%s" % (name, figure), math.nan))
+            for name in CASES
+        )
+
+
+def verdicts(values):
+    """Whether the spiral is better than contours, case by case: s and N of both. Contours are those
+    of FreeCAD's Pocket, which comes straight down, and ours, which begin with a helix in pockets.
+    """
+    yield "%-20s %-26s%20s%20s  spiral better in" % ("case", "compared", "spiral", "contours")
+    for name in CASES:
+        for how, ours, theirs in COMPARED:
+            row = []
+            for which in (ours, theirs):
+                keys = ["lame.%s.%s.%s" % (name, which, f) for f in ("time", "force_peak")]
+                row.append([values.get(key, math.nan) for key in keys])
+            (our_time, our_force), (their_time, their_force) = row
+            better = [
+                word
+                for word, a, b in (
+                    ("time", our_time, their_time),
+                    ("force", our_force, their_force),
+                )
+                if a < (1 - SAME) * b
+            ]
+            yield "%-20s %-26s%11.1f s %5.1f N%11.1f s %5.1f N  %s" % (
+                name,
+                how,
+                our_time,
+                our_force,
+                their_time,
+                their_force,
+                " and ".join(better) or "nothing",
+            )

@@ -135,9 +135,9 @@ void BoundaryIndex::Implementation::build_grid(const std::vector<Bounds>& boxes)
   }
 }
 
-BoundaryIndex::BoundaryIndex(const std::vector<Curve>& curves)
-    : implementation_(std::make_unique<Implementation>()) {
-  Implementation& in = *implementation_;
+BoundaryIndex::BoundaryIndex(const std::vector<Curve>& curves) {
+  const auto built = std::make_shared<Implementation>();
+  Implementation& in = *built;
   std::vector<Bounds> boxes;
   for (const Curve& curve : curves) {
     in.first_of_curve.push_back(in.segments.size());
@@ -149,11 +149,8 @@ BoundaryIndex::BoundaryIndex(const std::vector<Curve>& curves)
   }
   in.tree = BoxTree(boxes);
   if (!boxes.empty()) in.build_grid(boxes);
+  implementation_ = built;
 }
-
-BoundaryIndex::~BoundaryIndex() = default;
-BoundaryIndex::BoundaryIndex(BoundaryIndex&&) noexcept = default;
-BoundaryIndex& BoundaryIndex::operator=(BoundaryIndex&&) noexcept = default;
 
 bool BoundaryIndex::empty() const { return implementation_->segments.empty(); }
 

@@ -1,6 +1,6 @@
 // Nearest-boundary queries on many curves, by a tree of boxes that a grid of first guesses
-// shortens. Read by any number of threads at once. Laws: nearest() is exact up to rounding;
-// contains() is, off the curves.
+// shortens. Read by any number of threads at once; copies share what was built. Laws: nearest() is
+// exact up to rounding; contains() is, off the curves.
 #pragma once
 
 #include <memory>
@@ -21,9 +21,6 @@ class BoundaryIndex {
   };
 
   explicit BoundaryIndex(const std::vector<Curve>& curves);
-  ~BoundaryIndex();
-  BoundaryIndex(BoundaryIndex&&) noexcept;
-  BoundaryIndex& operator=(BoundaryIndex&&) noexcept;
 
   bool empty() const;
   Hit nearest(Vec2 q) const;  // condition: not empty()
@@ -36,7 +33,7 @@ class BoundaryIndex {
 
  private:
   struct Implementation;
-  std::unique_ptr<Implementation> implementation_;
+  std::shared_ptr<const Implementation> implementation_;
 };
 
 }  // namespace evenload

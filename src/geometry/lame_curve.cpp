@@ -39,16 +39,18 @@ void check_lame_curve(const LameCurve& curve) {
 
 namespace {
 
-// The curve's two terms at one polar angle, the larger of their bases taken out.
+// The curve's two terms at one polar angle, the larger of their bases taken out: its power is 1
+// then, and that of the smaller neither over- nor underflows. Logarithms are taken once, for
+// powers, too.
 struct Terms {
-  double turn, c, s;     // psi over the angle; cos psi and sin psi
-  double larger, u, v;   // of |c| / a and |s| / b, and both over it
-  double power, up, vp;  // 2 / n, and u and v to it
-  double r() const { return std::pow(up + vp, -1 / power) / larger; }
+  double turn, c, s;          // psi over the angle; cos psi and sin psi
+  double larger, smaller;     // of |c| / a and |s| / b; the smaller over the larger
+  bool along_a;               // the larger is that of a
+  double power;               // 2 / n
+  double log_raised, raised;  // of the smaller to that power, and itself
+  double log_sum;             // of 1 + raised
+  double r() const { return std::exp(-log_sum / power) / larger; }
 };
-
-// Of u or v, of which one is 1: no power over- or underflows, and one of two is known.
-double powered(double base, double power) { return base == 1 ? 1 : std::pow(base, power); }
 
 Terms terms_of(const LameCurve& curve, double angle) {
   Terms t;
@@ -58,12 +60,13 @@ Terms terms_of(const LameCurve& curve, double angle) {
   t.c = unless_rounding(std::cos(psi), rounding);
   t.s = unless_rounding(std::sin(psi), rounding);
   const double x = std::abs(t.c) / curve.a, y = std::abs(t.s) / curve.b;
-  t.larger = std::max(x, y);
-  t.u = x / t.larger;
-  t.v = y / t.larger;
+  t.along_a = x >= y;
+  t.larger = t.along_a ? x : y;
+  t.smaller = (t.along_a ? y : x) / t.larger;
   t.power = 2 / curve.exponent;
-  t.up = powered(t.u, t.power);
-  t.vp = powered(t.v, t.power);
+  t.log_raised = t.power * std::log(t.smaller);  // minus infinity on an axis
+  t.raised = std::exp(t.log_raised);
+  t.log_sum = std::log(1 + t.raised);
   return t;
 }
 
@@ -71,22 +74,24 @@ Terms terms_of(const LameCurve& curve, double angle) {
 
 LameRadius lame_radius(const LameCurve& curve, double angle) {
   const Terms t = terms_of(curve, angle);
-  const double sum = t.up + t.vp;
+  const double sum = 1 + t.raised;
   LameRadius at;
   at.r = t.r();
   // ln r = -(n / 2) ln(X + Y): its derivatives are weighted by the shares of X and Y.
-  const double wx = t.up / sum, wy = t.vp / sum;
+  const double more = 1 / sum, less = t.raised / sum;
+  const double wx = t.along_a ? more : less, wy = t.along_a ? less : more;
   at.log_by_a = wx;
   at.log_by_b = wy;
   at.by_a = at.r * wx / curve.a;
   at.by_b = at.r * wy / curve.b;
-  const auto entropy = [](double w) { return w > 0 ? w * std::log(w) : 0.0; };
-  at.by_exponent = 0.5 * at.r * (entropy(wx) + entropy(wy));
+  at.by_exponent = 0.5 * at.r * ((less > 0 ? less * t.log_raised : 0) - t.log_sum);
   // wx / c and wx / c^2, which stay finite where c is 0 and the power allows it.
   const double ca = curve.a * t.larger, sb = curve.b * t.larger;
   const double wx_c = t.c == 0 ? 0 : wx / t.c, wy_s = t.s == 0 ? 0 : wy / t.s;
-  const double wx_cc = powered(t.u, t.power - 2) / (sum * ca * ca);
-  const double wy_ss = powered(t.v, t.power - 2) / (sum * sb * sb);
+  const double lowered =
+      t.smaller > 0 ? t.raised / (t.smaller * t.smaller) : std::pow(0.0, t.power - 2);
+  const double wx_cc = (t.along_a ? 1 : lowered) / (sum * ca * ca);
+  const double wy_ss = (t.along_a ? lowered : 1) / (sum * sb * sb);
   const double slope = wx_c * t.s - wy_s * t.c;
   const double large = std::max(wx_cc, wy_ss), small = std::min(wx_cc, wy_ss);
   const double rest = 1 - t.power * small;

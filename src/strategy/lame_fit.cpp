@@ -24,14 +24,19 @@ constexpr double kGoodStep = 1e-4;       // of the sum of squares: less gained e
 constexpr double kStepOfRotation = 0.2;  // rad, at most, in one step
 constexpr double kFirstExponent = 0.6;   // a rounded polygon
 constexpr double kStepOfExponent = 0.2;  // at most, in one step: far off the model is a bad one
+constexpr int kMostLooks = 60;           // for an exponent
+constexpr double kRadiusPlay = 1e-3;     // of the least radius: the corners may have so much more
 constexpr double kPerfect = 1e-9;        // a sum of squares: less is rounding
-constexpr std::size_t kFinalists = 2;    // of all first curves, by their plain least squares
-constexpr double kBetter = 1e-4;         // of the area: less is no reason for more segments
-constexpr double kGivenAway = 1e-4;      // mm of room that may be left unused
-constexpr int kCorrections = 5;          // of the semi-axes by what still sticks out
-constexpr double kNearlyWorst = 5e-3;    // semi-axes: so near to the worst, others are refined
-constexpr int kRefinements = 9;          // each halves the step
-constexpr double kResolution = 1e-6;     // mm, or of the exponent: what is searched for is found
+// Of all first curves, by their plain least squares. One with a sum so much larger has not been the
+// better one in the end, and one with the same sum is the same curve.
+constexpr std::size_t kFinalists = 2;
+constexpr double kRival = 3, kSameSum = 1 + 1e-6;
+constexpr double kBetter = 1e-4;       // of the area: less is no reason for more segments
+constexpr double kGivenAway = 1e-4;    // mm of room that may be left unused
+constexpr int kCorrections = 5;        // of the semi-axes by what still sticks out
+constexpr double kNearlyWorst = 5e-3;  // semi-axes: so near to the worst, others are refined
+constexpr int kRefinements = 9;        // each halves the step
+constexpr double kResolution = 1e-6;   // mm, or of the exponent: what is searched for is found
 
 // The places of the parameters.
 enum { kX, kY, kRotation, kA, kB, kExponent, kParameters };
@@ -105,7 +110,7 @@ class Fit {
       // again, and once more for what that changes.
       for (int i = 0; i < 2; ++i) {
         const double least = exponent_of_least_radius();
-        if (curve_.exponent >= least) break;
+        if (curve_.exponent >= least) return curve_;
         curve_.exponent = least;
         free_[kExponent] = false;
         for (const double weight : kWrongSide) round(weight);
@@ -128,12 +133,29 @@ class Fit {
 
   double exponent_of_least_radius() const {
     LameCurve curve = curve_;
+    // Beyond the radius that is aimed at, which lies a little above the least one.
+    const auto beyond = [&](double exponent) {
+      curve.exponent = exponent;
+      return least_curvature_radius(curve) / ((1 + kRadiusPlay) * task_->least_radius) - 1;
+    };
     double low = kLeastExponent, high = 1;
-    curve.exponent = low;
-    if (least_curvature_radius(curve) >= task_->least_radius) return low;
-    while (high - low > 1e-4) {
-      curve.exponent = 0.5 * (low + high);
-      (least_curvature_radius(curve) >= task_->least_radius ? high : low) = curve.exponent;
+    double at_low = beyond(low), at_high = beyond(high);
+    if (at_low >= 0) return low;
+    if (at_high <= 0) return high;
+    // Regula falsi with the Illinois rule: the radius grows smoothly with the exponent.
+    for (int i = 0; i < kMostLooks; ++i) {
+      const double exponent = low - (high - low) * at_low / (at_high - at_low);
+      const double here = beyond(exponent);
+      if (std::abs(here) < kRadiusPlay / 2) return exponent;
+      if (here < 0) {
+        low = exponent;
+        at_low = here;
+        at_high *= 0.5;
+      } else {
+        high = exponent;
+        at_high = here;
+        at_low *= 0.5;
+      }
     }
     return high;
   }
@@ -330,11 +352,12 @@ std::optional<LameCurve> fit_lame_curve(const Curve& outline, const LameFitTask&
   }
   std::stable_sort(fits.begin(), fits.end(),
                    [](const auto& p, const auto& q) { return p.first < q.first; });
-  if (fits.size() > kFinalists) fits.erase(fits.begin() + kFinalists, fits.end());
   std::optional<LameCurve> best;
   double best_area = 0;
-  for (auto& [unused, fit] : fits) {
-    std::optional<LameCurve> curve = on_its_side(fit.run(), index, task);
+  for (std::size_t i = 0; i < std::min(kFinalists, fits.size()); ++i) {
+    const double least = fits.front().first, sum = fits[i].first;
+    if (best && (sum > kRival * least || sum <= kSameSum * least)) break;
+    std::optional<LameCurve> curve = on_its_side(fits[i].second.run(), index, task);
     if (!curve) continue;
     const double area = lame_area(*curve) * (task.side == LameSide::kInside ? 1 : -1);
     if (best && area <= best_area + kBetter * std::abs(best_area)) continue;

@@ -11,7 +11,7 @@
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
-#include "strategy/feeds.h"
+#include "strategy/lame_pace.h"
 #include "strategy/lame_refusals.h"
 #include "strategy/lame_shapes.h"
 #include "strategy/lame_turns.h"
@@ -30,8 +30,6 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
-// Engagements, evenly up to half a turn, whose feeds are asked for.
-constexpr int kPaces = 48;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
@@ -58,7 +56,7 @@ class Opening {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         shapes_(params, lame, arc_tolerance()),
-        pace_(pace()),
+        pace_(pace_of(params, task.mirrored)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {}
 
@@ -97,28 +95,16 @@ class Opening {
   std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
     const std::optional<LameCurve> last = shapes_.last(outline, side);
     if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
+    // A constant removal rate makes good for uneven turns, but not for those between a ring's
+    // curves, some of which hardly cut along its narrow sides.
+    const bool ring = side == LameSide::kInside && !task_.centres.islands.empty();
+    if (params_.feed_control == FeedControl::kConstantRemovalRate && !ring) return {*last};
     return shapes_.with_rounder_ones(*last, outline, side);
   }
   LameCurve first_curve(const Curve& outline) const {
     const std::optional<LameCurve> first = shapes_.first(outline);
     if (!first) refuse(no_curve_sentence(outline, shapes_.first_wishes()));
     return *first;
-  }
-
-  // What the feed control makes of straight cuts of some widths.
-  std::optional<MonotoneSpline> pace() const {
-    const LoadShare share = load_share(params_, task_.mirrored);
-    if (!share || params_.feed_control == FeedControl::kConstantRemovalRate) return {};
-    std::vector<double> widths{0}, paces{1 / params_.maximum_feed};
-    for (int i = 1; i <= kPaces; ++i) {
-      const double engaged = i * kPi / kPaces;
-      const AngularInterval arc{-kPi / 2, engaged - kPi / 2};
-      const double chip = engaged < kPi / 2 ? std::sin(engaged) : 1;
-      widths.push_back(side_step(engaged, radius_));
-      const double load = share({engaged, widths.back(), chip, 0}, {arc});
-      paces.push_back(std::max(load / params_.feed, 1 / params_.maximum_feed));
-    }
-    return MonotoneSpline(std::move(widths), std::move(paces));
   }
 
   TurnTask turn_task(bool inwards) const {
@@ -229,12 +215,13 @@ class Opening {
     }
   }
 
+  // They are the last of the opening: its ground is asked for no more.
   void add_turns(const LameTurns& turns) {
-    add_moves(MoveKind::kCut, turns.moves);
     std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
-    const std::size_t before = moves.size() - turns.moves.size();
-    for (std::size_t i = 0; i < turns.moves.size(); ++i)
-      moves[before + i].smooth_front = turns.smooth_front[i];
+    for (std::size_t i = 0; i < turns.moves.size(); ++i) {
+      moves.push_back({MoveKind::kCut, turns.moves[i]});
+      moves.back().smooth_front = turns.smooth_front[i];
+    }
   }
 
   // Returns the radius of the circle that the tool's centre can run on in the hole.
@@ -319,7 +306,7 @@ class Opening {
   void clear_stock_around_island();
   void clear_ring();
   [[noreturn]] void refuse_growth() const;
-  LameCurve within_channel(LameCurve first, const LameCurve& last) const;
+  std::optional<LameCurve> within_channel(LameCurve first, const LameCurve& last) const;
   double kept_area() const;
 
   const RegionTask& task_;
@@ -375,10 +362,31 @@ void Opening::clear_ring() {
   const Curve island = task_.centres.islands.front().reversed();
   const LameCurve beside = first_curve(island);
 
+  // What a spiral clears, and with the channel; of a rounder curve that must do.
+  const auto by_spiral_to = [&](const LameGrowth& growth) {
+    const LameCurve &first = growth.stages.front().from, &last = growth.stages.back().to;
+    return (grown_lame_area(last, radius_) - grown_lame_area(first, radius_)) / made_.reached_area;
+  };
+  const auto with_channel_to = [&](const LameCurve& last) {
+    return (grown_lame_area(last, radius_) - grown_lame_area(beside, -radius_)) /
+           made_.reached_area;
+  };
   const auto growths_to = [&](const LameCurve& last) {
-    std::vector<LameGrowth> growths = growths_through_circles(within_channel(beside, last), last);
+    std::vector<LameGrowth> growths;
+    const bool closest = last == lasts.front();
+    if (!closest && with_channel_to(last) < kLeastShare) return growths;
+    if (const std::optional<LameCurve> first = within_channel(beside, last))
+      growths = growths_through_circles(*first, last);
+    else if (closest)
+      refuse(kNoRoom);
     if (const std::optional<LameCurve> alike = shapes_.first_like(last, island))
-      growths.push_back({{{within_channel(*alike, last), last}}});
+      if (const std::optional<LameCurve> first = within_channel(*alike, last))
+        growths.push_back({{{*first, last}}});
+    const auto does_little = [&](const LameGrowth& growth) {
+      return by_spiral_to(growth) < kLeastRingShare;
+    };
+    if (!closest)
+      growths.erase(std::remove_if(growths.begin(), growths.end(), does_little), growths.end());
     return growths;
   };
   const PlannedGrowth growth = quickest(lasts, false, growths_to, [&](const LameCurve& last) {
@@ -388,8 +396,8 @@ void Opening::clear_ring() {
   const double outside = grown_lame_area(growth.growth.stages.back().to, radius_);
   made_.spiral_area = outside - grown_lame_area(first, radius_);
   // A ring resembles its two curves, whatever the channel takes of it.
-  check_share((outside - grown_lame_area(beside, -radius_)) / made_.reached_area);
-  const double by_spiral = made_.spiral_area / made_.reached_area;
+  check_share(with_channel_to(growth.growth.stages.back().to));
+  const double by_spiral = by_spiral_to(growth.growth);
   if (by_spiral < kLeastRingShare) refuse(small_share_sentence(by_spiral, lame_));
   if (by_spiral < kLeastShare) made_.result.notes.push_back(channel_note(by_spiral));
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
@@ -406,12 +414,13 @@ void Opening::refuse_growth() const {
   refuse(kNoGrowth);
 }
 
-// The first curve of a ring, as far from the island's wall as a channel is cleared for it.
-LameCurve Opening::within_channel(LameCurve first, const LameCurve& last) const {
+// The first curve of a ring, as far from the island's wall as a channel is cleared for it; nothing
+// where that leaves no room.
+std::optional<LameCurve> Opening::within_channel(LameCurve first, const LameCurve& last) const {
   const double room =
       least_lame_radius(last) - distance(first.centre, last.centre) - largest_lame_radius(first);
   const double width = std::min(kFirstChannel * radius_, 0.5 * room);
-  if (width < kLeastChannel * radius_) refuse(kNoRoom);
+  if (width < kLeastChannel * radius_) return {};
   first.a += width;
   first.b += width;
   return first;

@@ -19,6 +19,8 @@ constexpr int kKnots = 16;       // of a spiral's functions, for each turn
 constexpr double kRampIn = 0.5;  // rad within which a spiral takes up its first slope
 constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
 constexpr double kSameAngle = 1e-9;  // rad
+// Share of what semi-axes change by: fits of even shapes come as near to even curves.
+constexpr double kAlike = 1e-3;
 constexpr double kSmallStep = 1e-4;  // share of the growth: for its direction
 constexpr double kFirstStep = 2;     // side steps: no turn goes farther
 constexpr int kMostLooks = 8;        // for one step
@@ -42,10 +44,13 @@ Heading heading_at(const LameCurve& curve, double angle, bool inwards) {
           curvature_of(at)};
 }
 
-// Whether each of the m parts of a turn is like the others: one of them is looked at, then.
+// Whether each of the m parts of a turn is like the others, as far as steps can tell: one of them
+// is looked at, then.
 bool is_even(const LameGrowth& growth) {
-  return std::all_of(growth.stages.begin(), growth.stages.end(), [](const LameStage& s) {
-    return s.from.a == s.from.b && s.to.a == s.to.b && s.from.centre == s.to.centre;
+  const double small = kAlike * growth.length();
+  return std::all_of(growth.stages.begin(), growth.stages.end(), [&](const LameStage& s) {
+    return std::abs(s.from.a - s.from.b) < small && std::abs(s.to.a - s.to.b) < small &&
+           distance(s.from.centre, s.to.centre) < small;
   });
 }
 
@@ -183,12 +188,22 @@ MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
   return MonotoneSpline(levels, steps);
 }
 
+namespace {
+
+// As far as the step here allows, and less where it is about to become smaller.
+double step_from(const MonotoneSpline& steps, double share) {
+  const double here = steps.value(share);
+  return std::min(here, steps.value(share + here));
+}
+
+}  // namespace
+
 double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const TurnTask& task) {
   const double nominal = side_step(task.engagement, task.tool_radius);
   const std::vector<double> levels = levels_of(growth);
   double total = 0;
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-    const double level = 0.5 * (levels[k] + levels[k + 1]), step = steps.value(level);
+    const double level = 0.5 * (levels[k] + levels[k + 1]), step = step_from(steps, level);
     const LameCurve curve = growth.at(level), before = growth.at(level - step);
     const std::vector<double> angles = angles_to_look_at(growth, curve);
     const int parts = is_even(growth) ? curve.segments : 1;
@@ -234,7 +249,6 @@ std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
 
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
                      bool inwards) {
-  // As fast as the step here allows, and slower where it is about to become smaller.
   const double knot = 2 * kPi / kKnots;
   std::vector<double> turned{-knot, 0}, shares{0, 0};
   while (shares.back() < 1) {
@@ -242,8 +256,7 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
       throw std::invalid_argument(
           "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, or take the "
           "operation Adaptive.");
-    const double share = shares.back(), here = steps.value(share);
-    const double step = std::min(here, steps.value(share + here));
+    const double share = shares.back(), step = step_from(steps, share);
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
     turned.push_back(turned.back() + knot);
     shares.push_back(std::min(1.0, share + ramp * step / kKnots));

@@ -33,9 +33,12 @@ LameFitTask LameShapes::task(LameSide side, const LameWishes& wishes) const {
 }
 
 std::optional<LameCurve> LameShapes::last(const Curve& outline, LameSide side) const {
-  LameFitTask fit = task(side, last_wishes());
+  return fitted(outline, task(side, last_wishes()));
+}
+
+std::optional<LameCurve> LameShapes::fitted(const Curve& outline, LameFitTask fit) const {
   const std::optional<LameCurve> curve = fit_lame_curve(outline, fit);
-  if (!curve || has_wished_size() || side != LameSide::kInside ||
+  if (!curve || has_wished_size() || fit.side != LameSide::kInside ||
       std::max(curve->a, curve->b) <= kLongest * std::min(curve->a, curve->b))
     return curve;
   (curve->a > curve->b ? fit.wishes.semi_axis_a : fit.wishes.semi_axis_b) =
@@ -62,16 +65,14 @@ std::optional<LameCurve> LameShapes::first_like(const LameCurve& other,
 std::vector<LameCurve> LameShapes::with_rounder_ones(const LameCurve& last, const Curve& outline,
                                                      LameSide side) const {
   std::vector<LameCurve> curves{last};
-  if (lame_.exponent_end || lame_.rest == LameRest::kLeave ||
-      params_.feed_control == FeedControl::kConstantRemovalRate)
-    return curves;
+  if (lame_.exponent_end || lame_.rest == LameRest::kLeave) return curves;
   LameWishes wishes = last_wishes();
   wishes.centre = last.centre;
   wishes.segments = last.segments;
   wishes.rotation = last.rotation;
   for (const double share : kRounder) {
     wishes.exponent = last.exponent + share * (1 - last.exponent);
-    if (const std::optional<LameCurve> curve = fit_lame_curve(outline, task(side, wishes)))
+    if (const std::optional<LameCurve> curve = fitted(outline, task(side, wishes)))
       curves.push_back(*curve);
   }
   return curves;

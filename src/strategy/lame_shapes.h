@@ -38,13 +38,15 @@ class LameShapes {
   // circle.
   std::optional<LameCurve> first_like(const LameCurve& other, const Curve& outline) const;
 
-  // The last curve itself, and, but for a constant removal rate, which makes good for uneven turns,
+  // The last curve itself, and, unless its exponent is set or what they leave is not cleared,
   // rounder ones about its middle: their turns are filled more evenly, and leave more to clear.
   std::vector<LameCurve> with_rounder_ones(const LameCurve& last, const Curve& outline,
                                            LameSide side) const;
 
  private:
   LameFitTask task(LameSide side, const LameWishes& wishes) const;
+  // Of a last curve: no longer than it may be.
+  std::optional<LameCurve> fitted(const Curve& outline, LameFitTask fit) const;
 
   const ClearingParams& params_;
   const LameParams& lame_;

@@ -37,12 +37,12 @@ class Looks {
  public:
   // `sure`: tool radii between looks where the stock may have corners, at most.
   Looks(const LameSpiral& spiral, const LameArcs& arcs, const TurnTask& task, double sure,
-        ClearedGround& ground)
-      : ground_(ground),
+        const ClearedGround& before)
+      : ground_(before),
         closer_from_(0.5 * task.engagement),
+        aim_(task.engagement - kAim),
         sure_(sure),
         from_outside_(task.inwards) {
-    const std::size_t before = ground.size();
     // Where one arc goes over into the next it meets what the one before met there.
     double turned = 0, last = engaged(arcs.moves.front(), 0);
     for (std::size_t i = 0; i < arcs.moves.size(); ++i) {
@@ -53,21 +53,20 @@ class Looks {
       smooth_.push_back(is_smooth(turned, arcs.turned[i]));
       is_whole_ = true;
       const int count =
-          std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground.tool_radius()))));
+          std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground_.tool_radius()))));
       for (int k = 1; k <= count; ++k) {
         const double from = static_cast<double>(k - 1) / count, to = static_cast<double>(k) / count;
         const double here = engaged(move, to);
         found_.push_back({share(to), std::max(here, between(move, from, last, to, here))});
         last = here;
       }
-      ground.add(move);
+      ground_.add(move);
       turned = arcs.turned[i];
       if (!is_whole_) partly_.push_back(turned);
     }
-    while (ground.size() > before) ground.remove_last();
     // From outside, arcs tighter than the tool leave cusps.
     const auto is_tight = [&](const Segment& move) {
-      return move.is_arc() && move.radius <= ground.tool_radius();
+      return move.is_arc() && move.radius <= ground_.tool_radius();
     };
     if (from_outside_ && std::any_of(arcs.moves.begin(), arcs.moves.end(), is_tight))
       smooth_.assign(smooth_.size(), false);
@@ -96,19 +95,22 @@ class Looks {
   // The most between two looks: closer ones where a peak may hide there, since it changes fast or
   // edges of the stock are met.
   double between(const Segment& move, double from, double e_from, double to, double e_to) {
-    const double most = std::max(e_from, e_to);
+    const double most = std::max(e_from, e_to), change = std::abs(e_to - e_from);
     const double length = (to - from) * move.length() / ground_.tool_radius();
     const double sure = from_outside_ && !smooth_.back() ? sure_ : kLook;
-    const bool even = length <= sure && std::abs(e_to - e_from) < kJump;
-    if (most < closer_from_ || even || length < kClosest) return most;
+    const bool even = length <= sure && change < kJump;
+    // A peak between them stands no higher above both than they differ.
+    const bool low = most < closer_from_ || (length <= sure && most + change < aim_);
+    if (low || even || length < kClosest) return most;
     const double middle = 0.5 * (from + to), here = engaged(move, middle);
     return std::max(
         {here, between(move, from, e_from, middle, here), between(move, middle, here, to, e_to)});
   }
 
-  ClearedGround& ground_;
-  double closer_from_;  // rad
-  double sure_;         // tool radii
+  ClearedGround ground_;  // a copy, which is sooner thrown away than taken back move by move
+  double closer_from_;    // rad
+  double aim_;            // rad
+  double sure_;           // tool radii
   bool from_outside_;
   bool is_whole_ = true;        // the engagement with the tool's side, along the arc looked at
   std::vector<double> partly_;  // rad turned: arcs where it is not
@@ -164,7 +166,7 @@ Range range_of(const MonotoneSpline& steps) {
 }  // namespace
 
 LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
-                   double tolerance, ClearedGround& ground) {
+                   double tolerance, const ClearedGround& ground) {
   const LameGrowth& growth = planned.growth;
   MonotoneSpline steps = planned.steps;
   LameTurns best;

@@ -21,10 +21,10 @@ struct LameTurns {
 };
 
 // The spiral through a growth, from the polar angle `start` on, as arcs within `tolerance` mm.
-// `ground`: what is cleared before; left as it was. Law: the engagement at the arcs' ends and
-// middles exceeds the limit by no more than kTurnTolerance, unless the first curve itself does.
+// `ground`: what is cleared before. Law: the engagement at the arcs' ends and middles exceeds the
+// limit by no more than kTurnTolerance, unless the first curve itself does.
 LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
-                   double tolerance, ClearedGround& ground);
+                   double tolerance, const ClearedGround& ground);
 inline constexpr double kTurnTolerance = 0.5 * kPi / 180;
 
 }  // namespace evenload

@@ -225,6 +225,23 @@ TEST(ClearedGround, IsAsItWasAfterTheNewestMoveIsTakenBack) {
   }
 }
 
+TEST(ClearedGround, IsNotChangedByWhatIsAddedToACopy) {
+  std::vector<Vertex> corners = shapes::rectangle(-12, -12, 12, 12).vertices();
+  for (Vertex& corner : corners) corner.open = true;
+  const std::vector<Region> stock{make_region(Curve(corners, true))};
+  ClearedGround ground(kField, kRadius, &stock);
+  ground.add(Segment::line({-6, 0}, {0, 0}));
+  ClearedGround copy = ground;
+  copy.add(Segment::line({0, 0}, {6, 0}));
+  EXPECT_EQ(ground.size(), 1U);
+  EXPECT_FALSE(ground.is_cleared_point({6, 0}));
+  EXPECT_TRUE(copy.is_cleared_point({6, 0}));
+  EXPECT_TRUE(copy.is_cleared_point({-6, 0}));
+  // Both know the edges of the stock.
+  EXPECT_TRUE(ground.is_cleared_point({13, 0}));
+  EXPECT_TRUE(copy.is_cleared_point({13, 0}));
+}
+
 TEST(ClearedGround, IsClearExactlyWhereNothingIsUncovered) {
   std::mt19937 random(14);
   ClearedGround ground(kField, kRadius, nullptr);

@@ -12,6 +12,7 @@
 #include "judged.h"
 #include "strategy/lame_clearing.h"
 #include "strategy/lame_opening.h"
+#include "strategy/lame_shapes.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -385,6 +386,26 @@ TEST(LameClearing, EndsRounderWhereChipsOrForcesAreHeldButNotWhereTheRemovalRate
     lame.exponent_end = closest;
     EXPECT_GT(spiral(pocket, params, lame).report.cutting_time, 1.04 * path.report.cutting_time);
   }
+}
+
+TEST(LameClearing, OfALongRingEndsRounderAtAConstantRemovalRateToo) {
+  // Along its narrow sides the turns to the closest curve would hardly cut.
+  const ClearingParams params = corpus::load("lame_square35").params();
+  const std::vector<Region> regions = {make_region(box(-60, -35, 120, 70), {circle({}, 14, true)})};
+  const auto cleared = [&](const LameParams& lame) {
+    Progress progress;
+    return clear_with_lame_spiral(regions, params, lame, progress);
+  };
+  LameParams left;
+  left.rest = LameRest::kLeave;
+  const LameToolpath path = cleared({});
+  LameParams closest;
+  closest.exponent_end = cleared(left).figures->last.exponent;
+  EXPECT_GT(path.figures->last.exponent, *closest.exponent_end + 0.1);
+  EXPECT_LT(path.report.cutting_time, 0.98 * cleared(closest).report.cutting_time);
+  // The rounder one is no longer than twice its width either.
+  const auto [shorter, longer] = std::minmax(path.figures->last.a, path.figures->last.b);
+  EXPECT_LE(longer, kLongest * shorter * 1.001);
 }
 
 TEST(LameClearing, TheRestIsClearedAtASlightlySmallerAngle) {

@@ -111,7 +111,7 @@ TEST(LameFit, HasNoTighterCornersThanItMay) {
     const std::optional<LameCurve> curve = fit_lame_curve(rectangle(60, 40), task);
     ASSERT_TRUE(curve);
     EXPECT_GE(least_curvature_radius(*curve), 0.999 * least);
-    EXPECT_LE(least_curvature_radius(*curve), 1.05 * least);  // no more is given away
+    EXPECT_LE(least_curvature_radius(*curve), 1.003 * least);  // no more is given away
   }
 }
 
