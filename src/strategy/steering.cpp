@@ -14,16 +14,17 @@ using namespace steering_parts;
 namespace {
 
 // Lengths as shares of the tool's radius.
-constexpr double kFirstStep = 0.2;    // of free steering; adapted from there
-constexpr double kRunOut = 0.1;       // kept of what comes after contact
-constexpr double kContactLook = 0.1;  // between two looks for the end of contact
-constexpr double kContactEnd = 0.01;  // to which the end of contact within a step is found
+constexpr double kFirstStep = 0.2;     // of free steering; adapted from there
+constexpr double kRunOut = 0.1;        // kept of what comes after contact
+constexpr double kContactLook = 0.05;  // between two looks for the end of contact
+constexpr double kContactEnd = 0.01;   // to which the end of contact within a step is found
 // Steps along a wall become one move up to here; each makes the ground forget and learn it anew.
 constexpr double kLongestJoined = 8;
 // Less than this since the furthest overload: the place cannot be entered.
 constexpr double kProgress = 0.01;
 
 constexpr double kRollOutStep = 3 * kDegree;  // between two looks along a turn made at once
+constexpr int kPeakLooks = 3;                 // for a peak between two looks along such a turn
 constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
 constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 // mm: material thinner than this is not seen; what has been cut must not be found again by
@@ -103,7 +104,17 @@ void Steering::cut_back(double length) {
     }
   }
   if (pass_.moves.empty()) travelled_ = 0;
-  while (!met_.empty() && met_.back().until > travelled_ + kHere) met_.pop_back();
+  while (!met_.empty() && met_.back().until > travelled_ + kHere) {
+    Met& last = met_.back();
+    const double left = travelled_ - (last.until - last.length);
+    if (left <= kHere) {
+      met_.pop_back();
+      continue;
+    }
+    last.total = last.from + left / last.length * (last.total - last.from);
+    last.until = travelled_;
+    last.length = left;
+  }
 }
 
 // rad engaged before the last `length` mm of the path; 0 where that was nothing.
@@ -157,13 +168,20 @@ double Steering::peak_of_left_turn(const Pose& from, TurnPart part, double* angl
     return contact({centre - turn_ * left_normal(unit(heading)), heading}).total;
   };
   double best = at(0), best_turned = 0, last = best;
-  int falling = 0;
-  for (double turned = kTurnStep; turned < kPi; turned += kTurnStep) {
+  const auto look = [&](double turned) {
     const double value = at(turned);
     if (value > best) {
       best = value;
       best_turned = turned;
     }
+    return value;
+  };
+  thread_local std::vector<double> met;
+  met.assign(1, best);
+  int falling = 0;
+  for (double turned = kTurnStep; turned < kPi; turned += kTurnStep) {
+    const double value = look(turned);
+    met.push_back(value);
     falling = value < last ? falling + 1 : 0;
     last = value;
     if (best > theta_ + 5 * kDegree) break;  // too much anyway
@@ -171,17 +189,24 @@ double Steering::peak_of_left_turn(const Pose& from, TurnPart part, double* angl
       break;  // past the peak
     if (best > kInContact && value <= kInContact) break;
   }
+  // Another front that is touched on the way lets it rise and fall from one look to the next. As it
+  // falls from there on, so it has fallen before.
+  for (std::size_t i = 1; i + 2 < met.size() && best <= theta_ + kOverload; ++i) {
+    const double highest = 2 * met[i + 1] - met[i + 2];
+    if (highest <= theta_ + kOverload || highest <= met[i]) continue;
+    double low = static_cast<double>(i), high = low + 1;
+    for (int k = 0; k < kPeakLooks; ++k) {
+      const double middle = 0.5 * (low + high);
+      (look(middle * kTurnStep) < met[i + 1] ? low : high) = middle;
+    }
+  }
   // Refine the peak where it decides.
   if (best > theta_ - 5 * kDegree && best < theta_ + 5 * kDegree) {
-    for (double width = kTurnStep / 2; width > 0.5 * kDegree; width /= 2)
-      for (const double turned : {best_turned - width, best_turned + width}) {
-        if (turned < 0) continue;
-        const double value = at(turned);
-        if (value > best) {
-          best = value;
-          best_turned = turned;
-        }
-      }
+    for (double width = kTurnStep / 2; width > 0.5 * kDegree; width /= 2) {
+      const double middle = best_turned;
+      for (const double turned : {middle - width, middle + width})
+        if (turned >= 0) look(turned);
+    }
   }
   if (angle) *angle = best_turned;
   return best;
@@ -216,6 +241,7 @@ bool Steering::roll_in(TurnPart part) {
       double angle = 0;
       const double value = peak_of_left_turn(pose(), part, &angle);
       if (value <= theta_ + kOverload) {
+        note_contact(contact(pose()).total, more.length());
         low = middle;
         turned = angle;
         peak = value;

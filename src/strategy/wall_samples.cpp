@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "geometry/box_tree.h"
 
@@ -38,23 +40,63 @@ WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& 
   for (std::size_t i = 0; i < samples_.size(); ++i) sort_in(i);
 }
 
+namespace {
+
+// Places of one wall, by curve and segment; shares of a segment's length.
+using Places = std::map<std::pair<std::size_t, std::size_t>, std::vector<double>>;
+
+// Where pieces of `before` that are shorter than `spacing` mm lie on the wall `after`.
+Places short_pieces_on(const Area& after, const Area& before, double spacing) {
+  Places places;
+  for (const Curve& curve : before.curves())
+    for (const Segment& piece : curve.segments()) {
+      if (piece.length() >= spacing) continue;
+      const BoundaryIndex::Hit hit = after.nearest(piece.point(0.5));
+      if (hit.distance < kShared) places[{hit.curve, hit.segment}].push_back(hit.t);
+    }
+  return places;
+}
+
+// Shares of a segment's length `spacing` mm apart, or less where it bends.
+std::vector<double> even_places(const Segment& segment, double spacing) {
+  int n = std::max(1, static_cast<int>(std::ceil(segment.length() / spacing)));
+  if (segment.is_arc()) n = std::max(n, static_cast<int>(std::ceil(std::abs(segment.sweep) / 0.4)));
+  std::vector<double> places;
+  for (int j = 0; j < n; ++j) places.push_back(static_cast<double>(j) / n);
+  return places;
+}
+
+}  // namespace
+
 void WallSamples::take_samples(double spacing) {
   for (std::size_t k = 0; k < stages_.size(); ++k) {
-    const std::vector<Curve>& curves = stages_[k].centres.curves();
-    for (std::size_t c = 0; c < curves.size(); ++c) {
+    const Area& centres = stages_[k].centres;
+    const auto is_shared = [&](Vec2 p) {
+      return k > 0 && stages_[k - 1].centres.nearest(p).distance < kShared;
+    };
+    Places shared_pieces;
+    if (k > 0) shared_pieces = short_pieces_on(centres, stages_[k - 1].centres, spacing);
+    for (std::size_t c = 0; c < centres.curves().size(); ++c) {
+      const Curve& curve = centres.curves()[c];
       Track track{k, samples_.size(), 0};
-      for (std::size_t i = 0; i < curves[c].segment_count(); ++i) {
-        const Segment segment = curves[c].segment(i);
-        int n = std::max(1, static_cast<int>(std::ceil(segment.length() / spacing)));
-        if (segment.is_arc())
-          n = std::max(n, static_cast<int>(std::ceil(std::abs(segment.sweep) / 0.4)));
-        for (int j = 0; j < n; ++j) {
+      for (std::size_t i = 0; i < curve.segment_count(); ++i) {
+        const Segment segment = curve.segment(i);
+        std::vector<double> places = even_places(segment, spacing);
+        // In rooms hardly larger than the tool what two stages share may lie between the samples.
+        const auto pieces = shared_pieces.find({c, i});
+        if (pieces != shared_pieces.end() &&
+            std::none_of(places.begin(), places.end(),
+                         [&](double t) { return is_shared(segment.point(t)); })) {
+          places.insert(places.end(), pieces->second.begin(), pieces->second.end());
+          std::sort(places.begin(), places.end());
+        }
+        for (const double t : places) {
           Sample sample;
-          sample.place = {c, i, static_cast<double>(j) / n};
-          sample.p = segment.point(sample.place.t);
+          sample.place = {c, i, t};
+          sample.p = segment.point(t);
           sample.stage = k;
           sample.track = tracks_.size();
-          sample.shared = k > 0 && stages_[k - 1].centres.nearest(sample.p).distance < kShared;
+          sample.shared = is_shared(sample.p);
           samples_.push_back(sample);
         }
       }

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
+#include <vector>
 
 #include "geometry_shapes.h"
 #include "path_check.h"
@@ -18,6 +20,11 @@ constexpr double kDegree = kPi / 180;
 constexpr double kRadius = 3;
 // mm: meeting a wall within the tolerance of offsets, far below what the output can tell.
 constexpr double kGap = 2e-6;
+constexpr int kRandomFronts = 500;
+
+double uniform(std::mt19937& random, double low, double high) {
+  return low + (high - low) * static_cast<double>(random()) / std::mt19937::max();
+}
 
 void expect_tangent(const std::vector<Segment>& moves) {
   for (std::size_t i = 1; i < moves.size(); ++i) {
@@ -190,6 +197,78 @@ TEST(Steering, TakesARunUpAlongTheExactBorderWhereTheLastPassEndedInAFront) {
     EXPECT_GT(engagement_of(ground, pass.moves.back(), 1, before + pass.moves.size() - 1), theta);
     at = pass.end().p;
   }
+}
+
+// What a pass meets, looked at every 0.02 mm.
+struct Look {
+  double at = 0;   // mm from the start
+  double met = 0;  // rad
+};
+
+std::vector<Look> looks_along(const ClearedGround& ground, const Pass& pass, std::size_t before) {
+  std::vector<Look> looks;
+  double done = 0;
+  for (std::size_t i = 0; i < pass.moves.size(); ++i) {
+    const double length = pass.moves[i].length();
+    const int n = std::max(2, static_cast<int>(std::ceil(length / 0.02)));
+    for (int k = 0; k < n; ++k) {
+      const double t = (k + 0.5) / n;
+      looks.push_back({done + t * length, engagement_of(ground, pass.moves[i], t, before + i)});
+    }
+    done += length;
+  }
+  return looks;
+}
+
+double worst_mean(const std::vector<Look>& looks, double window) {
+  double worst = 0, sum = 0;
+  std::size_t first = 0;
+  for (std::size_t k = 1; k < looks.size(); ++k) {
+    sum += looks[k].met * (looks[k].at - looks[k - 1].at);
+    while (first < k && looks[k].at - looks[first].at > window) {
+      ++first;
+      sum -= looks[first].met * (looks[first].at - looks[first - 1].at);
+    }
+    worst = std::max(worst, sum / window);
+  }
+  return worst;
+}
+
+// Three channels across each other, with a pass along the first: fronts rise, end, and are touched
+// from two sides.
+TEST(Steering, KeepsTheLimitAndKnowsItsContactAmongRandomFronts) {
+  const Region centres = make_region(rectangle(-20, -16, 20, 10));
+  std::mt19937 random(3);
+  int passes = 0;
+  for (int i = 0; i < kRandomFronts; ++i) {
+    ClearedGround ground({{-50, -50}, {50, 50}}, kRadius, nullptr);
+    ground.add(Segment::line({-20, 0}, {20, 0}));
+    for (int k = 0; k < 3; ++k) {
+      const Vec2 middle{uniform(random, -6, 12), uniform(random, -9, -4)};
+      const double reach = uniform(random, 1, 9);
+      const Vec2 along = reach * unit(uniform(random, 0, kPi));
+      ground.add(Segment::line(middle - along, middle + along));
+    }
+    const double theta = uniform(random, 15, 90) * kDegree, turn = uniform(random, 0.1, 1.5);
+    SCOPED_TRACE(testing::Message() << i << ": " << theta / kDegree << ", turn " << turn);
+    Stage stage;
+    stage.turn_radius = turn;
+    stage.centres = Area({centres});
+    stage.turns = Area(offset({centres}, -turn));
+    const std::size_t before = ground.size();
+    Steering steering(ground, stage, theta);
+    const Pass pass = steering.from_pose({{-12, 0}, 0});
+    if (pass.empty()) continue;
+    ++passes;
+    const std::vector<Look> looks = looks_along(ground, pass, before);
+    EXPECT_LE(worst_mean(looks, 0.1), theta + 2 * kDegree);
+    double last = 0, length = 0;
+    for (const Segment& move : pass.moves) length += move.length();
+    for (const Look& look : looks)
+      if (look.met > 0.5 * kDegree) last = look.at;
+    EXPECT_LE(last, length - pass.idle_after + 0.08);
+  }
+  EXPECT_GT(passes, kRandomFronts / 2);
 }
 
 TEST(Steering, MakesNoPassWhereThereIsNoMaterial) {

@@ -178,6 +178,11 @@ def pieces(shape):
     return [piece for piece in getattr(shape, "geoms", [shape]) if piece.area > LEAST_PIECE]
 
 
+def is_slotted(notes):
+    """True where passages were cut as wide as the tool, which is neither climb nor conventional."""
+    return any(note.startswith(REDUCED_FEED) for note in notes)
+
+
 def limits_for(case, notes, limits):
     """Those of the limits that apply to what was chosen; notes: those of the report."""
     chosen = case.get("choices", {})
@@ -186,7 +191,7 @@ def limits_for(case, notes, limits):
         without.add("rate")
     if chosen.get("narrow_passages") == "skip and report":
         without.add("rest")
-    if any(note.startswith(REDUCED_FEED) for note in notes):
+    if is_slotted(notes):
         without.add("over")
     if any(NO_HOLE in note for note in notes):
         without.add("rest")

@@ -170,7 +170,8 @@ def faults(case, answer):
         for name, limit in choices.limits_for(case, answer["notes"], limits).items()
         if not answer["figures"][name] <= limit
     ]
-    if answer["figures"]["climb"] < LEAST_CLIMB:
+    slotted = choices.is_slotted(answer["notes"])
+    if answer["figures"]["climb"] < LEAST_CLIMB and not slotted:
         found.append("climb %.4g below %g" % (answer["figures"]["climb"], LEAST_CLIMB))
     if answer["compute"] > SECONDS:
         found.append("took %.0f s" % answer["compute"])

@@ -139,6 +139,8 @@ def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
     note = "Cut at reduced feed, too narrow for trochoids: the passage near (1, 2)."
     assert choices.limits_for({}, [note], limits) == {"rate": 1.05, "rest": 0.05}
     assert choices.limits_for({}, ["Turned more tightly."], limits) == limits
+    assert not faults({"climb": 0.9}, notes=[note])
+    assert faults({"climb": 0.9}, notes=["Turned more tightly."])
 
 
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
