@@ -94,7 +94,10 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
                const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
                Report& report) {
   FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
-  if (params.feed_control == FeedControl::kConstantRemovalRate) feeds.mean_length = kMeanLength;
+  // In longer parts means gain little, and forces peak a fifth higher.
+  const bool by_means = params.feed_control == FeedControl::kConstantRemovalRate &&
+                        params.feed_steps.shortest <= kMeanLength;
+  if (by_means) feeds.mean_length = kMeanLength;
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
     set_constant_feed(runs, feeds);
     return;
