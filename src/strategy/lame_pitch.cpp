@@ -13,10 +13,11 @@
 namespace evenload {
 namespace {
 
-constexpr int kLevels = 8;       // of the growth at which steps are looked for, to each stage
-constexpr int kEveryAngle = 3;   // of lame_angles() is looked at: axes and corners are among them
-constexpr int kKnots = 16;       // of a spiral's functions, for each turn
-constexpr double kRampIn = 0.5;  // rad within which a spiral takes up its first slope
+constexpr int kLevels = 8;         // of the growth at which steps are looked for, to each stage
+constexpr int kEveryAngle = 3;     // of lame_angles() is looked at: axes and corners are among them
+constexpr int kKnots = 16;         // of a spiral's functions, for each turn
+constexpr double kRampIn = 0.5;    // rad within which a spiral takes up its first slope
+constexpr double kTurnOff = 0.15;  // rad within which it turns off its last curve
 constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
 constexpr double kSameAngle = 1e-9;  // rad
 // Share of what semi-axes change by: fits of even shapes come as near to even curves.
@@ -248,7 +249,7 @@ std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
 }
 
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
-                     bool inwards) {
+                     bool inwards, double off) {
   const double knot = 2 * kPi / kKnots;
   std::vector<double> turned{-knot, 0}, shares{0, 0};
   while (shares.back() < 1) {
@@ -263,6 +264,10 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
   }
   turned.push_back(turned.back() + 2 * kPi);
   shares.push_back(1);
+  if (off > 0) {
+    turned.push_back(turned.back() + kTurnOff);
+    shares.push_back(1 - off / growth.length());
+  }
   const double end = turned.back();
   return {growth, MonotoneSpline(std::move(turned), std::move(shares)), start, inwards, end};
 }

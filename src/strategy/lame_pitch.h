@@ -6,7 +6,8 @@
 // runs the one with the least time is chosen.
 //
 // Laws: around a circle the step is the one of Thesis I; a wished pitch is never exceeded; a spiral
-// begins tangent to the growth's first curve and ends with a full turn on its last.
+// begins tangent to the growth's first curve and ends with a full turn on its last, off which it may
+// turn in the end.
 #pragma once
 
 #include <optional>
@@ -44,10 +45,11 @@ struct PlannedGrowth {
 std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
                                          const TurnTask& task);
 
-// The spiral with these steps, `start` rad being the polar angle where it begins. Throws
+// The spiral with these steps, `start` rad being the polar angle where it begins. After its full
+// turn on the last curve it turns off that curve by `off` mm, to where nothing is left. Throws
 // std::invalid_argument where it would take more than kMostTurns turns.
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
-                     bool inwards);
+                     bool inwards, double off = 0);
 inline constexpr double kMostTurns = 2000;
 
 }  // namespace evenload

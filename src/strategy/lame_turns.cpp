@@ -24,6 +24,9 @@ constexpr double kJump = 1 * kPi / 180;  // rad from one to the next: closer one
 
 // rad: what the tool meets was cut no longer ago than the first, and no later than the second.
 constexpr double kLongestAgo = 2.5 * kPi, kLatestAgo = 1.5 * kPi;
+// Tolerances by which a spiral turns off its last curve: arcs of two turns on it leave so little
+// that the tool would stop in a cut of a degree.
+constexpr double kOff = 4;
 // rad: the tool's side is engaged where its engagement begins so near to it.
 constexpr double kAside = 1e-6;
 
@@ -172,7 +175,7 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
   LameTurns best;
   for (int round = 0; round < kMostRounds; ++round) {
     if (task.pitch) steps = limited(steps, *task.pitch / growth.length());
-    LameSpiral spiral = spiral_of(growth, steps, start, task.inwards);
+    LameSpiral spiral = spiral_of(growth, steps, start, task.inwards, kOff * tolerance);
     // The first arcs are never cut.
     const double coarse = round == 0 ? kCoarse : 1;
     LameArcs arcs = arcs_of(spiral, coarse * tolerance);

@@ -157,12 +157,25 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
       EXPECT_LE(turns.engagement, task.engagement + kTurnTolerance);
       EXPECT_GE(turns.engagement, task.engagement - 2 * kDegree);
       EXPECT_LE(worst_corner(turns.moves), 1e-6);
-      // It begins along its first circle and ends with a full turn on the last curve.
+      // It begins along its first circle and ends with a full turn on the last curve, off which it
+      // then turns by about four tolerances, so that it stops in no cut.
       EXPECT_NEAR(norm(turns.moves.front().a), 2.7, 1e-6);
       EXPECT_NEAR(cross(normalized(turns.moves.front().a), turns.moves.front().tangent(0)), 1,
                   1e-4);
-      double left = lame_length(last) - 0.1;
-      for (std::size_t i = turns.moves.size(); left > 0; left -= turns.moves[i].length()) {
+      const Vec2 end = turns.moves.back().b;
+      const double off = lame_radius(last, angle_of(end)).r - norm(end);
+      EXPECT_GT(off, 0.008);
+      EXPECT_LT(off, 0.03);  // where the exponent changes, too
+      for (const Segment& move : turns.moves) ground.add(move);
+      ground.remove_last();
+      const double heading = angle_of(turns.moves.back().tangent(1));
+      std::vector<AngularInterval> engaged;
+      ground.uncovered(end, heading - kPi / 2, heading + kPi / 2, engaged);
+      EXPECT_TRUE(engaged.empty());
+      std::size_t i = turns.moves.size();
+      while (wrap_positive(angle_of(end) - angle_of(turns.moves[i - 1].a)) < 0.149) --i;
+      double left = lame_length(last) - turns.moves[--i].length() - 0.1;
+      for (; left > 0; left -= turns.moves[i].length()) {
         --i;
         const Vec2 p = turns.moves[i].point(0.5);
         EXPECT_NEAR(norm(p), lame_radius(last, angle_of(p)).r, 0.006);
