@@ -124,6 +124,7 @@ class Steering {
   void overload();
   bool near_corner(double step) const;
   bool over_mean(double total, double step) const;
+  double clear_ahead(WallPlace place) const;
   WallPlace run_up(const WallPlace& start) const;
   double reach_of(const Segment& move) const;
   double met_before(double length) const;

@@ -123,19 +123,35 @@ bool Steering::over_mean(double total, double step) const {
   return sum > (bit_by_bit_ || near_corner(step) ? kCornerShare : 1) * theta_ * kMeanLength;
 }
 
+// mm along the exact border from `place` to the last look, none further than kMeanLength, before
+// one that meets material.
+double Steering::clear_ahead(WallPlace place) const {
+  const Curve& curve = stage_.centres.curves()[place.curve];
+  double ahead = 0;
+  for (double look = kFinestWallStep * radius_; ahead < kMeanLength; look = kRunUpStep) {
+    Segment wall = curve.segment(place.segment);
+    double left = std::min(look, kMeanLength - ahead);
+    const double step = left;
+    while (left > (1 - place.t) * wall.length()) {
+      left -= (1 - place.t) * wall.length();
+      place = {place.curve, (place.segment + 1) % curve.segment_count(), 0};
+      wall = curve.segment(place.segment);
+    }
+    place.t += left / wall.length();
+    if (contact({wall.point(place.t), angle_of(wall.tangent(place.t))}).total > kInContact) break;
+    ahead += step;
+  }
+  return ahead;
+}
+
 // Where a pass along the exact border ended in the middle of a front the next one would begin
-// there, and the mean engagement count anew. So it begins kMeanLength mm before `start`, or as far
-// back as the tool is clear, unless nothing is met at once.
+// there, and the mean engagement count anew. So it begins kMeanLength mm before it meets material,
+// or as far back from `start` as the tool is clear.
 WallPlace Steering::run_up(const WallPlace& start) const {
   const Curve& curve = stage_.centres.curves()[start.curve];
   const std::size_t n = curve.segment_count();
-  const Segment first = curve.segment(start.segment);
-  const double ahead = start.t + kFinestWallStep * radius_ / first.length();
-  if (ahead < 1 &&
-      contact({first.point(ahead), angle_of(first.tangent(ahead))}).total <= kInContact)
-    return start;
   WallPlace place = start;
-  for (double left = kMeanLength; left > kHere;) {
+  for (double left = kMeanLength - clear_ahead(start); left > kHere;) {
     WallPlace back = place;
     if (back.t <= 0) back = {back.curve, (back.segment + n - 1) % n, 1};
     const Segment wall = curve.segment(back.segment);

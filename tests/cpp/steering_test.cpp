@@ -181,10 +181,13 @@ TEST(Steering, TakesARunUpAlongTheExactBorderWhereTheLastPassEndedInAFront) {
   for (int i = 0; i < 4; ++i) {
     const std::size_t before = ground.size();
     Steering steering(ground, stages.back(), theta);
-    const BoundaryIndex::Hit hit = stages.back().centres.nearest(at);
+    // From the front, or from a little before it.
+    const double from = i % 2 ? at.x - 0.03 : at.x;
+    const BoundaryIndex::Hit hit = stages.back().centres.nearest({from, at.y});
     const Pass pass = steering.bit_by_bit({hit.curve, hit.segment, hit.t});
     ASSERT_FALSE(pass.empty()) << i;
-    EXPECT_NEAR(pass.start().p.x, at.x - window, 1e-3) << i;
+    EXPECT_LE(pass.start().p.x, at.x - window + 1e-3) << i;
+    EXPECT_GE(pass.start().p.x, at.x - window - 0.03) << i;
     EXPECT_GT(pass.end().p.x, at.x) << i;
     double sum = 0;
     for (std::size_t k = 0; k < pass.moves.size(); ++k) {
