@@ -23,6 +23,9 @@ constexpr double kShortestPiece = 0.1;
 // Of what periods remove that repeat each other: less is missing only for looks at other places.
 constexpr double kAsMuch = 0.99;
 
+// Of the time of a step: two that repeat each other differ by less.
+constexpr double kSameTime = 0.03;
+
 // Of what the tool's centre has gone over to both sides of the middle: links there are clear of
 // what the pattern leaves at its sides.
 constexpr double kClearWidth = 0.5;
@@ -238,11 +241,14 @@ class Undo {
 
   // A cut along the middle whose feed changes within a period, with what the periods left beside
   // it: its last pieces of one step in all are made again, as the period is. False where there are
-  // none.
+  // none, or where the step before took another time: there the load does not repeat itself.
   bool make_again(const std::vector<PlanarMove>& all, std::size_t i,
                   std::vector<PlanarMove>& moves) const {
     const std::vector<PlanarMove> pieces = last_step(all, i);
     if (pieces.empty()) return false;
+    const std::optional<double> last = time_of_last(all, i, cut_.step()),
+                                both = time_of_last(all, i, 2 * cut_.step());
+    if (!both || std::abs(*both - 2 * *last) > kSameTime * *last) return false;
     const bool forward = sides_->is_beyond(all[i].segment.b);
     const auto push = [&](const PlanarMove& move, double by) {
       moves.push_back(move);
@@ -253,6 +259,24 @@ class Undo {
       for (const PlanarMove& piece : pieces)
         push(piece, forward ? k * cut_.step() : cut_.out - k * cut_.step());
     return true;
+  }
+
+  // min: of a cut along the middle, the `length` mm of the middle before the end of the move
+  // `last`; nothing where it is shorter.
+  std::optional<double> time_of_last(const std::vector<PlanarMove>& all, std::size_t last,
+                                     double length) const {
+    double time = 0;
+    for (std::size_t i = last + 1; i-- > 0;) {
+      const PlanarMove& move = all[i];
+      if (move.kind != MoveKind::kCut || move.period >= 0 || !leads_along(move.segment)) break;
+      const double whole =
+          std::abs(along(middle_, move.segment.b) - along(middle_, move.segment.a));
+      const double share = std::min(1.0, length / whole);
+      time += share * move.segment.length() / move.feed;
+      length -= share * whole;
+      if (share < 1) return time;
+    }
+    return std::nullopt;
   }
 
   // The pieces of a cut along the middle that lead one step to the end of the move `last`; empty

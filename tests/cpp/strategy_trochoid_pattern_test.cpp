@@ -123,7 +123,7 @@ TEST(TrochoidPattern, RemovesWidthTimesStep) {
     const PatternFigures figures = figures_of(*pattern, params);
     // Next to nothing of a cut meets no material.
     EXPECT_GE(figures.area_per_length * figures.cut_length, params.width * pattern->step - 1e-9);
-    EXPECT_LE(figures.area_per_length * figures.cut_length, 1.04 * params.width * pattern->step);
+    EXPECT_LE(figures.area_per_length * figures.cut_length, 1.1 * params.width * pattern->step);
     // A cut at the limit everywhere would remove the bound; none removes more.
     EXPECT_LT(figures.area_per_length, 1.01 * side_step(params.engagement, params.tool_radius));
   }
@@ -161,7 +161,7 @@ TEST(TrochoidPattern, OfConstantEngagementGoesBackNearlyStraightAcrossTheSlot) {
     params.maximum_feed = 1000;
     const auto pattern = constant_engagement_pattern(params);
     ASSERT_TRUE(pattern);
-    EXPECT_LT(length_of(pattern->link), 2 * half_room(params) + 0.4) << width;
+    EXPECT_LT(length_of(pattern->link), 2 * half_room(params) + 0.5) << width;
     for (const Segment& move : pattern->link)
       if (move.is_arc()) {
         EXPECT_GT(move.radius, 0.07);
