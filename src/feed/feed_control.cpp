@@ -20,7 +20,7 @@ constexpr double kShortestPart = 0.1;
 // s
 constexpr double kRounding = 1e-9;
 constexpr double kSameFeed = 1e-9;  // share of a feed
-// Share of a block's price: what is not worth to look for another division.
+// Share of a block's price: a gain below it is no reason to look for another division.
 constexpr double kLittle = 0.25;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
@@ -89,7 +89,7 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
       const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
       if (length < params.steps.shortest && !(move_begins && move_ends)) continue;
       const double time = length * std::max(share * per_share, least_time);
-      // What a piece loses grows with its length.
+      // What a piece loses grows with its length, but for means, next to always.
       if (least[i] + spent + time + price >= cost[j] + kRounding) break;
       const double total = cost[i] + time + price;
       if (total < cost[j]) {
@@ -106,12 +106,14 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
   return pieces;
 }
 
-// s, a price for every piece in it.
+// s, a price for every change of feed in it.
 double cost_of(const std::vector<FeedPiece>& pieces, const std::vector<LoadSample>& profile,
                const FeedParams& params) {
   double cost = 0;
   for (const FeedPiece& piece : pieces) {
-    cost += params.steps.price;
+    const bool ends_move = piece.last == pieces.back().last ||
+                           profile[piece.last].move != profile[piece.last - 1].move;
+    cost += ends_move ? kChangePrice : params.steps.price;
     for (std::size_t i = piece.first; i < piece.last; ++i)
       cost += profile[i].length / piece.feed * 60;
   }

@@ -33,8 +33,9 @@ double allowed_feed(double share, const FeedParams& params);
 
 // Cuts at feeds that no sample's load forbids, or no mean of it, links at `link_feed`. Moves are
 // split where the feed changes, as few times as pays: the sum of the time and of a price per added
-// block is the least possible (dynamic programming over the samples), so that arcs stay whole where
-// a change of feed would save little. Returns the feed of every sample.
+// block is the least possible (dynamic programming over the samples; nearly, where means are
+// held), so that arcs stay whole where a change of feed would save little. Returns the feed of
+// every sample.
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
                                       const std::vector<LoadSample>& profile,
                                       const FeedParams& params);

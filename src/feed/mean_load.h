@@ -26,8 +26,8 @@ class MeanLoad {
   // they hold, or over all of them where they hold none. `without_first`: the same of the samples
   // [first + 1, last).
   double share(std::size_t first, std::size_t last, double without_first) const {
-    if (window_ <= 0) return std::max(without_first, share_[first]);
     const double length = until_[last] - until_[first];
+    if (window_ <= 0 || length <= 0) return std::max(without_first, share_[first]);
     if (length <= window_) return (sum_[last] - sum_[first]) / length;
     const bool is_first_window = until_[last] - until_[first + 1] <= window_;
     return std::max(after_[first], is_first_window ? before_[last] : without_first);

@@ -141,17 +141,16 @@ bool is_shrunk(const Descent& helix, const ClearingParams& params) {
 
 double wished_stretch(double helix_radius, const ClearingParams& params) {
   const double r = 0.5 * params.tool_diameter;
-  const double depth = params.top - params.levels.front() + kAboveMaterial;
-  const double slope = depth / std::tan(params.helix_angle);
-  const LevelTurnFeeds feeds = entry_feeds(params);
+  const double depth = params.top - params.levels.front();
+  const double slope = (depth + kAboveMaterial) / std::tan(params.helix_angle);
+  const double rate = entry_feeds(params).rate;
   Descent helix;
   helix.radius = helix_radius;
   // mm^2: by how much less it clears than a cut does in the same time.
   const auto lacks = [&](double stretch) {
     helix.stretch = {0.5 * stretch, 0};
-    const double time =
-        slope / feeds.plunge + duration(level_pieces(helix, depth, slope, r, feeds));
-    return feeds.rate * time - cleared_area(helix, r);
+    const double time = slope / params.plunge_feed + duration(level_turn(helix, depth, params));
+    return rate * time - cleared_area(helix, r);
   };
   const double longest =
       std::max(0.0, (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
@@ -180,8 +179,13 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
   };
   const double angle = direction_of_longest(centres, helix.centre, kPi, both_ways);
   const double ahead = free(angle, wish), behind = free(angle + kPi, wish - ahead);
-  const double stretch = ahead + behind;
+  const double longest = ahead + behind;
   const Vec2 u = unit(angle);
+  // A whole number of half turns, none of them flatter than it may be.
+  const double slope =
+      (params.top - params.levels.front() + kAboveMaterial) / std::tan(params.helix_angle);
+  const double circle = kPi * helix.radius;
+  const double stretch = slope / std::ceil(slope / (circle + longest)) - circle;
   if (stretch < kShortestStretch * helix.radius) return;
   helix.centre = helix.centre + (0.5 * stretch - std::min(behind, stretch)) * u;
   helix.stretch = 0.5 * stretch * u;

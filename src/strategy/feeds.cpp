@@ -11,6 +11,7 @@
 #include "feed/load_share.h"
 #include "strategy/allowed_ground.h"
 #include "strategy/move_checks.h"
+#include "strategy/trochoid_period.h"
 
 namespace evenload {
 namespace {
@@ -43,17 +44,66 @@ std::size_t worst_of(const std::vector<LoadSample>& profile, Value value) {
   return worst;
 }
 
-// The first run that begins with a helix, nullptr where none does.
-const PlanarRun* helix_of(const std::vector<PlanarRun>& runs) {
-  const auto run = std::find_if(runs.begin(), runs.end(), [](const PlanarRun& candidate) {
-    return candidate.descent.kind == DescentKind::kHelix;
-  });
-  return run == runs.end() ? nullptr : &*run;
+struct LevelTurn {
+  const PlanarRun* run = nullptr;
+  double feed = 0;  // mm/min: its highest
+};
+
+// Of the helices that `runs` begin with the one whose level turn gets fastest, if it does so.
+LevelTurn fastest_level_turn(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
+  LevelTurn fastest{nullptr, params.plunge_feed};
+  for (const PlanarRun& run : runs) {
+    if (run.descent.kind != DescentKind::kHelix) continue;
+    for (const double depth : depths_of(params)) {
+      const double feed = level_turn(run.descent, depth, params).back().feed;
+      if (feed > fastest.feed) fastest = {&run, feed};
+    }
+  }
+  return fastest;
 }
 
 std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample,
                      const std::function<Vec2(Vec2)>& shown) {
   return near(shown(runs[sample.run].moves[sample.move].segment.point(sample.t)));
+}
+
+// Regions in which a pattern is repeated have steps of their own.
+bool repeats(const std::vector<PlanarRun>& runs) {
+  return std::any_of(runs.begin(), runs.end(), [](const PlanarRun& run) {
+    return std::any_of(run.moves.begin(), run.moves.end(),
+                       [](const PlanarMove& move) { return move.period >= 0; });
+  });
+}
+
+// set_constant_load, region by region.
+std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
+                                       const std::vector<LoadSample>& profile,
+                                       const ClearingParams& params) {
+  std::vector<double> feeds;
+  auto sample = profile.begin();
+  for (std::size_t first = 0; first < runs.size();) {
+    std::size_t last = first + 1;
+    while (last < runs.size() && !runs[last].new_region) ++last;
+    const auto from = runs.begin() + static_cast<std::ptrdiff_t>(first),
+               to = runs.begin() + static_cast<std::ptrdiff_t>(last);
+    std::vector<PlanarRun> region(from, to);
+    std::vector<LoadSample> samples;
+    for (; sample != profile.end() && sample->run < last; ++sample) {
+      samples.push_back(*sample);
+      samples.back().run -= first;
+    }
+    FeedParams own{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
+    if (repeats(region)) {
+      own.steps = kSlotFeedSteps;
+      // In longer parts means gain little, and forces peak a fifth higher.
+      if (params.feed_control == FeedControl::kConstantRemovalRate) own.mean_length = kMeanLength;
+    }
+    const std::vector<double> found = set_constant_load(region, samples, own);
+    feeds.insert(feeds.end(), found.begin(), found.end());
+    std::move(region.begin(), region.end(), from);
+    first = last;
+  }
+  return feeds;
 }
 
 }  // namespace
@@ -70,6 +120,12 @@ LevelTurnFeeds entry_feeds(const ClearingParams& params) {
       engagement_angle(std::min(2 * radius, feeds.rate / params.maximum_feed), radius);
   feeds.highest = params.maximum_feed * largest_chip_thickness(angle, 1);
   return feeds;
+}
+
+std::vector<LevelPiece> level_turn(const Descent& helix, double depth,
+                                   const ClearingParams& params) {
+  return level_pieces(helix, depth, std::tan(params.helix_angle), 0.5 * params.tool_diameter,
+                      entry_feeds(params));
 }
 
 LoadShare load_share(const ClearingParams& params, bool mirrored) {
@@ -93,31 +149,24 @@ LoadShare load_share(const ClearingParams& params, bool mirrored) {
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
                const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
                Report& report) {
-  FeedParams feeds{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
-  // In longer parts means gain little, and forces peak a fifth higher.
-  const bool by_means = params.feed_control == FeedControl::kConstantRemovalRate &&
-                        params.feed_steps.shortest <= kMeanLength;
-  if (by_means) feeds.mean_length = kMeanLength;
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
-    set_constant_feed(runs, feeds);
+    set_constant_feed(runs, {params.feed, params.maximum_feed, params.link_feed, {}});
     return;
   }
   const std::vector<PlanarRun> whole = runs;
-  const std::vector<double> feed = set_constant_load(runs, profile, feeds);
+  const std::vector<double> feed = set_load_by_region(runs, profile, params);
   std::ostringstream note;
   if (params.feed_control == FeedControl::kConstantRemovalRate) {
     const double nominal = params.feed * largest_chip_thickness(params.engagement_angle, 1);
     const auto chip = [&](std::size_t i) { return feed[i] * profile[i].chip / nominal; };
     const std::size_t worst = worst_of(profile, chip);
-    const LevelTurnFeeds entry = entry_feeds(params);
-    const double in_helices = entry.highest / nominal;
-    const PlanarRun* helix = helix_of(runs);
-    const bool helix_is_worse = helix && entry.highest > entry.plunge && in_helices > chip(worst);
-    const double thickest = helix_is_worse ? in_helices : chip(worst);
+    const LevelTurn turn = fastest_level_turn(runs, params);
+    const bool helix_is_worse = turn.run && turn.feed / nominal > chip(worst);
+    const double thickest = helix_is_worse ? turn.feed / nominal : chip(worst);
     if (thickest > kThickChip)
       note << "Chips get up to " << std::fixed << std::setprecision(2) << thickest
            << " times as thick as in a straight cut at the engagement angle, "
-           << (helix_is_worse ? near(shown(helix->descent.centre))
+           << (helix_is_worse ? near(shown(turn.run->descent.centre))
                               : place_of(whole, profile[worst], shown))
            << ": lower MaximumFeed, or choose another FeedControl, where that is too much.";
   } else if (params.feed_control == FeedControl::kConstantForce) {

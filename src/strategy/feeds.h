@@ -25,8 +25,11 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
                Report& report);
 
 // Of helix entries. Where the removal rate is held, the level turn gets as fast as gives chips as
-// thick as a cut gets at the largest feed; other controls have it descend's feed: a slot's chips
-// are thicker than nominal at more.
+// thick as a cut gets at the largest feed; with other controls it keeps the plunge feed, above
+// which a slot's chips would be thicker than nominal.
 LevelTurnFeeds entry_feeds(const ClearingParams& params);
+// The level turn of a helix through a layer of `depth` mm.
+std::vector<LevelPiece> level_turn(const Descent& helix, double depth,
+                                   const ClearingParams& params);
 
 }  // namespace evenload

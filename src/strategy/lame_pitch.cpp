@@ -266,7 +266,7 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
   shares.push_back(1);
   if (off > 0) {
     turned.push_back(turned.back() + kTurnOff);
-    shares.push_back(1 - off / growth.length());
+    shares.push_back(1 - std::min(0.5, off / growth.length()));  // never back to the beginning
   }
   const double end = turned.back();
   return {growth, MonotoneSpline(std::move(turned), std::move(shares)), start, inwards, end};

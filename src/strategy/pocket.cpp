@@ -222,7 +222,6 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   const std::vector<Region>& material = rest ? *params.stock : regions;
   const int levels = static_cast<int>(params.levels.size());
   TightTurns tight_turns;
-  FeedSteps finest = params.feed_steps;
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
     const Region& region = parts[i].centres;
@@ -258,9 +257,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
     tight_turns.add(result.tight_turns);
     for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
-    if (result.feed_steps && result.feed_steps->price < finest.price) finest = *result.feed_steps;
   }
-  params.feed_steps = finest;
   if (abridged && path.report.uncut_area > 0) return std::nullopt;
 
   if (const std::optional<std::string> note =

@@ -23,8 +23,6 @@ struct RegionResult {
   int links = 0;
   TightTurns tight_turns;
   std::vector<std::string> notes;
-  // Where the runs want other steps of the feed than the parameters have.
-  std::optional<FeedSteps> feed_steps;
 };
 
 struct RegionTask {

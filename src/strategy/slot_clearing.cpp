@@ -71,7 +71,6 @@ class SlotClearing {
     rest.opening = std::move(opening_);
     if (!is_repeated) passes_.feed_steps = params_.feed_steps;
     RegionResult result = clear_region(rest, passes_, progress_);
-    result.feed_steps = passes_.feed_steps;
     if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
     return result;
   }

@@ -6,6 +6,7 @@
 
 #include "strategy/links.h"
 #include "strategy/move_ends.h"
+#include "strategy/trochoid_period.h"
 
 namespace evenload {
 namespace {
@@ -16,9 +17,6 @@ constexpr double kSameMiddle = 1e-6;
 constexpr double kSameStep = 1e-9;
 // mm along a move of a slot's length: from a parallel to the middle.
 constexpr double kParallel = 1e-6;
-
-// mm: of a cut with a feed of its own.
-constexpr double kShortestPiece = 0.1;
 
 // Of what periods remove that repeat each other: less is missing only for looks at other places.
 constexpr double kAsMuch = 0.99;
@@ -299,7 +297,7 @@ class Undo {
     }
     std::reverse(pieces.begin(), pieces.end());
     // No piece becomes tiny.
-    if (pieces.size() > 1 && pieces[0].segment.length() < kShortestPiece) {
+    if (pieces.size() > 1 && pieces[0].segment.length() < kSlotFeedSteps.shortest) {
       pieces[1].segment = joined(pieces[0].segment, pieces[1].segment);
       pieces[1].feed = std::min(pieces[0].feed, pieces[1].feed);
       pieces.erase(pieces.begin());

@@ -321,8 +321,9 @@ const TurnSearch::Found* TurnSearch::best() {
     return found->figures.removal >= kWorthMore * best->figures.removal;
   };
   for (std::size_t i = first_; best && i-- > 0 && go_to(i);) continue;
-  if (best == start)
-    for (std::size_t i = first_ + 1; best && i < radii_.size() && go_to(i); ++i) continue;
+  if (best && (best == start || best->turns_at_corners))
+    for (std::size_t i = first_ + 1; i < radii_.size(); ++i)
+      if (!go_to(i) && !best->turns_at_corners) break;
   return best;
 }
 

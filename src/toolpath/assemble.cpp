@@ -173,8 +173,7 @@ class Assembler {
     const double contact = std::min(from, top + kAboveMaterial);
     const bool is_helix = descent.kind == DescentKind::kHelix;
     const std::vector<Segment> slope =
-        is_helix ? way_round(descent, (contact - level) / std::tan(params_.helix_angle), 0)
-                 : std::vector<Segment>{};
+        is_helix ? slope_of(descent, contact - level) : std::vector<Segment>{};
     const Vec2 start = is_helix ? slope.front().a : descent.at;
     if (moves_.empty()) {
       Move move;
@@ -198,14 +197,22 @@ class Assembler {
     rapid_z(from);
     if (contact < from) line(start, contact, MoveKind::kEntry, params_.entry.plunge);
     if (is_helix)
-      helix(descent, slope, contact, level);
+      helix(descent, slope, top, contact, level);
     else
       ramp(descent, contact, level);
   }
 
+  // Half turns, which FreeCAD's dressups follow most exactly, that descend by `depth`.
+  std::vector<Segment> slope_of(const Descent& descent, double depth) const {
+    const double half = half_turn_length(descent);
+    const double half_turns = std::ceil(depth / (std::tan(params_.helix_angle) * half) - 1e-9);
+    return way_round(descent, std::max(1.0, half_turns) * half, 0);
+  }
+
   // Down along `slope`, to the place where the first pass begins, and round once more, level, for
   // what the slope left of the floor.
-  void helix(const Descent& descent, const std::vector<Segment>& slope, double from, double level) {
+  void helix(const Descent& descent, const std::vector<Segment>& slope, double top, double from,
+             double level) {
     double whole = 0, done = 0;
     for (const Segment& segment : slope) whole += segment.length();
     for (const Segment& segment : slope) {
@@ -215,8 +222,8 @@ class Assembler {
     }
     const double turn = 2 * half_turn_length(descent);
     double begin = 0;
-    for (const LevelPiece& piece :
-         level_pieces(descent, from - level, whole, params_.tool_radius, params_.entry)) {
+    for (const LevelPiece& piece : level_pieces(descent, top - level, (from - level) / whole,
+                                                params_.tool_radius, params_.entry)) {
       for (const Segment& segment : way_round(descent, turn - begin, turn - piece.end))
         go(segment, MoveKind::kEntry, level, piece.feed);
       begin = piece.end;

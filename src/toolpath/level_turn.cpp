@@ -15,9 +15,9 @@ constexpr double kShortest = 0.2;
 
 }  // namespace
 
-std::vector<LevelPiece> level_pieces(const Descent& helix, double depth, double slope,
+std::vector<LevelPiece> level_pieces(const Descent& helix, double depth, double steepness,
                                      double tool_radius, const LevelTurnFeeds& feeds) {
-  const double length = 2 * half_turn_length(helix), steepness = depth / slope;
+  const double length = 2 * half_turn_length(helix);
   // mm^3/min over mm^2: the feed is this over the layer's thickness.
   const double whole = feeds.rate * depth / (2 * tool_radius);
   const double highest = std::max(feeds.plunge, feeds.highest);

@@ -20,10 +20,10 @@ struct LevelPiece {
   double feed = 0;  // mm/min
 };
 
-// Pieces of the level turn of `helix`, which came down by `depth` mm along a way of `slope` mm:
-// as fast as the layer at its beginning may be cut at a cut's removal rate. The pieces reach to the
-// turn's end, and their feeds rise.
-std::vector<LevelPiece> level_pieces(const Descent& helix, double depth, double slope,
+// Pieces of the level turn of `helix`, which fell by `steepness` mm per mm of its way through a
+// layer of `depth` mm: each as fast as what is to be cut at its beginning may be at the removal
+// rate of a cut of that depth. The pieces reach to the turn's end, and their feeds rise.
+std::vector<LevelPiece> level_pieces(const Descent& helix, double depth, double steepness,
                                      double tool_radius, const LevelTurnFeeds& feeds);
 
 // min

@@ -129,6 +129,20 @@ TEST(TrochoidPattern, RemovesWidthTimesStep) {
   }
 }
 
+// The tightest turns remove most, but would be lines in a program.
+TEST(TrochoidPattern, OfSmallToolsTurnsAsWidelyAsPostsNeed) {
+  for (const double diameter : {2.0, 3.0})
+    for (const double width : {2.0, 3.0}) {
+      SCOPED_TRACE(std::to_string(diameter) + " " + std::to_string(width));
+      TrochoidParams params = slot(width, 60);
+      params.tool_radius = 0.5 * diameter;
+      params.width = width * diameter;
+      const auto pattern = constant_engagement_pattern(params);
+      ASSERT_TRUE(pattern);
+      EXPECT_FALSE(turns_at_corners(pattern->cut));
+    }
+}
+
 TEST(TrochoidPattern, OfConstantEngagementIsFoundByPassesThatSettle) {
   for (const double width : {1.25, 1.5, 2.0, 3.0}) {
     const TrochoidParams params = slot(width, 60);

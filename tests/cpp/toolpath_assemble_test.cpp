@@ -230,20 +230,6 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
     }
 }
 
-TEST(Assemble, DescendsAlongAHelixJustAsSteeplyAsItMay) {
-  for (const double angle : {0.01, 0.05, 0.5}) {
-    AssemblyParams params = two_levels();
-    params.helix_angle = angle;
-    const std::vector<Move> moves = assemble({helix_run()}, params);
-    for (std::size_t i = 1; i < moves.size(); ++i) {
-      const double flat = flat_length(moves[i - 1], moves[i]), drop = moves[i - 1].z - moves[i].z;
-      if (moves[i].kind == MoveKind::kEntry && flat > 0 && drop > 1e-9) {
-        EXPECT_NEAR(drop, std::tan(angle) * flat, 1e-6 * flat + 1e-6);
-      }
-    }
-  }
-}
-
 TEST(Assemble, TakesWhatTheSlopeLeftFasterWhereItThinsOut) {
   AssemblyParams params = two_levels();
   params.entry = {255, 400, 1.5 * 255};
@@ -258,6 +244,32 @@ TEST(Assemble, TakesWhatTheSlopeLeftFasterWhereItThinsOut) {
   }
   EXPECT_NEAR(fastest, 400, 1e-9);
   EXPECT_NEAR(turned, 2 * 2 * kPi, 1e-6);
+}
+
+// The air above a shallow cut is no part of its depth.
+TEST(Assemble, RemovesNoMoreThanACutInTheLevelTurnOfAShallowLevel) {
+  AssemblyParams params = two_levels();
+  params.top = 0;
+  params.levels = {-0.1};
+  params.helix_angle = 0.0035;
+  params.entry = {30, 400, 1.5 * 255};
+  const std::vector<Move> moves = assemble({helix_run()}, params);
+  double left = 2 * 2 * kPi * 2.7 / 2;  // mm of the level turn
+  double steepness = 0;
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    if (moves[i].kind != MoveKind::kEntry) continue;
+    const double flat = flat_length(moves[i - 1], moves[i]), drop = moves[i - 1].z - moves[i].z;
+    if (flat == 0) continue;
+    if (drop > 1e-9) {
+      steepness = drop / flat;
+      continue;
+    }
+    const double layer = std::min(0.1, steepness * left);
+    EXPECT_LE(moves[i].feed * layer * 2 * params.tool_radius,
+              std::max(params.entry.rate * 0.1, params.entry.plunge * layer * 6) + 1e-6);
+    left -= flat;
+  }
+  EXPECT_NEAR(left, 0, 1e-6);
 }
 
 TEST(Assemble, TurnsByHalfACircleAtMostAndNeverLeavesItsArcs) {

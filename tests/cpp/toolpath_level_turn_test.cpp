@@ -26,7 +26,7 @@ std::vector<Descent> helices() {
   return {helix_of(2.7, {}), helix_of(0.06, {}), helix_of(1.4, {3, 4}), helix_of(0.2, {-0.1, 9})};
 }
 
-constexpr double kRadius = 3, kDepth = 3.05, kSlope = 58.2;
+constexpr double kRadius = 3, kDepth = 3, kSteepness = 0.0524;
 const LevelTurnFeeds kFeeds{255, 488, 1.5 * 255};
 
 TEST(WayRound, RunsWithoutGapsOrKinksToWhereTheHelixArrives) {
@@ -52,13 +52,13 @@ TEST(WayRound, RunsWithoutGapsOrKinksToWhereTheHelixArrives) {
 
 TEST(LevelTurn, RemovesNoMoreThanACutOfTheWholeDepthUnlessItPlungesThatFast) {
   for (const Descent& helix : helices())
-    for (const double slope : {kSlope, 0.3 * half_turn_length(helix), 300.0})
+    for (const double steepness : {kSteepness, kDepth / (0.3 * half_turn_length(helix)), 0.01})
       for (const LevelTurnFeeds& feeds :
            {kFeeds, LevelTurnFeeds{100, 1000, 40}, LevelTurnFeeds{30, 400, 2 * 255}}) {
         const double length = 2 * half_turn_length(helix);
         double from = 0, feed = 0;
-        for (const LevelPiece& piece : level_pieces(helix, kDepth, slope, kRadius, feeds)) {
-          const double layer = std::min(kDepth, kDepth / slope * (length - from));
+        for (const LevelPiece& piece : level_pieces(helix, kDepth, steepness, kRadius, feeds)) {
+          const double layer = std::min(kDepth, steepness * (length - from));
           EXPECT_LE(piece.feed * layer * 2 * kRadius,
                     std::max(feeds.rate * kDepth, feeds.plunge * layer * 2 * kRadius) + 1e-6);
           EXPECT_GE(piece.feed, std::max(feed, feeds.plunge) - 1e-9);
@@ -73,7 +73,7 @@ TEST(LevelTurn, RemovesNoMoreThanACutOfTheWholeDepthUnlessItPlungesThatFast) {
 
 TEST(LevelTurn, RunsAtItsHighestFeedInTheEnd) {
   const std::vector<LevelPiece> pieces =
-      level_pieces(helix_of(2.7, {}), kDepth, kSlope, kRadius, kFeeds);
+      level_pieces(helix_of(2.7, {}), kDepth, kSteepness, kRadius, kFeeds);
   EXPECT_EQ(pieces.front().feed, kFeeds.plunge);
   EXPECT_NEAR(pieces.back().feed, kFeeds.highest, 1e-9);
   for (std::size_t i = 1; i < pieces.size(); ++i)
@@ -87,7 +87,7 @@ TEST(LevelTurn, RunsAtItsHighestFeedInTheEnd) {
 TEST(LevelTurn, IsOnePieceAtThePlungeFeedWhereNoneIsHigher) {
   for (const double highest : {0.0, 200.0, 255.0}) {
     const std::vector<LevelPiece> pieces =
-        level_pieces(helix_of(1.4, {3, 4}), kDepth, kSlope, kRadius, {255, highest, 1.5 * 255});
+        level_pieces(helix_of(1.4, {3, 4}), kDepth, kSteepness, kRadius, {255, highest, 1.5 * 255});
     ASSERT_EQ(pieces.size(), 1u);
     EXPECT_EQ(pieces.front().feed, 255);
   }

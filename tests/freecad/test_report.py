@@ -18,10 +18,10 @@ def test_figures_name_what_the_operation_reports(square):
 
 
 def test_passes_links_and_retracts_are_counted_over_all_levels(square):
-    depths = {"StartDepth": 0, "FinalDepth": -3}
+    depths = {"StartDepth": 0, "StepDown": 1}
     counted = []
-    for step in (3, 1):
-        figures = report.figures(square.done(square.operation(StepDown=step, **depths)))
+    for final in (-1, -3):
+        figures = report.figures(square.done(square.operation(FinalDepth=final, **depths)))
         counted.append([figures[key] for key in ("passes", "links", "retracts")])
     (passes, links, retracts), three = counted
     assert three == [3 * passes, 3 * links, 3 * (retracts + 1) - 1]
