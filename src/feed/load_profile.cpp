@@ -24,8 +24,9 @@ constexpr double kFinestLook = 0.02;
 // Before a smooth front, where no cusp hides between looks, the first are so many times as far
 // apart.
 constexpr double kSmoothSpacing = 5;
-// Of unit vectors along the path at a joint.
-constexpr double kSameDirection = 1e-3;
+// Of unit vectors along the path at a joint: what is met there is hidden by the move before, whose
+// end clears all of the tool's circle, and next to that before it.
+constexpr double kSameDirection = 0.02;
 
 }  // namespace
 
@@ -81,11 +82,12 @@ class MoveProfile {
         share_(share),
         out_(out) {}
 
-  // `at_start`: the load there, where the move before has hidden it. Returns the load at the end.
+  // `at_start`: the load there, where it is known; it is hidden by the move before, so that it is
+  // looked for a little further on otherwise. Returns the load at the end.
   Load cover(double spacing, const Load* at_start) {
     if (smooth_) spacing *= kSmoothSpacing;
     const int n = std::max(1, static_cast<int>(std::ceil(length_ / spacing)));
-    Load before = at_start ? *at_start : load_at(0);
+    Load before = at_start ? *at_start : load_at(std::min(0.1, 0.5 * kFinestLook / length_));
     for (int k = 0; k < n; ++k) {
       const double t0 = static_cast<double>(k) / n, t1 = static_cast<double>(k + 1) / n;
       const Load after = load_at(t1);
