@@ -160,10 +160,10 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
   marks_.push_back({entries_.size(), thinnings_.size()});
   visit_cells(swept, [&](Cell& cell, Vec2 centre) {
     if (cell.covered_by >= 0) return;
-    const double far = swept.distance(centre);
-    if (far + reach_ <= swept_radius) {
+    if (!swept.is_within(centre, swept_radius + reach_)) return;
+    if (swept_radius > reach_ && swept.is_within(centre, swept_radius - reach_)) {
       cell.covered_by = id;
-    } else if (far - reach_ < swept_radius) {
+    } else {
       list(cell, id);
       if (is_long(cell)) thin(cell, centre);
     }
@@ -246,15 +246,9 @@ std::int32_t ClearedGround::newest_before(const Cell& cell, std::size_t last) co
 
 // Takes from `set` what the moves swept that matter within `window`, of which `part` is left.
 // `seen`: moves taken already.
-void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
+void ClearedGround::subtract_near(const Window& window, const Cell& cell, const CircleLook& look,
                                   AngularInterval part, Seen& seen,
                                   std::vector<AngularInterval>& set) const {
-  const Cell& cell = cell_at(window.middle);
-  if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < look.last) {
-    cut_wrapped(set, look.base, std::max(window.low, look.base),
-                std::min(window.high, look.base + 2 * kPi));
-    return;
-  }
   const std::int32_t newest = newest_before(cell, look.last);
   if (newest < 0) return;
   // What is left of the window, and a disc that holds it.
@@ -276,10 +270,11 @@ void ClearedGround::subtract_near(const Window& window, const CircleLook& look,
     const auto index = static_cast<std::size_t>(entry.move);
     if (index >= look.last || seen.moves[index] == seen.look) continue;
     const SweptMove& swept = moves_[index];
-    if (swept.distance(middle) >= swept.swept_radius() + half) continue;
-    if (swept.swept_radius() >= look.radius &&
-        std::min(swept.distance(low_end), swept.distance(high_end)) >= swept.swept_radius() + dip)
-      continue;
+    if (!swept.is_within(middle, swept.swept_radius() + half)) continue;
+    if (swept.swept_radius() >= look.radius) {
+      const double reach = swept.swept_radius() + dip;
+      if (!swept.is_within(low_end, reach) && !swept.is_within(high_end, reach)) continue;
+    }
     seen.moves[index] = seen.look;
     if (!swept.subtract(look, set)) continue;
     part = part_within(set, window.low, window.high);
@@ -303,14 +298,31 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   const bool half_circle = n == half_circle_windows_ && std::abs(high - low - kPi) < kHalfTurn;
   const Vec2 turn = half_circle ? half_circle_turn_ : unit(step);
   Vec2 towards = unit(low + 0.5 * step);
+  constexpr AngularInterval kNothing{0, -1e9};
+  AngularInterval covered = kNothing;
+  const auto cut_covered = [&] {
+    if (covered.width() <= 0) return;
+    cut_wrapped(set, low, std::max(covered.low, low), std::min(covered.high, low + 2 * kPi));
+    covered = kNothing;
+  };
   for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
                         low + (k + 1) * step + kWindowMargin};
+    const Cell& cell = cell_at(window.middle);
+    if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
+      // Windows side by side are cut at once.
+      if (covered.high < window.low) cut_covered();
+      if (covered.width() <= 0) covered.low = window.low;
+      covered.high = window.high;
+      continue;
+    }
+    cut_covered();
     const AngularInterval part = part_within(set, window.low, window.high);
     if (part.width() <= 0) continue;
-    subtract_near(window, look, part, seen, set);
+    subtract_near(window, cell, look, part, seen, set);
     if (!go_on(window)) return;
   }
+  cut_covered();
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,

@@ -97,8 +97,8 @@ class ClearedGround {
     std::vector<std::uint64_t> moves;  // the last look that did
     std::uint64_t look = 0;
   };
-  void subtract_near(const Window& window, const CircleLook& look, AngularInterval part, Seen& seen,
-                     std::vector<AngularInterval>& set) const;
+  void subtract_near(const Window& window, const Cell& cell, const CircleLook& look,
+                     AngularInterval part, Seen& seen, std::vector<AngularInterval>& set) const;
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;

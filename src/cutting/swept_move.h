@@ -57,6 +57,8 @@ class SweptMove {
   double swept_radius() const { return swept_radius_; }
   // From `x` to the nearest point of the move.
   double distance(Vec2 x) const;
+  // Whether `x` lies within less than `reach` mm, > 0.
+  bool is_within(Vec2 x, double reach) const;
   Vec2 nearest(Vec2 x) const;
   BorderView seen_from(Vec2 x) const;
   // Takes what the move covers of the circle from its arcs in `set`; false where that is nothing.
@@ -95,6 +97,25 @@ inline double SweptMove::distance(Vec2 x) const {
   const Vec2 v = x - s.centre;
   if (is_beside(v, 0)) return std::abs(norm(v) - s.radius);
   return std::sqrt(std::min(squared_norm(x - s.a), squared_norm(x - s.b)));
+}
+
+// Squares in place of square roots: of all that the search for engagement does this is done most.
+inline bool SweptMove::is_within(Vec2 x, double reach) const {
+  const Segment& s = segment_;
+  const double square = reach * reach;
+  if (!s.is_arc()) {
+    const Vec2 v = x - s.a;
+    const double along = dot(v, direction_);
+    if (along <= 0) return squared_norm(v) < square;
+    if (along >= length_) return squared_norm(x - s.b) < square;
+    return std::abs(cross(direction_, v)) < reach;
+  }
+  const Vec2 v = x - s.centre;
+  if (!is_beside(v, 0)) return squared_norm(x - s.a) < square || squared_norm(x - s.b) < square;
+  const double from_centre = squared_norm(v), outside = s.radius + reach;
+  if (from_centre >= outside * outside) return false;
+  const double inside = s.radius - reach;
+  return inside <= 0 || from_centre > inside * inside;
 }
 
 }  // namespace evenload

@@ -296,6 +296,22 @@ TEST(ClearedGround, HoldsMaterialOnlyWhereThereIsStock) {
   EXPECT_NEAR(arcs[0].width(), 2 * std::acos(2.0 / 3), 1e-4);
 }
 
+TEST(SweptMove, IsWithinAReachAboveItsDistance) {
+  std::mt19937 random(72);
+  int within = 0;
+  for (int round = 0; round < 20000; ++round) {
+    const Vec2 x{uniform(random, -15, 15), uniform(random, -15, 15)};
+    const Swept s = random_move(random);
+    const SweptMove swept(s.move, s.radius);
+    const double reach = uniform(random, 0.01, 14), distance = swept.distance(x);
+    if (std::abs(distance - reach) < 1e-9) continue;
+    EXPECT_EQ(swept.is_within(x, reach), distance < reach) << round;
+    within += distance < reach;
+  }
+  EXPECT_GT(within, 4000);
+  EXPECT_LT(within, 16000);
+}
+
 TEST(ClearedGround, WhatAMoveHidesTheOtherClearsToo) {
   std::mt19937 random(71);
   int hidden = 0;
