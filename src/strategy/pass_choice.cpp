@@ -122,12 +122,14 @@ Pass PassChoice::best_corner_pass(const PassStart& start, double* turn_radius) {
 }
 
 // The pass along the wall of the latest stage, after the start's own, that can be followed within
-// the limit all the way; found by halving, since the earlier the stage the less there is to cut.
+// the limit all the way. The earlier the stage the less there is to cut: the last comes first,
+// since along walls that little is left of it is the only one to be tried, then it is found by
+// halving.
 Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   Pass best;
   std::size_t low = start.stage + 1, high = stages_.size();  // of the stages not yet decided
-  while (low < high) {
-    const std::size_t k = low + (high - low) / 2;
+  for (bool is_first = true; low < high; is_first = false) {
+    const std::size_t k = is_first ? high - 1 : low + (high - low) / 2;
     const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
     Pass pass;
     if (hit.distance < kSamePlace)
