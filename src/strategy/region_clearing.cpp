@@ -60,8 +60,7 @@ class RegionClearing {
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         widest_(largest_circle(task.centres, kEntryTolerance)),
-        ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges || task.rest ? &task.material : nullptr),
+        ground_(ground_of(task, radius_)),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
         samples_(stages_, ground_) {
@@ -149,11 +148,19 @@ class RegionClearing {
     samples_.update(low, high);
   }
 
+  static ClearedGround ground_of(const RegionTask& task, double radius) {
+    if (task.opened && !task.opening.runs.empty()) return *task.opened;
+    return {grown(bounds_of({task.centres}), radius), radius,
+            task.has_open_edges || task.rest ? &task.material : nullptr};
+  }
+
   // From where the opening ends.
   void go_on() {
     result_ = task_.opening;
-    if (task_.hole) ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
-    for (const PlanarRun& run : result_.runs) add_to_ground(run);
+    if (!task_.opened) {
+      if (task_.hole) ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
+      for (const PlanarRun& run : result_.runs) add_to_ground(run);
+    }
     const Bounds everywhere = bounds_of({task_.centres});
     samples_.update(everywhere.low, everywhere.high);
     const PlanarRun& last = result_.runs.back();

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "cutting/cleared_ground.h"
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/move_checks.h"
@@ -48,6 +49,8 @@ struct RegionTask {
   // Made already, in this region: taken into the result, and gone on from where its last run ends.
   // Not with `rest`.
   RegionResult opening;
+  // What the opening has cleared, with the hole; nullptr: to be found anew.
+  const ClearedGround* opened = nullptr;
 };
 
 // Where a place of the task is shown to the user.

@@ -69,6 +69,7 @@ class SlotClearing {
     const bool is_repeated = report_.length > before;
     RegionTask rest = task_;
     rest.opening = std::move(opening_);
+    rest.opened = &ground_;
     if (!is_repeated) passes_.feed_steps = params_.feed_steps;
     RegionResult result = clear_region(rest, passes_, progress_);
     if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
@@ -205,6 +206,7 @@ class SlotClearing {
     task.is_part = true;
     try {
       task.opening = opening_;
+      task.opened = &ground_;
       task.stretch_helix = true;
       RegionResult cleared = clear_region(task, passes_, progress_);
       if (!opening_.runs.empty() && descents(cleared) > descents(opening_)) return false;
