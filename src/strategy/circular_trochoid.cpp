@@ -91,9 +91,10 @@ TrochoidPattern cycloid(const TrochoidParams& params, double step) {
 
 // A loop removes no more at once than a straight cut with a side step as large as its step; and it
 // must be a loop.
-double most_step(const TrochoidParams& params) {
-  return std::min(2 * side_step(params.engagement, params.tool_radius),
-                  kMostAdvance * half_room(params));
+StepGuess step_guess(const TrochoidParams& params) {
+  const double most = std::min(2 * side_step(params.engagement, params.tool_radius),
+                               kMostAdvance * half_room(params));
+  return {most, most};
 }
 
 }  // namespace
@@ -101,13 +102,13 @@ double most_step(const TrochoidParams& params) {
 std::optional<TrochoidPattern> circular_pattern(const TrochoidParams& params) {
   check(params);
   return with_greatest_step([&](double step) { return circles(params, step); }, params,
-                            most_step(params));
+                            step_guess(params));
 }
 
 std::optional<TrochoidPattern> cycloid_pattern(const TrochoidParams& params) {
   check(params);
   return with_greatest_step([&](double step) { return cycloid(params, step); }, params,
-                            most_step(params));
+                            step_guess(params));
 }
 
 }  // namespace evenload

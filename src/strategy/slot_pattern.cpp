@@ -83,7 +83,7 @@ std::optional<SlotPattern> constant_engagement(const TrochoidParams& slot) {
   SlotPattern result;
   double least = 0;
   for (const double beside : all_beside(slot)) {
-    Width width{beside, TurnSearch(narrowed(slot, beside))};
+    Width width{beside, TurnSearch(narrowed(slot, beside), best ? &best->search : nullptr)};
     const TurnSearch::Found* found = width.search.first();
     if (!found) break;
     const double time = width.time(*found, slot);
@@ -95,7 +95,7 @@ std::optional<SlotPattern> constant_engagement(const TrochoidParams& slot) {
     best = std::move(width);
   }
   if (!best) return std::nullopt;
-  const TurnSearch::Found* found = best->search.best();
+  const std::optional<TurnSearch::Found> found = best->search.best();
   result.pattern = found->pattern;
   result.beside = best->beside;
   result.removal = slot.width / best->time(*found, slot);

@@ -35,11 +35,14 @@ constexpr double kTightestTurn = 0.025;
 constexpr double kRunUp = 0.1;
 // Places at which the advance of a front is looked at.
 constexpr int kFrontLooks = 16;
-// Lines side by side that clear the ground behind the first, round front.
+// Lines side by side that clear the ground behind the first front.
 constexpr int kLinesBehind = 8;
 // Share of a full circle that a bent strip may take.
 constexpr double kMostSweep = 0.75;
-// How much longer than the settled advance the step may become.
+// Of the settled advance: what the step is likely to be, since a little of a pass meets more than
+// the rest; what it is so at the least; and the most that it may become.
+constexpr double kLikelyStep = 0.98;
+constexpr double kSureStep = 0.97;
 constexpr double kStepRoom = 1.05;
 constexpr double kOnWall = 1e-6;  // mm
 
@@ -48,7 +51,7 @@ using Front = std::array<double, kFrontLooks>;
 // Steers pass after pass along a strip.
 class Passes {
  public:
-  Passes(const TrochoidParams& params, double turn_radius, Steps steps)
+  Passes(const TrochoidParams& params, double turn_radius, Steps steps, const SlotFront& front)
       : params_(params),
         room_(half_room(params)),
         back_(4 * params.tool_radius + 2 * room_),
@@ -56,11 +59,8 @@ class Passes {
         stage_(stage(turn_radius)),
         ground_(grown_bounds(), params.tool_radius, nullptr),
         steering_(ground_, stage_, most_engagement(params), turn_radius, steps) {
-    for (int i = 0; i <= kLinesBehind; ++i) {
-      const double aside = room_ * (2.0 * i / kLinesBehind - 1);
-      ground_.add(along_strip(aside, -back_, 0));
-    }
-    ground_.add(Segment::arc({}, room_, -kPi / 2, kPi));
+    clear_behind(front);
+    note_wall(front.way);
   }
 
   bool can_turn() const { return !stage_.turns.empty(); }
@@ -72,10 +72,7 @@ class Passes {
         stage_.centres.nearest(on_wall(at_ - kRunUp * params_.tool_radius));
     Pass pass = steering_.from_wall({hit.curve, hit.segment, hit.t});
     if (pass.empty()) return {};
-    for (const Segment& move : pass.moves) {
-      if (!lies_aside(move, -room_)) break;
-      at_ = along(move.b);
-    }
+    note_wall(pass.moves);
     std::vector<Segment> moves = without_short_moves(pass.moves, stage_.centres, kSmoothing);
     drop_first(moves, pass.idle_before);
     drop_last(moves, pass.idle_after);
@@ -111,6 +108,32 @@ class Passes {
   }
 
  private:
+  // Lines beside each other up to the front's passes, as many as a pass may reach back to.
+  void clear_behind(const SlotFront& front) {
+    double back = 0, ahead = 0;  // mm along the middle
+    for (const Segment& move : front.way) {
+      back = std::min(back, along(move.b));
+      ahead = std::max(ahead, along(move.b));
+    }
+    const double reach = ahead - back + 2 * params_.tool_radius;
+    const int before = front.step > 0 ? static_cast<int>(std::ceil(reach / front.step)) : 0;
+    for (int i = 0; i <= kLinesBehind; ++i) {
+      const double aside = room_ * (2.0 * i / kLinesBehind - 1);
+      ground_.add(along_strip(aside, -back_, back - before * front.step));
+    }
+    for (int k = before; k >= 0; --k)
+      for (const Segment& move : placed(front.way, place_along(params_.curvature, -k * front.step)))
+        ground_.add(move);
+  }
+
+  // How far a pass has followed the right wall.
+  void note_wall(const std::vector<Segment>& pass) {
+    for (const Segment& move : pass) {
+      if (!lies_aside(move, -room_)) break;
+      at_ = along(move.b);
+    }
+  }
+
   Vec2 centre() const { return {0, 1 / params_.curvature}; }
 
   double offset_of(Vec2 p) const {
@@ -237,37 +260,82 @@ PassSequence iterate(Passes& passes, const TrochoidParams& params, int most) {
   return result;
 }
 
-std::optional<TrochoidPattern> settled_pattern(const TrochoidParams& params, double turn_radius,
-                                               Steps steps) {
-  Passes passes(params, turn_radius, steps);
-  if (!passes.can_turn()) return std::nullopt;
-  const PassSequence sequence = iterate(passes, params, kMostPasses);
-  if (sequence.residuals.empty() || sequence.advance <= 0) return std::nullopt;
-  const TrochoidPattern shape = pattern_of(sequence, passes, params);
+SlotFront round_front(const TrochoidParams& params) {
+  return {{Segment::arc({}, half_room(params), -kPi / 2, kPi)}, 0};
+}
+
+// The same shape, as wide as another slot.
+SlotFront scaled(const SlotFront& front, double scale) {
+  SlotFront result;
+  for (const Segment& move : front.way)
+    result.way.push_back(move.is_arc() ? Segment::arc(scale * move.centre, scale * move.radius,
+                                                      move.start_angle, move.sweep)
+                                       : Segment::line(scale * move.a, scale * move.b));
+  result.step = scale * front.step;
+  return result;
+}
+
+// The same with the greatest step, and the link back; nothing where there is none.
+std::optional<TrochoidPattern> finished(const TrochoidPattern& shape, const TrochoidParams& params,
+                                        const StepGuess& guess) {
   std::optional<TrochoidPattern> pattern = with_greatest_step(
       [&](double step) {
         TrochoidPattern repeated = shape;
         repeated.step = step;
         return repeated;
       },
-      params, kStepRoom * sequence.advance);
+      params, guess);
   if (!pattern) return std::nullopt;
-  pattern->turn_radius = turn_radius;
   pattern->link = shortest_return(*pattern, params);
   if (pattern->link.empty()) return std::nullopt;
   return pattern;
+}
+
+struct Settled {
+  TrochoidPattern pattern;
+  SlotFront front;  // that it leaves
+  StepGuess guess;  // of its greatest step
+};
+
+// From `front` on. Patterns with the step that they are sure to keep can be told apart; where that
+// does not keep the limit, with the greatest one.
+std::optional<Settled> settled_pattern(const TrochoidParams& params, double turn_radius,
+                                       Steps steps, const SlotFront& front) {
+  Passes passes(params, turn_radius, steps, front);
+  if (!passes.can_turn()) return std::nullopt;
+  const PassSequence sequence = iterate(passes, params, kMostPasses);
+  if (sequence.residuals.empty() || sequence.advance <= 0) return std::nullopt;
+  const std::vector<Segment>& last = sequence.passes.back();
+  Settled settled;
+  settled.front.way = placed(last, place_along(params.curvature, -passes.along(last.front().a)));
+  settled.front.step = sequence.advance;
+  settled.guess = {kLikelyStep * sequence.advance, kStepRoom * sequence.advance};
+  settled.pattern = pattern_of(sequence, passes, params);
+  settled.pattern.turn_radius = turn_radius;
+  settled.pattern.step = kSureStep * sequence.advance;
+  if (keeps_limit(settled.pattern, params)) {
+    settled.pattern.link = shortest_return(settled.pattern, params);
+    if (!settled.pattern.link.empty()) return settled;
+  }
+  std::optional<TrochoidPattern> pattern = finished(settled.pattern, params, settled.guess);
+  if (!pattern) return std::nullopt;
+  settled.pattern = std::move(*pattern);
+  return settled;
 }
 
 }  // namespace
 
 PassSequence iterate_passes(const TrochoidParams& params, double turn_radius, int most) {
   check(params);
-  Passes passes(params, turn_radius, Steps::kExact);
+  Passes passes(params, turn_radius, Steps::kExact, round_front(params));
   return passes.can_turn() ? iterate(passes, params, most) : PassSequence{};
 }
 
-TurnSearch::TurnSearch(const TrochoidParams& params) : params_(params) {
+TurnSearch::TurnSearch(const TrochoidParams& params, const TurnSearch* like) : params_(params) {
   check(params);
+  start_ = round_front(params);
+  if (like && like->start_.step > 0)
+    start_ = scaled(like->start_, half_room(params) / half_room(like->params_));
   const double least = std::min(kTightestTurn * params.tool_radius, 0.5 * half_room(params));
   for (const double times : kTurns) {
     const double radius =
@@ -282,12 +350,13 @@ const TurnSearch::Found* TurnSearch::with_radius(std::size_t i) {
   if (known != tried_.end()) return known->second ? &*known->second : nullptr;
   std::optional<Found>& found = tried_[i];
   // With next to no room to turn, steps come out as few or not at all.
-  std::optional<TrochoidPattern> pattern = settled_pattern(params_, radii_[i], Steps::kExact);
-  if (!pattern) pattern = settled_pattern(params_, radii_[i], Steps::kFew);
-  if (!pattern) return nullptr;
-  const PatternFigures figures = figures_of(*pattern, params_);
-  const bool corners = evenload::turns_at_corners(pattern->cut);
-  found = Found{std::move(*pattern), figures, corners};
+  std::optional<Settled> settled = settled_pattern(params_, radii_[i], Steps::kExact, start_);
+  if (!settled) settled = settled_pattern(params_, radii_[i], Steps::kFew, start_);
+  if (!settled) return nullptr;
+  start_ = settled->front;
+  const PatternFigures figures = figures_of(settled->pattern, params_);
+  const bool corners = evenload::turns_at_corners(settled->pattern.cut);
+  found = Found{std::move(settled->pattern), figures, corners, settled->guess};
   return &*found;
 }
 
@@ -310,7 +379,18 @@ const TurnSearch::Found* TurnSearch::first() {
   return nullptr;
 }
 
-const TurnSearch::Found* TurnSearch::best() {
+std::optional<TurnSearch::Found> TurnSearch::best() {
+  const Found* const found = likely_best();
+  if (!found) return std::nullopt;
+  Found best = *found;
+  if (std::optional<TrochoidPattern> pattern = finished(best.pattern, params_, best.guess)) {
+    best.pattern = std::move(*pattern);
+    best.figures = figures_of(best.pattern, params_);
+  }
+  return best;
+}
+
+const TurnSearch::Found* TurnSearch::likely_best() {
   const Found* const start = first();
   const Found* best = start;
   // The removal rate rises to the best radius and falls beyond it, but for small bumps.
@@ -328,8 +408,7 @@ const TurnSearch::Found* TurnSearch::best() {
 }
 
 std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params) {
-  TurnSearch search(params);
-  const TurnSearch::Found* best = search.best();
+  const std::optional<TurnSearch::Found> best = TurnSearch(params).best();
   return best ? std::optional(best->pattern) : std::nullopt;
 }
 

@@ -20,29 +20,40 @@ namespace evenload {
 // Nothing where the slot is too narrow for a pass to turn in. Throws as check() does.
 std::optional<TrochoidPattern> constant_engagement_pattern(const TrochoidParams& params);
 
+// Passes one behind the other, of which a pattern's cleared ground is made.
+struct SlotFront {
+  // Of the tool's centre, from the right wall, at the pattern's origin, across to the left one.
+  std::vector<Segment> way;
+  double step = 0;  // mm along the middle; 0: nothing is known of the passes before
+};
+
 // The search for the turn radius, for those who have patterns of several widths to choose from.
 class TurnSearch {
  public:
-  // Throws as check() does.
-  explicit TurnSearch(const TrochoidParams& params);
+  // The passes begin at a front that others have settled to, which saves most of them: `like` are
+  // those of another width. Throws as check() does.
+  explicit TurnSearch(const TrochoidParams& params, const TurnSearch* like = nullptr);
 
   struct Found {
     TrochoidPattern pattern;
     PatternFigures figures;
     bool turns_at_corners = false;
+    StepGuess guess;  // of the greatest step
   };
   // With the radius that is likely to be the best, or where that does not serve, the next that
-  // does.
+  // does; its step is a little below the greatest.
   const Found* first();
   // The best of those that are reached from the first one on as long as each is better: without
   // turns that posts write as lines if there are such, and with the greatest removal rate.
-  const Found* best();
+  std::optional<Found> best();
 
  private:
+  const Found* likely_best();
   const Found* with_radius(std::size_t i);
   static bool is_better(const Found& a, const Found& b);
 
   TrochoidParams params_;
+  SlotFront start_;            // of the next passes
   std::vector<double> radii_;  // mm, ascending
   std::size_t first_ = 0;      // where the search begins
   std::map<std::size_t, std::optional<Found>> tried_;

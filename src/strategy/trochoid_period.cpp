@@ -35,7 +35,11 @@ constexpr double kLinkEnds = 0.06;
 constexpr double kNoContact = 1 * kPi / 180;
 // Rounding.
 constexpr double kNoLength = 1e-7;
-// How much smaller a step is tried while none is known that keeps the limit.
+// While steps are known to one side of the greatest alone: the share of the likely step by which
+// the second differs from it, how much further each goes than the one before, and the share of the
+// last that the next is at the least.
+constexpr double kFirstJump = 0.005;
+constexpr double kLongerJump = 4;
 constexpr double kSmallerStep = 0.9;
 // So many steps are tried at most where the overload is expected, before halving goes on.
 constexpr int kMostInProportion = 8;
@@ -253,21 +257,31 @@ PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& 
   return figures;
 }
 
+bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
+  return overload_of(pattern, params) <= 0;
+}
+
 std::optional<TrochoidPattern> with_greatest_step(
     const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
-    double most) {
+    const StepGuess& guess) {
   const double exact = kStepShare * params.tool_radius;
   std::optional<TrochoidPattern> best;
-  Tried low, high{most, 0};
-  double step = most;
-  for (int tries = 1; step > exact && high.step - low.step > exact; ++tries) {
+  Tried low, high{guess.most, 0};
+  bool is_high_tried = false;
+  double step = guess.likely, jump = kFirstJump * guess.likely;
+  for (int tries = 1; step > exact && high.step - low.step > exact; ++tries, jump *= kLongerJump) {
     TrochoidPattern pattern = of_step(step);
     const Tried tried{step, overload_of(pattern, params)};
     const bool keeps = tried.overload <= 0;
     (keeps ? low : high) = tried;
-    if (keeps) best = std::move(pattern);
+    if (keeps)
+      best = std::move(pattern);
+    else
+      is_high_tried = true;
     if (!best)
-      step = kSmallerStep * high.step;
+      step = std::max(kSmallerStep * high.step, high.step - jump);
+    else if (!is_high_tried)
+      step = std::min(guess.most, low.step + jump);
     else if (tries < kMostInProportion && high.overload > low.overload)
       step = step_between(low, high, keeps, exact);
     else

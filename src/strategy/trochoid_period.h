@@ -89,11 +89,18 @@ inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 
-// Of the patterns that `of_step` makes, that with the greatest step, not above `most` mm, which
+// Whether a pattern, its link left out, keeps the limit once it repeats.
+bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params);
+
+// mm: where the search for a step begins, and its end.
+struct StepGuess {
+  double likely = 0, most = 0;
+};
+// Of the patterns that `of_step` makes, that with the greatest step, not above the most, which
 // keeps the limit; nothing where none does.
 std::optional<TrochoidPattern> with_greatest_step(
     const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
-    double most);
+    const StepGuess& guess);
 
 // Whether one of the moves is an arc so tight that posts write it as lines.
 bool turns_at_corners(const std::vector<Segment>& moves);

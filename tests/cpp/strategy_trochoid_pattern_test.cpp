@@ -169,6 +169,19 @@ TEST(TrochoidPattern, OfConstantEngagementSettlesWithinThePassesThatAreMade) {
     }
 }
 
+TEST(TrochoidPattern, OfConstantEngagementIsTheSameWhereverItsPassesBegin) {
+  for (const double curvature : {0.0, 1.0 / 40}) {
+    const TrochoidParams params = slot(1.5, 60, curvature), other = slot(1.7, 60, curvature);
+    TurnSearch like(other);
+    ASSERT_TRUE(like.first());
+    const auto alone = TurnSearch(params).best(), led = TurnSearch(params, &like).best();
+    ASSERT_TRUE(alone && led);
+    EXPECT_LT(led->pattern.residuals.size(), alone->pattern.residuals.size());
+    EXPECT_NEAR(led->pattern.step, alone->pattern.step, 0.01 * alone->pattern.step);
+    EXPECT_NEAR(led->figures.removal, alone->figures.removal, 0.01 * alone->figures.removal);
+  }
+}
+
 TEST(TrochoidPattern, OfConstantEngagementGoesBackNearlyStraightAcrossTheSlot) {
   for (const double width : {1.1, 1.25, 1.5, 2.0, 3.0}) {
     TrochoidParams params = slot(width, 60);
