@@ -26,6 +26,7 @@ ABOVE_FLOOR = (
 CURVE_SHARE = 0.25
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
+MOST_BLOCKED_NOTES = 4  # open sides of a floor that get a note each where stock stands beyond them
 MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
 LEAST_OVERLAP = 1e-4  # mm2: less of two floors that touch is rounding
 UPRIGHT = 1e-9  # of unit vectors: what rises in a right angle
@@ -444,16 +445,31 @@ def _judge_edges(floor, walls, tool_diameter, tolerance):
     if all(free):
         _open_all_round(floor, walls, z, tolerance)
         return
+    blocked = []
     for i, is_free in enumerate(free):
         if not is_free:
             continue
         if walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
-            floor.notes.append(
-                "%s has stock beyond its open side near (%.3f, %.3f): it is treated as a wall."
-                % (floor.name, outer[i][0], outer[i][1])
-            )
+            blocked.append(outer[i][:2])
         else:
             outer[i] = (*outer[i][:3], True)
+    floor.notes += _blocked_notes(floor.name, blocked)
+
+
+def _blocked_notes(name, places):
+    """One for each of a few open sides with stock beyond; one for all of the many short sides that
+    a curve may be drawn as.
+    """
+    if len(places) > MOST_BLOCKED_NOTES:
+        return [
+            "%s has stock beyond %d of its open sides, the first near (%.3f, %.3f): they are "
+            "treated as walls." % (name, len(places), *places[0])
+        ]
+    return [
+        "%s has stock beyond its open side near (%.3f, %.3f): it is treated as a wall."
+        % (name, *place)
+        for place in places
+    ]
 
 
 def _open_all_round(floor, walls, z, tolerance):

@@ -9,6 +9,7 @@
 #include "cutting/engagement.h"
 #include "feed/feed_limit.h"
 #include "feed/load_profile.h"
+#include "geometry/fine_corners.h"
 #include "geometry/medial_axis.h"
 #include "strategy/allowed_ground.h"
 #include "strategy/entry.h"
@@ -28,6 +29,8 @@ namespace {
 // is a larger part of a smaller angle.
 constexpr double kLoadSpacing = 0.3;
 constexpr double kEvenAngle = kPi / 3;
+// Of the tolerance: what round walls drawn as many lines may be cut short by, for arcs.
+constexpr double kFineShare = 0.4;
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -107,7 +110,9 @@ struct Work {
 
 std::vector<Region> places_of_tool(const std::vector<Region>& allowed,
                                    const ClearingParams& params) {
-  return offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap));
+  return without_fine_corners(
+      offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap)),
+      kFineShare * params.tolerance);
 }
 
 // Connected places of the tool's centre that are cleared from one entry.
