@@ -20,6 +20,12 @@ namespace {
 // better.
 constexpr double kThickChip = 1.02;
 
+// Per mm of path: with what a program needs besides these are 700 blocks per metre, which
+// controllers digest at the feeds in use.
+constexpr double kManyMoves = 0.685;
+// By how much dearer blocks get in a step where there are as many, and s: how dear at most.
+constexpr double kDearer = 1.15, kDearest = 0.08;
+
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
   constexpr double kSameDepth = 1e-6;  // mm: rounding of the levels
@@ -75,7 +81,34 @@ bool repeats(const std::vector<PlanarRun>& runs) {
   });
 }
 
-// set_constant_load, region by region.
+bool has_many_moves(const std::vector<PlanarRun>& runs) {
+  double length = 0;
+  std::size_t count = 0;
+  for (const PlanarRun& run : runs) {
+    count += run.moves.size();
+    for (const PlanarMove& move : run.moves) length += move.segment.length();
+  }
+  return static_cast<double>(count) > kManyMoves * length;
+}
+
+// set_constant_load, with blocks dearer where there are many, as far as that makes them few.
+std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
+                             FeedParams params) {
+  const std::vector<PlanarRun> whole = region;
+  const std::vector<double> feeds = set_constant_load(region, samples, params);
+  if (!has_many_moves(region) || has_many_moves(whole)) return feeds;
+  for (;;) {
+    params.steps.price *= kDearer;
+    if (params.steps.price > kDearest) return feeds;
+    std::vector<PlanarRun> fewer = whole;
+    std::vector<double> slower = set_constant_load(fewer, samples, params);
+    if (has_many_moves(fewer)) continue;
+    region = std::move(fewer);
+    return slower;
+  }
+}
+
+// The feeds, region by region.
 std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
                                        const std::vector<LoadSample>& profile,
                                        const ClearingParams& params) {
@@ -93,12 +126,14 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
       samples.back().run -= first;
     }
     FeedParams own{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
-    if (repeats(region)) {
+    const bool is_repeated = repeats(region);
+    if (is_repeated) {
       own.steps = kSlotFeedSteps;
       // In longer parts means gain little, and forces peak a fifth higher.
       if (params.feed_control == FeedControl::kConstantRemovalRate) own.mean_length = kMeanLength;
     }
-    const std::vector<double> found = set_constant_load(region, samples, own);
+    const std::vector<double> found =
+        is_repeated ? set_constant_load(region, samples, own) : set_load(region, samples, own);
     feeds.insert(feeds.end(), found.begin(), found.end());
     std::move(region.begin(), region.end(), from);
     first = last;
