@@ -20,11 +20,14 @@ namespace {
 // better.
 constexpr double kThickChip = 1.02;
 
-// Per mm of path: with what a program needs besides these are 700 blocks per metre, which
-// controllers digest at the feeds in use.
-constexpr double kManyMoves = 0.685;
-// By how much dearer blocks get in a step where there are as many, and s: how dear at most.
-constexpr double kDearer = 1.15, kDearest = 0.08;
+// Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
+// and what a program has where the tool comes down.
+constexpr double kManyBlocks = 0.697;
+constexpr double kBlocksPerRun = 3;
+// s: what one more block must save at most where there are many, and how often the least such price
+// is halved in.
+constexpr double kDearest = 0.1;
+constexpr int kPrices = 4;
 
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
@@ -81,31 +84,37 @@ bool repeats(const std::vector<PlanarRun>& runs) {
   });
 }
 
-bool has_many_moves(const std::vector<PlanarRun>& runs) {
-  double length = 0;
-  std::size_t count = 0;
+bool has_many_blocks(const std::vector<PlanarRun>& runs) {
+  double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
-    count += run.moves.size();
+    blocks += kBlocksPerRun + static_cast<double>(run.moves.size());
     for (const PlanarMove& move : run.moves) length += move.segment.length();
   }
-  return static_cast<double>(count) > kManyMoves * length;
+  return blocks > kManyBlocks * length;
 }
 
-// set_constant_load, with blocks dearer where there are many, as far as that makes them few.
+// set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
+// that can be.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              FeedParams params) {
   const std::vector<PlanarRun> whole = region;
-  const std::vector<double> feeds = set_constant_load(region, samples, params);
-  if (!has_many_moves(region) || has_many_moves(whole)) return feeds;
-  for (;;) {
-    params.steps.price *= kDearer;
-    if (params.steps.price > kDearest) return feeds;
+  std::vector<double> feeds = set_constant_load(region, samples, params);
+  if (!has_many_blocks(region) || has_many_blocks(whole)) return feeds;
+  double cheap = params.steps.price, dear = kDearest;
+  for (int i = 0; i <= kPrices; ++i) {
+    params.steps.price = i == 0 ? dear : std::sqrt(cheap * dear);
     std::vector<PlanarRun> fewer = whole;
     std::vector<double> slower = set_constant_load(fewer, samples, params);
-    if (has_many_moves(fewer)) continue;
-    region = std::move(fewer);
-    return slower;
+    if (has_many_blocks(fewer)) {
+      if (i == 0) break;
+      cheap = params.steps.price;
+    } else {
+      dear = params.steps.price;
+      region = std::move(fewer);
+      feeds = std::move(slower);
+    }
   }
+  return feeds;
 }
 
 // The feeds, region by region.

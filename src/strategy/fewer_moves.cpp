@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <iterator>
 
 #include "cutting/engagement.h"
 #include "strategy/links.h"
@@ -14,13 +13,12 @@
 namespace evenload {
 namespace {
 
-// Moves in a row that are replaced, the arcs that come instead, and by how many fewer they are.
-constexpr std::size_t kFewest = 3, kMost = 5;
-constexpr std::size_t kFewestInstead = 2, kMostInstead = 4, kMostFewer = 2;
+// Moves in a row that are replaced by arcs, one fewer.
+constexpr std::size_t kFewest = 3, kMost = kMostArcs + 1;
 // How often arcs that turn out to meet too much are made better by what they were found to meet.
-constexpr int kTries = 3;
+constexpr int kTries = 2;
 // rad: beyond the limit, they are not.
-constexpr double kHopeless = 0.1;
+constexpr double kHopeless = 0.04;
 // Shares of the tool's radius: the longest row, and what lies between two looks, along the moves
 // that there are as well.
 constexpr double kLongestRow = 4;
@@ -74,7 +72,7 @@ class FewerMoves {
   std::vector<Segment> made() {
     const std::size_t before = ground_.size();
     for (std::size_t i = 0; i < moves_.size(); ++i) {
-      while (replace_row(i)) continue;
+      while (replace_row(i)) looked_.resize(std::min(looked_.size(), i));
       done_ += moves_[i].length();
       if (comes_back_) ground_.add(moves_[i]);
     }
@@ -123,42 +121,63 @@ class FewerMoves {
     return most;
   }
 
-  using Moves = std::vector<Segment>::const_iterator;
+  // What the tool meets along a move, by the way and the turn from its beginning on.
+  struct Looked {
+    std::vector<RowLook> looks;
+    bool is_beside_nothing = false;
+  };
 
-  // What the tool meets along moves, one after the other.
-  Row row_of(Moves first, Moves last, double look) {
-    cuts_through_ = false;
-    Row row{
-        {first->a, first->tangent(0)}, {std::prev(last)->b, std::prev(last)->tangent(1)}, {}, {}};
-    RowPlace begin;
-    for (Moves move = first; move != last; ++move) {
-      const double length = move->length(), bend = 0.5 * move->sweep;
-      const auto place = [&](double t) -> RowPlace {
-        return {begin.along + t * length, begin.turned + 2 * bend * t,
-                begin.aside + t * length * (begin.turned + bend * t)};
-      };
-      const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (look * radius_))));
-      for (int i = 0; i < n; ++i) {
-        const double t = (i + 0.5) / n, heading = angle_of(move->tangent(t));
-        ground_.uncovered(move->point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
-        row.looks.push_back({place(t)});
-        if (i % kBesideEvery == 0 && !arcs_.empty())
-          cuts_through_ = cuts_through_ || nothing_beside(move->point(t), heading);
-        for (const AngularInterval& arc : arcs_) {
-          row.looks.back().met += arc.width();
-          row.looks.back().width +=
-              radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
-        }
+  Looked look_along(const Segment& move, double look, double most_met) {
+    Looked looked;
+    const double length = move.length(), bend = 0.5 * move.sweep;
+    const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (look * radius_))));
+    for (int i = 0; i < n; ++i) {
+      const double t = (i + 0.5) / n, heading = angle_of(move.tangent(t));
+      ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
+      looked.looks.push_back({{t * length, 2 * bend * t, t * length * bend * t}});
+      RowLook& here = looked.looks.back();
+      for (const AngularInterval& arc : arcs_) {
+        here.met += arc.width();
+        here.width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
       }
-      begin = place(1);
-      row.joints.push_back(begin);
+      if (here.met > most_met) break;
+      if (look == kOldLook && i % kBesideEvery == 0 && !arcs_.empty())
+        looked.is_beside_nothing =
+            looked.is_beside_nothing || is_nothing_beside(move.point(t), heading);
     }
-    return row;
+    return looked;
   }
 
   // True where the cut takes all but a sliver of what lies to its right.
-  bool nothing_beside(Vec2 p, double heading) const {
+  bool is_nothing_beside(Vec2 p, double heading) const {
     return ground_.is_cleared_point(p - (1 + kSliver) * radius_ * left_normal(unit(heading)));
+  }
+
+  const Looked& looked_at(std::size_t k) {
+    for (std::size_t i = looked_.size(); i <= k; ++i)
+      looked_.push_back(look_along(moves_[i], kOldLook, 2 * kPi));
+    return looked_[k];
+  }
+
+  static void append(const Segment& move, const Looked& looked, Row& row) {
+    const RowPlace begin = row.joints.empty() ? RowPlace() : row.joints.back();
+    const auto on = [&](const RowPlace& place) -> RowPlace {
+      return {begin.along + place.along, begin.turned + place.turned,
+              begin.aside + begin.turned * place.along + place.aside};
+    };
+    for (const RowLook& look : looked.looks) row.looks.push_back({on(look), look.met, look.width});
+    const double length = move.length();
+    row.joints.push_back(on({length, move.sweep, 0.5 * length * move.sweep}));
+  }
+
+  // What is met along moves in place of a row; as far as no more is met than is allowed for.
+  Row row_along(const std::vector<Segment>& way, const Row& old) {
+    Row row{old.from, old.to, {}, {}};
+    for (const Segment& move : way) {
+      append(move, look_along(move, kLook, limits_.most_met + kHopeless), row);
+      if (row.looks.back().met > limits_.most_met + kHopeless) break;
+    }
+    return row;
   }
 
   static double most_met(const Row& row) {
@@ -176,29 +195,30 @@ class FewerMoves {
 
   void try_row(std::size_t first, std::size_t last, Best& best) {
     const std::size_t row = last - first + 1;
-    const Row old = row_of(moves_.begin() + static_cast<std::ptrdiff_t>(first),
-                           moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1, kOldLook);
-    if (cuts_through_) return;
+    Row old{{moves_[first].a, moves_[first].tangent(0)},
+            {moves_[last].b, moves_[last].tangent(1)},
+            {},
+            {}};
+    for (std::size_t k = first; k <= last; ++k) {
+      if (looked_at(k).is_beside_nothing) return;
+      append(moves_[k], looked_[k], old);
+    }
     const double before = unused_area(old, limits_.least_width);
-    const std::size_t fewest = std::max(kFewestInstead, row - std::min(row, kMostFewer));
-    for (std::size_t count = fewest; count <= std::min(kMostInstead, row - 1); ++count) {
-      const double price = params_.feed_steps.price * static_cast<double>(row - count);
-      const auto gain_of = [&](double unused) {
-        return price + (before - unused) / (full_width_ * params_.feed) * 60;
-      };
-      Row known = old;
-      for (int i = 0; i < kTries; ++i) {
-        double unused = 0;
-        std::vector<Segment> way = fit_row(known, count, limits_, &unused);
-        if (way.empty() || gain_of(unused) <= best.gain || !may_be(way)) break;
-        known = row_of(way.begin(), way.end(), kLook);
-        const double most = most_met(known);
-        if (most > limits_.most_met + kHopeless) break;
-        if (most > limits_.most_met) continue;
-        const double gain = gain_of(unused_area(known, limits_.least_width));
-        if (gain > best.gain) best = {std::move(way), gain, row};
-        break;
-      }
+    const auto gain_of = [&](double unused) {
+      return params_.feed_steps.price + (before - unused) / (full_width_ * params_.feed) * 60;
+    };
+    Row known = old;
+    for (int i = 0; i < kTries; ++i) {
+      double unused = 0;
+      std::vector<Segment> way = fit_row(known, row - 1, limits_, &unused);
+      if (way.empty() || gain_of(unused) <= best.gain || !may_be(way)) return;
+      known = row_along(way, old);
+      const double most = most_met(known);
+      if (most > limits_.most_met + kHopeless) return;
+      if (most > limits_.most_met) continue;
+      const double gain = gain_of(unused_area(known, limits_.least_width));
+      if (gain > best.gain) best = {std::move(way), gain, row};
+      return;
     }
   }
 
@@ -211,9 +231,8 @@ class FewerMoves {
   double radius_;
   double full_width_;  // mm, of a straight cut at the engagement angle
   RowLimits limits_;
-  double done_ = 0;  // mm of the moves before the row
-  // Of the row looked at last, somewhere: another way might leave a sliver.
-  bool cuts_through_ = false;
+  double done_ = 0;             // mm of the moves before the row
+  std::vector<Looked> looked_;  // the first of moves_
   std::vector<AngularInterval> arcs_;
 };
 

@@ -1,5 +1,5 @@
 // Passes with fewer moves. Steering makes one arc after the other and cannot see what comes next;
-// where three to five of its arcs can be one or two fewer, a program has fewer blocks.
+// where three to five of its arcs can be one fewer, a program has fewer blocks.
 #pragma once
 
 #include <vector>

@@ -1,15 +1,17 @@
 // The method: headings along arcs are a function of the way that is straight between their joints.
-// The joints are where the row has them but for those that go; then joints and headings are moved,
-// each by itself and in ever smaller steps, as long as that is better. The heading at the last
-// joint follows from the others: the row's end stays where it is.
+// The joints are where the row has them but for the one that goes; then joints and headings are
+// moved, each by itself and in ever smaller steps, as long as that is better. The heading at the
+// last joint follows from the others: the row's end stays where it is.
 
 #include "strategy/row_fit.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <limits>
 #include <optional>
+#include <utility>
 
 namespace evenload {
 namespace {
@@ -25,10 +27,8 @@ constexpr double kMostLess = 0.25;
 constexpr double kOverPrice = 100, kTightPrice = 30;
 // The first step of a joint as a share of the row, and of a heading in rad; the last as a share of
 // the first.
-constexpr double kJointStep = 0.15, kTurnStep = 0.03, kLastStep = 0.07;
-constexpr int kMostRounds = 16;
-// So many of the ways to leave out joints are made better.
-constexpr std::size_t kStarts = 2;
+constexpr double kJointStep = 0.15, kTurnStep = 0.03, kLastStep = 0.13;
+constexpr int kMostRounds = 10;
 
 class Unused {
  public:
@@ -51,13 +51,13 @@ class Unused {
 
 // The joints of arcs, the row's beginning and end among them.
 struct Headings {
-  std::vector<RowPlace> joints;
+  std::array<RowPlace, kMostArcs + 1> joints;
+  std::size_t last = 0;  // the row's end
   double price = std::numeric_limits<double>::infinity();
 };
 
-// 1/mm, of the arc from joint `k` on.
-double curvature(const std::vector<RowPlace>& joints, std::size_t k) {
-  return (joints[k + 1].turned - joints[k].turned) / (joints[k + 1].along - joints[k].along);
+double curvature(const RowPlace& from, const RowPlace& to) {
+  return (to.turned - from.turned) / (to.along - from.along);
 }
 
 class Fit {
@@ -65,76 +65,75 @@ class Fit {
   Fit(const Row& row, const RowLimits& limits)
       : row_(row),
         limits_(limits),
-        width_slope_(limits.tool_radius * std::sin(limits.engagement)) {}
+        width_slope_(limits.tool_radius * std::sin(limits.engagement)),
+        per_width_slope_(1 / width_slope_) {}
 
-  // The best arcs found; nothing where there is no room for so many.
-  std::optional<Headings> best(std::size_t count) const {
-    std::vector<Headings> starts;
-    const std::size_t inner = row_.joints.size() - 1, gone = inner + 1 - count;
-    if (gone == 0) starts.push_back(without(inner + 1, inner + 1));
-    for (std::size_t k = 0; gone > 0 && k < inner; ++k)
-      for (std::size_t l = gone == 1 ? k : k + 1; l < (gone == 1 ? k + 1 : inner); ++l)
-        starts.push_back(without(k, l));
-    const auto is_better = [](const Headings& a, const Headings& b) { return a.price < b.price; };
-    std::stable_sort(starts.begin(), starts.end(), is_better);
-    if (starts.size() > kStarts) starts.resize(kStarts);
-    for (Headings& start : starts) improve(start);
-    const auto least = std::min_element(starts.begin(), starts.end(), is_better);
-    if (least == starts.end() || std::isinf(least->price)) return std::nullopt;
-    return *least;
+  // The best arcs found, one fewer than the row's moves or as many; nothing where there is no room
+  // for them.
+  std::optional<Headings> best(bool one_fewer) const {
+    Headings best, second;
+    for (std::size_t k = 0; one_fewer && k + 1 < row_.joints.size(); ++k) {
+      const Headings headings = without(k);
+      if (headings.price < best.price)
+        second = std::exchange(best, headings);
+      else if (headings.price < second.price)
+        second = headings;
+    }
+    if (!one_fewer) best = without(row_.joints.size());
+    for (Headings* start : {&best, &second})
+      if (!std::isinf(start->price)) improve(*start);
+    if (second.price < best.price) best = second;
+    if (std::isinf(best.price)) return std::nullopt;
+    return best;
   }
 
  private:
-  Headings without(std::size_t one, std::size_t other) const {
+  Headings without(std::size_t joint) const {
     Headings headings;
-    headings.joints.push_back({});
     for (std::size_t k = 0; k < row_.joints.size(); ++k)
-      if (k != one && k != other) headings.joints.push_back(row_.joints[k]);
+      if (k != joint) headings.joints[++headings.last] = row_.joints[k];
     close(headings);
     return headings;
   }
 
   // The last joint's heading, and the price of it all.
   void close(Headings& headings) const {
-    std::vector<RowPlace>& j = headings.joints;
-    const std::size_t n = j.size() - 1;
+    auto& j = headings.joints;
+    const std::size_t n = headings.last;
     double twice_aside = j[n].turned * (j[n].along - j[n - 1].along);
     for (std::size_t k = 1; k + 1 < n; ++k)
       twice_aside += j[k].turned * (j[k + 1].along - j[k - 1].along);
     j[n - 1].turned = (2 * j[n].aside - twice_aside) / (j[n].along - j[n - 2].along);
-    headings.price = price_of(j);
+    headings.price = price_of(headings);
   }
 
-  double price_of(const std::vector<RowPlace>& joints) const {
-    double price = 0;
-    for (std::size_t k = 0; k + 1 < joints.size(); ++k) {
-      const double length = joints[k + 1].along - joints[k].along;
-      const double turn = std::abs(joints[k + 1].turned - joints[k].turned);
+  double price_of(const Headings& headings) const {
+    double price = 0, until = 0, aside = 0;
+    Unused unused(limits_.least_width);
+    auto look = row_.looks.begin();
+    for (std::size_t k = 0; k < headings.last; ++k) {
+      const RowPlace &from = headings.joints[k], &to = headings.joints[k + 1];
+      const double length = to.along - from.along, turn = std::abs(to.turned - from.turned);
       if (length < limits_.shortest || turn > kMostArc)
         return std::numeric_limits<double>::infinity();
       price += kTightPrice * std::max(0.0, turn - limits_.most_curvature * length);
-    }
-    Unused unused(limits_.least_width);
-    double until = 0, aside = 0;
-    std::size_t k = 0;
-    for (const RowLook& look : row_.looks) {
-      for (; k + 2 < joints.size() && joints[k + 1].along < look.along; ++k) {
-        unused.end_move(joints[k + 1].along);
-        aside += 0.5 * (joints[k + 1].along - joints[k].along) *
-                 (joints[k].turned + joints[k + 1].turned);
+      const double half_curvature = 0.5 * curvature(from, to);
+      const bool is_last = k + 1 == headings.last;
+      for (; look != row_.looks.end() && (is_last || look->along <= to.along); ++look) {
+        const double on = look->along - from.along, bend = half_curvature * on;
+        const double turned_left = from.turned + 2 * bend - look->turned;
+        const double left = aside + on * (from.turned + bend) - look->aside;
+        const double more = -turned_left - left * per_width_slope_;
+        const double part = 2 * (look->along - until);
+        until += part;
+        price +=
+            kOverPrice * part *
+            (std::max(0.0, look->met + more - limits_.most_met) + std::max(0.0, -more - kMostLess));
+        unused.add(std::max(0.0, look->width + width_slope_ * more), part);
       }
-      const double on = look.along - joints[k].along, bend = 0.5 * curvature(joints, k) * on;
-      const double turned_left = joints[k].turned + 2 * bend - look.turned;
-      const double left = aside + on * (joints[k].turned + bend) - look.aside;
-      const double more = -turned_left - left / width_slope_;
-      const double length = 2 * (look.along - until);
-      until += length;
-      price +=
-          kOverPrice * length *
-          (std::max(0.0, look.met + more - limits_.most_met) + std::max(0.0, -more - kMostLess));
-      unused.add(std::max(0.0, look.width + width_slope_ * more), length);
+      unused.end_move(to.along);
+      aside += 0.5 * length * (from.turned + to.turned);
     }
-    unused.end_move(joints.back().along);
     return price + unused.value();
   }
 
@@ -152,15 +151,16 @@ class Fit {
       best = std::move(next);
       return true;
     };
-    for (std::size_t k = 1; k + 1 < best.joints.size(); ++k)
+    for (std::size_t k = 1; k < best.last; ++k)
       for (const double side : {1.0, -1.0}) {
         const double by = side * step * kJointStep * row_.joints.back().along;
         Headings next = best;
-        next.joints[k].turned += curvature(best.joints, by > 0 ? k : k - 1) * by;
+        const std::size_t piece = by > 0 ? k : k - 1;
+        next.joints[k].turned += curvature(best.joints[piece], best.joints[piece + 1]) * by;
         next.joints[k].along += by;
         if (take(std::move(next))) break;
       }
-    for (std::size_t k = 1; k + 2 < best.joints.size(); ++k)
+    for (std::size_t k = 1; k + 1 < best.last; ++k)
       for (const double side : {1.0, -1.0}) {
         Headings next = best;
         next.joints[k].turned += side * step * kTurnStep;
@@ -172,13 +172,15 @@ class Fit {
   const Row& row_;
   const RowLimits& limits_;
   double width_slope_;  // mm per rad of engagement, and mm aside per rad
+  double per_width_slope_;
 };
 
 // All but the last two as the joints have them, these as a bi-arc to the row's end.
-std::vector<Segment> arcs_of(const Row& row, const std::vector<RowPlace>& joints) {
+std::vector<Segment> arcs_of(const Row& row, const Headings& headings) {
+  const auto& joints = headings.joints;
   std::vector<Segment> moves;
   PlanePoint here = row.from;
-  const std::size_t last = joints.size() - 1;
+  const std::size_t last = headings.last;
   for (std::size_t k = 0; k + 2 < last; ++k) {
     const double half = 0.5 * (joints[k + 1].turned - joints[k].turned);
     const double length = joints[k + 1].along - joints[k].along;
@@ -214,10 +216,10 @@ double unused_area(const Row& row, double least_width) {
 
 std::vector<Segment> fit_row(const Row& row, std::size_t count, const RowLimits& limits,
                              double* unused) {
-  const std::optional<Headings> best = Fit(row, limits).best(count);
+  const std::optional<Headings> best = Fit(row, limits).best(count < row.joints.size());
   if (!best) return {};
   *unused = best->price;
-  return arcs_of(row, best->joints);
+  return arcs_of(row, *best);
 }
 
 }  // namespace evenload

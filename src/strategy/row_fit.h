@@ -36,13 +36,15 @@ struct RowLimits {
   double most_curvature = 0;  // 1/mm, of any arc
 };
 
+inline constexpr std::size_t kMostArcs = 4;
+
 // mm^2: what a row's moves, each at one feed, could remove and do not; less a share of what they do
 // remove, which then is not left to other passes.
 double unused_area(const Row& row, double least_width);
 
-// `count` arcs, 2 or more, from where the row begins to where it ends, in the same directions, and
-// each tangent to the next: those found that are expected to leave the least area unused among such
-// as are expected to meet no more than the limits allow. `unused`: that area; large where the
+// `count` arcs, 2 to kMostArcs, from where the row begins to where it ends, in the same directions,
+// and each tangent to the next: those found that are expected to leave the least area unused among
+// such as are expected to meet no more than the limits allow. `unused`: that area; large where the
 // limits cannot be kept. Empty where there are none. Condition: the row has as many moves, or one
 // or two more.
 std::vector<Segment> fit_row(const Row& row, std::size_t count, const RowLimits& limits,
