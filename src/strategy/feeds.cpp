@@ -20,6 +20,15 @@ namespace {
 // better.
 constexpr double kThickChip = 1.02;
 
+// Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
+// and what a program has where the tool comes down.
+constexpr double kManyBlocks = 0.697;
+constexpr double kBlocksPerRun = 3;
+// s: what one more block must save at most where there are many, and how often the least such price
+// is halved in.
+constexpr double kDearest = 0.1;
+constexpr int kPrices = 4;
+
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
   constexpr double kSameDepth = 1e-6;  // mm: rounding of the levels
@@ -75,7 +84,40 @@ bool repeats(const std::vector<PlanarRun>& runs) {
   });
 }
 
-// set_constant_load, region by region.
+bool has_many_blocks(const std::vector<PlanarRun>& runs) {
+  double length = 0, blocks = 0;
+  for (const PlanarRun& run : runs) {
+    blocks += kBlocksPerRun + static_cast<double>(run.moves.size());
+    for (const PlanarMove& move : run.moves) length += move.segment.length();
+  }
+  return blocks > kManyBlocks * length;
+}
+
+// set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
+// that can be.
+std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
+                             FeedParams params) {
+  const std::vector<PlanarRun> whole = region;
+  std::vector<double> feeds = set_constant_load(region, samples, params);
+  if (!has_many_blocks(region) || has_many_blocks(whole)) return feeds;
+  double cheap = params.steps.price, dear = kDearest;
+  for (int i = 0; i <= kPrices; ++i) {
+    params.steps.price = i == 0 ? dear : std::sqrt(cheap * dear);
+    std::vector<PlanarRun> fewer = whole;
+    std::vector<double> slower = set_constant_load(fewer, samples, params);
+    if (has_many_blocks(fewer)) {
+      if (i == 0) break;
+      cheap = params.steps.price;
+    } else {
+      dear = params.steps.price;
+      region = std::move(fewer);
+      feeds = std::move(slower);
+    }
+  }
+  return feeds;
+}
+
+// The feeds, region by region.
 std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
                                        const std::vector<LoadSample>& profile,
                                        const ClearingParams& params) {
@@ -93,12 +135,14 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
       samples.back().run -= first;
     }
     FeedParams own{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
-    if (repeats(region)) {
+    const bool is_repeated = repeats(region);
+    if (is_repeated) {
       own.steps = kSlotFeedSteps;
       // In longer parts means gain little, and forces peak a fifth higher.
       if (params.feed_control == FeedControl::kConstantRemovalRate) own.mean_length = kMeanLength;
     }
-    const std::vector<double> found = set_constant_load(region, samples, own);
+    const std::vector<double> found =
+        is_repeated ? set_constant_load(region, samples, own) : set_load(region, samples, own);
     feeds.insert(feeds.end(), found.begin(), found.end());
     std::move(region.begin(), region.end(), from);
     first = last;

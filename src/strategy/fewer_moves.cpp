@@ -3,29 +3,27 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
-#include <limits>
-#include <optional>
 
 #include "cutting/engagement.h"
-#include "geometry/bi_arc.h"
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
+#include "strategy/row_fit.h"
 #include "strategy/short_moves.h"
 
 namespace evenload {
 namespace {
 
-// Moves in a row that a bi-arc replaces.
-constexpr std::size_t kFewest = 3, kMost = 5;
-// How many times as far along the first tangent as along the last the joints lie that are tried.
-constexpr double kRatios[] = {0.22, 0.35, 0.6, 1, 1.6, 2.8, 4.5};
-// The best is then taken so many times greater and smaller.
-constexpr double kFinerRatios[] = {1.25, 1.12};
-// Shares of the tool's radius: the longest row, and what lies between two looks, along moves whose
-// time alone matters as well.
+// Moves in a row that are replaced by arcs, one fewer.
+constexpr std::size_t kFewest = 3, kMost = kMostArcs + 1;
+// How often arcs that turn out to meet too much are made better by what they were found to meet.
+constexpr int kTries = 2;
+// rad: beyond the limit, they are not.
+constexpr double kHopeless = 0.04;
+// Shares of the tool's radius: the longest row, and what lies between two looks, along the moves
+// that there are as well.
 constexpr double kLongestRow = 4;
 constexpr double kLook = 0.03;
-constexpr double kOldLook = 0.2;
+constexpr double kOldLook = 0.06;
 constexpr int kFewestLooks = 4;
 // Share of the tool's radius: moves along the border that are as short, remainders before a pass
 // leaves its wall, may be replaced.
@@ -37,21 +35,13 @@ constexpr double kSameDirection = 1e-6;
 // rad: a pass that turns by more may come back to where it was: were it led elsewhere, its next
 // turn would meet more or less.
 constexpr double kMostTurn = 1.75 * kPi;
-// rad: of either arc.
-constexpr double kMostArc = 0.9 * kPi;
+// Share of the tool's radius: thinner rests might be left for good, where no wall leads to them and
+// they are hardly seen.
+constexpr double kSliver = 0.1;
+// Every so manieth look is for those.
+constexpr int kBesideEvery = 2;
 // What a turn may be tighter by, for rounding.
 constexpr double kAsTight = 1.001;
-// Into how many parts a new move is divided by the places where it is compared with the old ones;
-// rad: by how much more or less than they it may be expected to meet.
-constexpr int kChangeLooks = 4;
-constexpr double kMostMore = 0.08;
-constexpr double kMostLess = 0.15;
-
-// What the tool meets along a move.
-struct Met {
-  double time = 0;  // s
-  double area = 0;  // mm^2
-};
 
 class FewerMoves {
  public:
@@ -64,7 +54,12 @@ class FewerMoves {
         params_(params),
         radius_(ground.tool_radius()),
         full_width_(side_step(params.engagement_angle, radius_)),
-        limit_(params.engagement_angle + overload) {
+        limits_{params.engagement_angle + overload,
+                params.engagement_angle,
+                radius_,
+                full_width_ * params.feed / params.maximum_feed,
+                kShortest,
+                kAsTight * tightest()} {
     double turn = 0, last = 0;  // mm
     for (auto move = moves.rbegin(); move != moves.rend() && !comes_back_; ++move) {
       turn += move->sweep;
@@ -77,7 +72,7 @@ class FewerMoves {
   std::vector<Segment> made() {
     const std::size_t before = ground_.size();
     for (std::size_t i = 0; i < moves_.size(); ++i) {
-      while (replace_row(i)) met_.resize(std::min(met_.size(), i));
+      while (replace_row(i)) looked_.resize(std::min(looked_.size(), i));
       done_ += moves_[i].length();
       if (comes_back_) ground_.add(moves_[i]);
     }
@@ -118,115 +113,113 @@ class FewerMoves {
     return moves_[k].length() < kShortOnBorder * radius_ || !follows_border(moves_[k], centres_);
   }
 
-  struct Candidate {
-    std::vector<Segment> way;
-    double ratio = 1;
-    double change = 1;  // of what it meets, as a share of what may be
-  };
-
-  // Takes the bi-arc of `ratio` in place of the row where that changes less than `best` does.
-  void change_less(std::size_t first, std::size_t last, double ratio, double tightest,
-                   Candidate& best) const {
-    const Segment &a = moves_[first], &b = moves_[last];
-    const std::optional<BiArc> pair =
-        bi_arc({a.a, a.tangent(0)}, {b.b, b.tangent(1)}, kMostArc, ratio);
-    if (!pair) return;
-    double change = 0;
-    for (const Segment& move : {pair->first, pair->second}) {
-      if (move.length() < kShortest || std::abs(move.curvature()) > kAsTight * tightest) return;
-      for (int i = 1; i < kChangeLooks; ++i) {
-        change =
-            std::max(change, change_at(move, static_cast<double>(i) / kChangeLooks, first, last));
-        if (change >= best.change) return;
-      }
-    }
-    best = {{pair->first, pair->second}, ratio, change};
+  // 1/mm, of the pass off the border.
+  double tightest() const {
+    double most = 0;
+    for (const Segment& move : moves_)
+      if (!follows_border(move, centres_)) most = std::max(most, std::abs(move.curvature()));
+    return most;
   }
 
-  // The bi-arc in place of the row that changes least, as far as is known without a look at the
-  // ground; empty where all change too much.
-  std::vector<Segment> likeliest(std::size_t first, std::size_t last) const {
-    double tightest = 0;
-    for (std::size_t k = first; k <= last; ++k)
-      tightest = std::max(tightest, std::abs(moves_[k].curvature()));
-    Candidate best;
-    for (const double ratio : kRatios) change_less(first, last, ratio, tightest, best);
-    if (best.way.empty()) return {};
-    for (const double finer : kFinerRatios) {
-      const double middle = best.ratio;
-      change_less(first, last, middle * finer, tightest, best);
-      change_less(first, last, middle / finer, tightest, best);
+  // What the tool meets along a move, by the way and the turn from its beginning on.
+  struct Looked {
+    std::vector<RowLook> looks;
+    bool is_beside_nothing = false;
+  };
+
+  Looked look_along(const Segment& move, double look, double most_met) {
+    Looked looked;
+    const double length = move.length(), bend = 0.5 * move.sweep;
+    const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (look * radius_))));
+    for (int i = 0; i < n; ++i) {
+      const double t = (i + 0.5) / n, heading = angle_of(move.tangent(t));
+      ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
+      looked.looks.push_back({{t * length, 2 * bend * t, t * length * bend * t}});
+      RowLook& here = looked.looks.back();
+      for (const AngularInterval& arc : arcs_) {
+        here.met += arc.width();
+        here.width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
+      }
+      if (here.met > most_met) break;
+      if (look == kOldLook && i % kBesideEvery == 0 && !arcs_.empty())
+        looked.is_beside_nothing =
+            looked.is_beside_nothing || is_nothing_beside(move.point(t), heading);
     }
-    return std::move(best.way);
+    return looked;
+  }
+
+  // True where the cut takes all but a sliver of what lies to its right.
+  bool is_nothing_beside(Vec2 p, double heading) const {
+    return ground_.is_cleared_point(p - (1 + kSliver) * radius_ * left_normal(unit(heading)));
+  }
+
+  const Looked& looked_at(std::size_t k) {
+    for (std::size_t i = looked_.size(); i <= k; ++i)
+      looked_.push_back(look_along(moves_[i], kOldLook, 2 * kPi));
+    return looked_[k];
+  }
+
+  static void append(const Segment& move, const Looked& looked, Row& row) {
+    const RowPlace begin = row.joints.empty() ? RowPlace() : row.joints.back();
+    const auto on = [&](const RowPlace& place) -> RowPlace {
+      return {begin.along + place.along, begin.turned + place.turned,
+              begin.aside + begin.turned * place.along + place.aside};
+    };
+    for (const RowLook& look : looked.looks) row.looks.push_back({on(look), look.met, look.width});
+    const double length = move.length();
+    row.joints.push_back(on({length, move.sweep, 0.5 * length * move.sweep}));
+  }
+
+  // What is met along moves in place of a row; as far as no more is met than is allowed for.
+  Row row_along(const std::vector<Segment>& way, const Row& old) {
+    Row row{old.from, old.to, {}, {}};
+    for (const Segment& move : way) {
+      append(move, look_along(move, kLook, limits_.most_met + kHopeless), row);
+      if (row.looks.back().met > limits_.most_met + kHopeless) break;
+    }
+    return row;
+  }
+
+  static double most_met(const Row& row) {
+    double most = 0;
+    for (const RowLook& look : row.looks) most = std::max(most, look.met);
+    return most;
+  }
+
+  bool may_be(const std::vector<Segment>& way) const {
+    return std::all_of(way.begin(), way.end(), [&](const Segment& move) {
+      return move.length() >= kShortest && std::abs(move.curvature()) <= limits_.most_curvature &&
+             is_inside(move, centres_, kOnBorder);
+    });
   }
 
   void try_row(std::size_t first, std::size_t last, Best& best) {
     const std::size_t row = last - first + 1;
-    double gain = params_.feed_steps.price * static_cast<double>(row - 2);
-    for (std::size_t k = first; k <= last; ++k) gain += loss_of(met_along(k));
-    if (gain <= best.gain) return;
-    std::vector<Segment> way = likeliest(first, last);
-    for (const Segment& move : way) {
-      if (!is_inside(move, centres_, kOnBorder)) return;
-      const std::optional<Met> met = look_along(move, kLook, limit_);
-      if (!met) return;
-      gain -= loss_of(*met);
+    Row old{{moves_[first].a, moves_[first].tangent(0)},
+            {moves_[last].b, moves_[last].tangent(1)},
+            {},
+            {}};
+    for (std::size_t k = first; k <= last; ++k) {
+      if (looked_at(k).is_beside_nothing) return;
+      append(moves_[k], looked_[k], old);
     }
-    if (!way.empty() && gain > best.gain) best = {std::move(way), gain, row};
-  }
-
-  // By how much longer a move takes than what it removes must.
-  double loss_of(const Met& met) const {
-    return met.time - met.area / (full_width_ * params_.feed) * 60;
-  }
-
-  const Met& met_along(std::size_t k) {
-    for (std::size_t i = met_.size(); i <= k; ++i)
-      met_.push_back(*look_along(moves_[i], kOldLook, std::numeric_limits<double>::infinity()));
-    return met_[k];
-  }
-
-  // Looks at a move until more than `limit` rad is met; nothing then.
-  std::optional<Met> look_along(const Segment& move, double look, double limit) {
-    const double length = move.length();
-    const int n = std::max(kFewestLooks, static_cast<int>(std::ceil(length / (look * radius_))));
-    double widest = 0, sum = 0;
-    for (int i = 0; i < n; ++i) {
-      const double t = (i + 0.5) / n, heading = angle_of(move.tangent(t));
-      ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
-      double engaged = 0, width = 0;
-      for (const AngularInterval& arc : arcs_) {
-        engaged += arc.width();
-        width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
-      }
-      if (engaged > limit) return std::nullopt;
-      sum += width;
-      widest = std::max(widest, width);
+    const double before = unused_area(old, limits_.least_width);
+    const auto gain_of = [&](double unused) {
+      return params_.feed_steps.price + (before - unused) / (full_width_ * params_.feed) * 60;
+    };
+    Row known = old;
+    for (int i = 0; i < kTries; ++i) {
+      double unused = 0;
+      std::vector<Segment> way = fit_row(known, row - 1, limits_, &unused);
+      if (way.empty() || gain_of(unused) <= best.gain || !may_be(way)) return;
+      known = row_along(way, old);
+      const double most = most_met(known);
+      if (most > limits_.most_met + kHopeless) return;
+      if (most > limits_.most_met) continue;
+      const double gain = gain_of(unused_area(known, limits_.least_width));
+      if (gain > best.gain) best = {std::move(way), gain, row};
+      return;
     }
-    const double feed = widest * params_.maximum_feed <= full_width_ * params_.feed
-                            ? params_.maximum_feed
-                            : full_width_ * params_.feed / widest;
-    return Met{length / feed * 60, sum / n * length};
-  }
-
-  // By how much what is met at `at` of a new move is expected to change, without a look at the
-  // ground. To turn right and to be further to the right both mean to meet more.
-  double change_at(const Segment& move, double at, std::size_t first, std::size_t last) const {
-    const Vec2 p = move.point(at);
-    const Segment* old = &moves_[first];
-    double least = old->distance_to(p);
-    for (std::size_t k = first + 1; k <= last; ++k) {
-      const double distance = moves_[k].distance_to(p);
-      if (distance >= least) continue;
-      least = distance;
-      old = &moves_[k];
-    }
-    const double t = old->nearest(p);
-    const Vec2 along = old->tangent(t), now = move.tangent(at);
-    const double left = cross(along, p - old->point(t));
-    const double turned_left = std::atan2(cross(along, now), dot(along, now));
-    const double more = -turned_left - left / (radius_ * std::sin(params_.engagement_angle));
-    return more > 0 ? more / kMostMore : -more / kMostLess;
   }
 
   std::vector<Segment> moves_;
@@ -236,10 +229,10 @@ class FewerMoves {
   const ClearingParams& params_;
   bool comes_back_ = false;
   double radius_;
-  double full_width_;     // mm, of a straight cut at the engagement angle
-  double limit_;          // rad
-  double done_ = 0;       // mm of the moves before the row
-  std::vector<Met> met_;  // along the first of moves_
+  double full_width_;  // mm, of a straight cut at the engagement angle
+  RowLimits limits_;
+  double done_ = 0;             // mm of the moves before the row
+  std::vector<Looked> looked_;  // the first of moves_
   std::vector<AngularInterval> arcs_;
 };
 

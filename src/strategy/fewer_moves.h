@@ -1,5 +1,5 @@
 // Passes with fewer moves. Steering makes one arc after the other and cannot see what comes next;
-// where three to five of its arcs can be two, a program has fewer blocks.
+// where three to five of its arcs can be one fewer, a program has fewer blocks.
 #pragma once
 
 #include <vector>
@@ -15,13 +15,14 @@ struct Stretch {
   double from = 0, to = 0;
 };
 
-// `moves` with rows of three to five replaced by a bi-arc, from where the row began to where it
-// ended, in the same directions: only within `stretch` mm, inside `centres`, with no tighter turn,
-// at no more than `overload` rad above `params`' engagement angle, and where the time that it costs
-// at a constant removal rate is worth the blocks. `ground`: before the moves, and again in the end.
-// Laws: the moves follow each other as before, and begin and end where they did; moves along the
-// border of `centres` stay as they are, but for short ones, and so does, of a pass that comes back
-// to where it was, all that it comes back to.
+// `moves` with rows of three to five replaced by two to four tangent arcs, from where the row began
+// to where it ended, in the same directions: only within `stretch` mm, inside `centres`, with no
+// turn tighter than the pass has off the border, at no more than `overload` rad above `params`'
+// engagement angle, and where the time that it costs at a constant removal rate is worth the
+// blocks. `ground`: before the moves, and again in the end. Laws: the moves follow each other as
+// before, and begin and end where they did; moves along the border of `centres` stay as they are,
+// but for short ones, and so does, of a pass that comes back to where it was, all that it comes
+// back to.
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
                                       const Area& centres, ClearedGround& ground,
                                       const ClearingParams& params, double overload);

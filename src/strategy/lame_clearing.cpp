@@ -18,6 +18,8 @@ namespace {
 
 constexpr double kRounding = 1e-3;  // of areas
 constexpr double kSlow = 1.3;       // ideal times
+// Along a spiral the load changes all the time, a little: steps pay that would not elsewhere.
+constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -139,9 +141,13 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
     RegionTask further = task;
     further.opening = std::move(opening.result);
     Progress half([&](double done) { return watch.report(kFirstHalf + (1 - kFirstHalf) * done); });
-    return clear_region(further, beside_spiral(checked), half);
+    const ClearingParams beside = beside_spiral(checked);
+    further.overload += checked.engagement_angle - beside.engagement_angle;
+    return clear_region(further, beside, half);
   };
-  static_cast<Toolpath&>(result) = clear_by(clearer, regions, clearing, progress);
+  ClearingParams finer = clearing;
+  finer.feed_steps = kSpiralFeedSteps;
+  static_cast<Toolpath&>(result) = clear_by(clearer, regions, finer, progress);
   if (!progress.cancelled() && clearing.narrow_passages != NarrowPassages::kSkip)
     note_missing_spirals(regions, clearing, reached, result);
   if (clearing.feed_control == FeedControl::kConstantFeed &&

@@ -434,6 +434,7 @@ double Opening::kept_area() const {
 }  // namespace
 
 ClearingParams beside_spiral(ClearingParams params) {
+  params.feed_steps = FeedSteps();
   double& angle = params.engagement_angle;
   angle -= std::max(kBesideShare * angle, std::min(kBesideSmall, kBesideMost * angle));
   return params;

@@ -16,9 +16,9 @@ constexpr double kLinkTolerance = 3e-5;
 constexpr double kLinkDistance = 1e-3;
 // mm: how far beyond the wall's offset a link may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
-// mm: what one more block may shorten a link by for its own sake. At 1500 mm/min that is 24 ms:
-// less is not worth another joint, at which machines slow down by as much.
-constexpr double kBlockPrice = 0.6;
+// mm: what one more block must shorten a link by. At 1500 mm/min that is the time that it must save
+// elsewhere, too.
+constexpr double kBlockPrice = 0.9;
 // rad: of one arc of two. Back to back takes half a turn; beyond, three pieces are shorter.
 constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
@@ -97,6 +97,47 @@ bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segmen
   else
     moves = {one, two};
   return true;
+}
+
+// An arc that leads from a pose onto a circle. `radius`: of the circle, negative where it turns to
+// the right. False where there is none.
+bool turn_onto(const Pose& from, Vec2 centre, double radius, Pose& on, Segment& arc) {
+  const Vec2 to_left = left_normal(unit(from.heading)), apart = from.p - centre;
+  const double denominator = 2 * (dot(apart, to_left) + radius);
+  if (std::abs(denominator) < kSameCircle) return false;
+  // The centres are as far apart as the radii differ.
+  const double own = (radius * radius - squared_norm(apart)) / denominator;
+  if (std::abs(radius - own) < kSameCircle || std::abs(own) < kSameCircle) return false;
+  const Vec2 own_centre = from.p + own * to_left;
+  const Vec2 left = 1 / (radius - own) * (centre - own_centre);  // of the place where they meet
+  on = {centre - radius * left, angle_of(left) - kPi / 2};
+  const double side = own > 0 ? 1 : -1, turn = turn_angle(side, from.heading, on.heading);
+  arc = Segment::arc(own_centre, std::abs(own), from.heading - side * kPi / 2, side * turn);
+  return true;
+}
+
+// One arc for the two that meet at `beside`, both on the same side: their mean, and those that lead
+// onto it and off it. False where they would turn too far or too tightly.
+bool turn_on_past(const Pose& from, const Pose& beside, const Pose& to, double curvature,
+                  double tightest, std::vector<Segment>& moves) {
+  const double radius = 1 / curvature, side = radius > 0 ? 1 : -1;
+  const Vec2 centre = beside.p + radius * left_normal(unit(beside.heading));
+  Pose begin, end;
+  Segment first, last;
+  // The last one is sought from its end on.
+  if (!turn_onto(from, centre, radius, begin, first) ||
+      !turn_onto({to.p, to.heading + kPi}, centre, -radius, end, last))
+    return false;
+  end.heading -= kPi;
+  const double before = turn_angle(side, begin.heading, beside.heading),
+               after = turn_angle(side, beside.heading, end.heading);
+  moves = {first,
+           Segment::arc(centre, std::abs(radius), begin.heading - side * kPi / 2,
+                        side * (before + after)),
+           last.reversed()};
+  return std::all_of(moves.begin(), moves.end(), [&](const Segment& move) {
+    return move.radius >= tightest && std::abs(move.sweep) <= kMostTurn;
+  });
 }
 
 // True where none of the `n` parts of the move begins or ends beyond a wall.
@@ -196,11 +237,11 @@ std::vector<Candidate> candidates(const Pose& from, const Pose& to,
 // mm: so far from an end a turn has left a wall that it began along.
 double ends_of(double turn_radius) { return std::sqrt(4 * kLinkDistance * turn_radius); }
 
-// Two bi-arcs by way of a place beside the wall that the straight way cuts deepest into, which is a
-// corner or an island. Empty where nothing is cut into, or the arcs would be tighter than
-// `tightest` mm.
-std::vector<Segment> way_round(const Area& centres, const Pose& from, const Pose& to, double berth,
-                               double tightest) {
+// By way of a place beside the wall that the straight way cuts deepest into, which is a corner or
+// an island: three arcs and two bi-arcs, as far as there are such. Empty where nothing is cut into,
+// or the arcs would be tighter than `tightest` mm.
+std::vector<std::vector<Segment>> ways_round(const Area& centres, const Pose& from, const Pose& to,
+                                             double berth, double tightest) {
   const Vec2 straight = to.p - from.p;
   BoundaryIndex::Hit deepest;
   double depth = 0;
@@ -219,8 +260,12 @@ std::vector<Segment> way_round(const Area& centres, const Pose& from, const Pose
   std::vector<Segment> moves, rest;
   if (!turn_turn(from, beside, tightest, moves) || !turn_turn(beside, to, tightest, rest))
     return {};
+  const double before = moves.back().curvature(), after = rest.front().curvature();
   moves.insert(moves.end(), rest.begin(), rest.end());
-  return moves;
+  std::vector<Segment> three;
+  if (before * after > 0 && turn_on_past(from, beside, to, 0.5 * (before + after), tightest, three))
+    return {std::move(three), std::move(moves)};
+  return {std::move(moves)};
 }
 
 }  // namespace
@@ -236,14 +281,16 @@ std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centr
       if (is_free(ground, centres, candidate.moves, ends)) return candidate.moves;
     }
   }
-  const std::vector<Segment> round =
-      way_round(centres, from, to, kBerth * turn_radius, kTightestRound * turn_radius);
-  if (round.empty() || length_of(round) > longest) return {};
-  const double widest = 1 / std::max(1e-9, std::min(std::abs(round.front().curvature()),
-                                                    std::abs(round.back().curvature())));
-  const double ends =
-      space == LinkSpace::kClear ? std::min(ends_of(widest), kLongestEnds) : longest;
-  return is_free(ground, centres, round, ends) ? round : std::vector<Segment>{};
+  for (std::vector<Segment>& round :
+       ways_round(centres, from, to, kBerth * turn_radius, kTightestRound * turn_radius)) {
+    if (length_of(round) > longest) continue;
+    const double widest = 1 / std::max(1e-9, std::min(std::abs(round.front().curvature()),
+                                                      std::abs(round.back().curvature())));
+    const double ends =
+        space == LinkSpace::kClear ? std::min(ends_of(widest), kLongestEnds) : longest;
+    if (is_free(ground, centres, round, ends)) return std::move(round);
+  }
+  return {};
 }
 
 double length_of_retract(double gap, const ClearingParams& params) {

@@ -39,7 +39,7 @@ struct RegionTask {
   bool mirrored = false;  // places named in notes and errors are to be mirrored back
   // rad: what passes with fewer moves may exceed the engagement angle by. Trochoids and spirals are
   // held to one degree.
-  double overload = 0.5 * kSmoothOverload;
+  double overload = 0.8 * kSmoothOverload;
   // Where places of the task are in the whole, before they are mirrored; empty: where they are
   // here.
   std::function<Vec2(Vec2)> whole_place;

@@ -100,7 +100,7 @@ TEST(FewerMoves, AreNotMadeWhereTheyWouldMeetMoreThanTheLimit) {
 }
 
 TEST(FewerMoves, AreNotMadeOfArcsThatTurnToAndFro) {
-  const std::vector<Segment> moves = arcs_along_the_front({0.3, -0.6, 0.6, -0.6, 0.3});
+  const std::vector<Segment> moves = arcs_along_the_front({0.6, -1.2, 1.2, -1.2, 0.6});
   EXPECT_TRUE(are_same(fewer(moves, front()), moves));
 }
 
