@@ -34,9 +34,6 @@ constexpr double kShortOnBorder = 0.05;
 constexpr double kThin = 1e-6;
 // Of unit vectors along moves that are tangent to each other.
 constexpr double kSameDirection = 1e-6;
-// rad: a pass that turns by more may come back to where it was: were it led elsewhere, its next
-// turn would meet more or less.
-constexpr double kMostTurn = 1.75 * kPi;
 // rad: of either arc.
 constexpr double kMostArc = 0.9 * kPi;
 // What a turn may be tighter by, for rounding.
@@ -65,13 +62,10 @@ class FewerMoves {
         radius_(ground.tool_radius()),
         full_width_(side_step(params.engagement_angle, radius_)),
         limit_(params.engagement_angle + overload) {
-    double turn = 0, last = 0;  // mm
-    for (auto move = moves.rbegin(); move != moves.rend() && !comes_back_; ++move) {
-      turn += move->sweep;
-      comes_back_ = std::abs(turn) > kMostTurn;
-      if (!comes_back_) last += move->length();
-    }
-    if (comes_back_) stretch_.from = std::max(stretch_.from, length_of(moves) - last);
+    const auto left = static_cast<std::ptrdiff_t>(first_left_behind(moves));
+    comes_back_ = left > 0;
+    if (comes_back_)
+      stretch_.from = std::max(stretch_.from, length_of({moves.begin(), moves.begin() + left}));
   }
 
   std::vector<Segment> made() {

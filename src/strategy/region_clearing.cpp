@@ -283,6 +283,8 @@ class RegionClearing {
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));
+    // What the wider turns left is met by the next turn of a pass that comes back to them.
+    if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
   }
