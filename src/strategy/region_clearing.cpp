@@ -107,9 +107,12 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest,
+    return {std::max(wish, tightest),
+            tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
-            kSpareTurn * radius_, kFirstTurn * entry_radius()};
+            kSpareTurn * radius_,
+            kFirstTurn * entry_radius(),
+            params_.engagement_angle};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
