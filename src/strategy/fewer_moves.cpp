@@ -32,9 +32,6 @@ constexpr double kShortOnBorder = 0.05;
 constexpr double kThin = 1e-6;
 // Of unit vectors along moves that are tangent to each other.
 constexpr double kSameDirection = 1e-6;
-// rad: a pass that turns by more may come back to where it was: were it led elsewhere, its next
-// turn would meet more or less.
-constexpr double kMostTurn = 1.75 * kPi;
 // Share of the tool's radius: thinner rests might be left for good, where no wall leads to them and
 // they are hardly seen.
 constexpr double kSliver = 0.1;
@@ -60,13 +57,10 @@ class FewerMoves {
                 full_width_ * params.feed / params.maximum_feed,
                 kShortest,
                 kAsTight * tightest()} {
-    double turn = 0, last = 0;  // mm
-    for (auto move = moves.rbegin(); move != moves.rend() && !comes_back_; ++move) {
-      turn += move->sweep;
-      comes_back_ = std::abs(turn) > kMostTurn;
-      if (!comes_back_) last += move->length();
-    }
-    if (comes_back_) stretch_.from = std::max(stretch_.from, length_of(moves) - last);
+    const auto left = static_cast<std::ptrdiff_t>(first_left_behind(moves));
+    comes_back_ = left > 0;
+    if (comes_back_)
+      stretch_.from = std::max(stretch_.from, length_of({moves.begin(), moves.begin() + left}));
   }
 
   std::vector<Segment> made() {

@@ -2,6 +2,10 @@
 // the strategy measures engagement by.
 #pragma once
 
+#include <cstddef>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
 #include "geometry/curve.h"
 #include "strategy/area.h"
 
@@ -24,5 +28,15 @@ bool follows_border(const Segment& move, const Area& centres);
 
 // True where no look along `move`, its ends included, is more than `tolerance` mm outside.
 bool is_inside(const Segment& move, const Area& centres, double tolerance, int looks = kMoveLooks);
+
+// The first of the moves to which a pass does not come back: from there on it turns by less than
+// kComesBack. 0 where that is all of it. Were it led elsewhere before, its next turn would meet
+// more or less than it was steered for.
+std::size_t first_left_behind(const std::vector<Segment>& moves);
+inline constexpr double kComesBack = 1.75 * kPi;
+
+// mm at the end of the moves along which the tool touches nothing, `most` at most. `ground`: before
+// the moves, and again in the end.
+double idle_end_of(const std::vector<Segment>& moves, double most, ClearedGround& ground);
 
 }  // namespace evenload

@@ -1,10 +1,12 @@
 #include "strategy/pass_choice.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "cutting/engagement.h"
 #include "strategy/links.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -13,12 +15,20 @@ namespace {
 constexpr double kSamePlace = 1e-4;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
-// mm: no pass turns more tightly in a corner where a stage that does not can enter.
+// mm: no pass turns more tightly in a corner where a stage that does not can enter; nor so tightly
+// that a roll-out, which turns by more than this share of the engagement angle, is posted as a
+// line.
 constexpr double kTightInCorner = 0.1;
+constexpr double kRollOutShare = 0.8;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
 constexpr std::size_t kStagesAtOnce = 3;
+
+double tightest_in_corner(double engagement) {
+  const double turned = std::min(kRollOutShare * engagement, kPi / 2);
+  return std::max(kTightInCorner, std::sqrt((kLeastSpan + kSpanMargin) / std::sin(turned)));
+}
 
 // Tries the stages from `start` on and before `end`, a few at a time, uphill from `first`.
 template <typename Value>
@@ -105,7 +115,8 @@ Pass PassChoice::best_corner_pass(const PassStart& start, double* turn_radius) {
     return value;
   };
   std::size_t end = stages_.size() - 1;  // the exact border cannot be steered at
-  while (end > start.stage + 1 && stages_[end - 1].turn_radius < kTightInCorner) --end;
+  const double tightest = tightest_in_corner(params_.engagement_angle);
+  while (end > start.stage + 1 && stages_[end - 1].turn_radius < tightest) --end;
   if (start.stage < end) {
     const std::size_t first = std::clamp(best_in_corner_, start.stage, end - 1);
     // From pass to pass in a corner the best stage hardly changes.

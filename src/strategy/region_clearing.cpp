@@ -106,9 +106,12 @@ class RegionClearing {
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
-    return {std::max(wish, tightest), tightest,
+    return {std::max(wish, tightest),
+            tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
-            kSpareTurn * radius_, kFirstTurn * entry_radius()};
+            kSpareTurn * radius_,
+            kFirstTurn * entry_radius(),
+            params_.engagement_angle};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
@@ -290,6 +293,8 @@ class RegionClearing {
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));
+    // What the wider turns left is met by the next turn of a pass that comes back to them.
+    if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);
     for (const Segment& move : pass.moves) ground_.add(move);
     return way;
   }

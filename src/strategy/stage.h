@@ -26,6 +26,7 @@ struct StageLimits {
   double rest = 0.02;       // mm: few further stages once the corners that are left are shorter,
   double spare = 0.09;      // mm: down to this turn radius
   double first_turn = 1e9;  // mm: the first pass must be able to turn as tightly as this
+  double engagement = kPi / 3;  // rad: of passes along the walls of acute corners
 };
 
 // The stages of one connected region of tool centres, from the widest turn radius to the exact

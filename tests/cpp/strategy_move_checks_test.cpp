@@ -35,5 +35,28 @@ TEST(MoveChecks, AMoveIsInsideUpToTheTolerance) {
   EXPECT_FALSE(is_inside(Segment::line({5, 5}, {10.1, 5}), square(), 1e-6));
 }
 
+TEST(MoveChecks, WhatAPassComesBackToIsWhatItTurnsByNearlyACircleAfter) {
+  const Segment line = Segment::line({-5, 0}, {0, 0});
+  const Segment half = Segment::arc({0, 2}, 2, -kPi / 2, kPi);
+  const Segment next = Segment::arc({0, 2}, 2, kPi / 2, 0.8 * kPi);
+  EXPECT_EQ(first_left_behind({}), 0u);
+  EXPECT_EQ(first_left_behind({line, half}), 0u);
+  EXPECT_EQ(first_left_behind({line, half, next}), 2u);
+}
+
+TEST(MoveChecks, TheIdleEndBeginsWhereTheToolTouchesNothingAnyMore) {
+  // Cleared from the right, but for cusps between the ends of the earlier passes: the tool's side
+  // leaves them at x = 0.17.
+  ClearedGround ground({{-20, -20}, {20, 20}}, 3, nullptr);
+  for (double y = -12; y <= 12; y += 2) ground.add(Segment::line({3, y}, {18, y}));
+  const std::size_t before = ground.size();
+  const std::vector<Segment> moves{Segment::line({-5, 0}, {0, 0}), Segment::line({0, 0}, {8, 0})};
+  EXPECT_NEAR(idle_end_of(moves, 100, ground), 8 - 0.17, 0.03);
+  EXPECT_EQ(idle_end_of(moves, 2, ground), 2);
+  EXPECT_EQ(ground.size(), before);
+  const std::vector<Segment> into{Segment::line({8, 0}, {-2, 0})};
+  EXPECT_EQ(idle_end_of(into, 100, ground), 0);
+}
+
 }  // namespace
 }  // namespace evenload

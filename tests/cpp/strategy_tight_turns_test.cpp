@@ -227,17 +227,7 @@ const std::set<std::string> kLeftOut{
     "too_small",  // the tool does not fit
     // Where two walls leave next to no width, the tool turns at less than 0.1 mm: no wider arc has
     // room.
-    "acute_wedge",
-    "gear_gap_met_head_on",
-    "neck62",
-    "room_behind_neck",
     "slot62",
-    // At 20 degrees a pass may leave next to nothing: roll-outs in corners stay as tight as they
-    // are.
-    "small_engagement",
-    // Steering leaves arcs of some micrometres along the cusp, where none can be left out: rounded,
-    // they are turned by up to 1.7 degrees.
-    "cusp_between_two_fronts",
     // Pieces of some micrometres of the outline's corners, which rounding turns by some degrees.
     "tiny_edges",
 };
