@@ -26,8 +26,8 @@ constexpr int kTryEvery = 4;
 constexpr std::size_t kStagesAtOnce = 3;
 
 double tightest_in_corner(double engagement) {
-  const double turned = std::min(kRollOutShare * engagement, kPi / 2);
-  return std::max(kTightInCorner, std::sqrt((kLeastSpan + kSpanMargin) / std::sin(turned)));
+  const double span = std::sin(std::min(engagement, kPi / 2));
+  return std::max(kTightInCorner, std::sqrt((kLeastSpan + kSpanMargin) / span));
 }
 
 // Tries the stages from `start` on and before `end`, a few at a time, uphill from `first`.

@@ -23,9 +23,13 @@ constexpr double kSpareRatio = 0.5;
 // lines with corners between them; only one arc that leads all round the corner stays an arc.
 const double kSteeredTurn = std::sqrt(kLeastSpan / std::sin(0.2));
 // There stages follow each other so closely that such an arc, along the wall of the next, meets no
-// more than this share of the engagement angle; but no more closely than kFinestRatio.
+// more than this share of the engagement angle; where they would have to follow more closely than
+// kFinestRatio, passes would be many: steered ones it is.
 constexpr double kHeldShare = 0.8;
-constexpr double kFinestRatio = 0.985;
+constexpr double kFinestRatio = 0.986;
+// rad: nor at smaller engagement angles, where even right angles would need many stages, and narrow
+// pockets take twice as long to compute.
+constexpr double kLeastAngle = 25 * kPi / 180;
 
 // The walls are opened by this much more than the turn radius, so that a pass in the narrowest
 // channel of its stage still has room between its roll-in and its roll-out.
@@ -61,10 +65,11 @@ double sharpest_corner(const Region& region) {
 // the second does with q a about one that lies (1 - q) a / sin(half the corner) further in, and
 // cos(angle met) is a over the largest distance of its path from the first centre.
 double corner_ratio(const Region& region, double engagement) {
+  if (engagement < kLeastAngle) return kStageRatio;
   const double half_corner = sharpest_corner(region);
   const double held = 1 / std::cos(std::min(kHeldShare * engagement, kPi / 3)) - 1;
   const double ratio = 1 - held / std::max(1e-9, 1 / std::sin(half_corner) - 1);
-  return std::clamp(ratio, kStageRatio, kFinestRatio);
+  return ratio > kFinestRatio ? kStageRatio : std::max(ratio, kStageRatio);
 }
 
 }  // namespace
