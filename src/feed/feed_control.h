@@ -12,7 +12,7 @@ namespace evenload {
 
 // How fine the steps are in which the feed changes within moves.
 struct FeedSteps {
-  double price = 0.035;   // s: what one more block must save, and one less may cost
+  double price = 0.043;   // s: what one more block must save, and one less may cost
   double shortest = 0.2;  // mm: no piece is shorter, unless its move is; controllers handle a
                           // limited number of blocks per second
 };

@@ -29,6 +29,7 @@ Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& 
                                    Progress& share) {
     RegionTask task = given;
     task.overload = overload(checked);
+    task.rows = Rows::kQuick;
     return clear_region(task, checked, share);
   };
   return clear_by(clearer, regions, params, progress);

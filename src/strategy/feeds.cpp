@@ -28,6 +28,8 @@ constexpr double kBlocksPerRun = 3;
 // is halved in.
 constexpr double kDearest = 0.1;
 constexpr int kPrices = 4;
+// More time than this, as a share, no number of blocks is worth.
+constexpr double kMostSlower = 0.025;
 
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
@@ -84,6 +86,14 @@ bool repeats(const std::vector<PlanarRun>& runs) {
   });
 }
 
+// min
+double time_of(const std::vector<PlanarRun>& runs) {
+  double time = 0;
+  for (const PlanarRun& run : runs)
+    for (const PlanarMove& move : run.moves) time += move.segment.length() / move.feed;
+  return time;
+}
+
 bool has_many_blocks(const std::vector<PlanarRun>& runs) {
   double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
@@ -94,12 +104,13 @@ bool has_many_blocks(const std::vector<PlanarRun>& runs) {
 }
 
 // set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
-// that can be.
+// that can be in next to the same time.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              FeedParams params) {
   const std::vector<PlanarRun> whole = region;
   std::vector<double> feeds = set_constant_load(region, samples, params);
   if (!has_many_blocks(region) || has_many_blocks(whole)) return feeds;
+  const double most = (1 + kMostSlower) * time_of(region);
   double cheap = params.steps.price, dear = kDearest;
   for (int i = 0; i <= kPrices; ++i) {
     params.steps.price = i == 0 ? dear : std::sqrt(cheap * dear);
@@ -110,6 +121,7 @@ std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<L
       cheap = params.steps.price;
     } else {
       dear = params.steps.price;
+      if (time_of(fewer) > most) continue;
       region = std::move(fewer);
       feeds = std::move(slower);
     }

@@ -7,6 +7,7 @@
 #include "cutting/engagement.h"
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
+#include "strategy/row_bi_arc.h"
 #include "strategy/row_fit.h"
 #include "strategy/short_moves.h"
 
@@ -24,6 +25,7 @@ constexpr double kHopeless = 0.04;
 constexpr double kLongestRow = 4;
 constexpr double kLook = 0.03;
 constexpr double kOldLook = 0.06;
+constexpr double kQuickLook = 0.2;
 constexpr int kFewestLooks = 4;
 // Share of the tool's radius: moves along the border that are as short, remainders before a pass
 // leaves its wall, may be replaced.
@@ -43,12 +45,13 @@ constexpr double kAsTight = 1.001;
 class FewerMoves {
  public:
   FewerMoves(const std::vector<Segment>& moves, const Stretch& stretch, const Area& centres,
-             ClearedGround& ground, const ClearingParams& params, double overload)
+             ClearedGround& ground, const ClearingParams& params, double overload, Rows rows)
       : moves_(moves),
         stretch_(stretch),
         centres_(centres),
         ground_(ground),
         params_(params),
+        rows_(rows),
         radius_(ground.tool_radius()),
         full_width_(side_step(params.engagement_angle, radius_)),
         limits_{params.engagement_angle + overload,
@@ -115,6 +118,14 @@ class FewerMoves {
     return most;
   }
 
+  // 1/mm, of the moves [first, last].
+  double tightest_in(std::size_t first, std::size_t last) const {
+    double most = 0;
+    for (std::size_t k = first; k <= last; ++k)
+      most = std::max(most, std::abs(moves_[k].curvature()));
+    return kAsTight * most;
+  }
+
   // What the tool meets along a move, by the way and the turn from its beginning on.
   struct Looked {
     std::vector<RowLook> looks;
@@ -135,7 +146,7 @@ class FewerMoves {
         here.width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
       }
       if (here.met > most_met) break;
-      if (look == kOldLook && i % kBesideEvery == 0 && !arcs_.empty())
+      if (look != kLook && i % kBesideEvery == 0 && !arcs_.empty())
         looked.is_beside_nothing =
             looked.is_beside_nothing || is_nothing_beside(move.point(t), heading);
     }
@@ -149,7 +160,8 @@ class FewerMoves {
 
   const Looked& looked_at(std::size_t k) {
     for (std::size_t i = looked_.size(); i <= k; ++i)
-      looked_.push_back(look_along(moves_[i], kOldLook, 2 * kPi));
+      looked_.push_back(
+          look_along(moves_[i], rows_ == Rows::kFitted ? kOldLook : kQuickLook, 2 * kPi));
     return looked_[k];
   }
 
@@ -198,19 +210,32 @@ class FewerMoves {
       append(moves_[k], looked_[k], old);
     }
     const double before = unused_area(old, limits_.least_width);
-    const auto gain_of = [&](double unused) {
-      return params_.feed_steps.price + (before - unused) / (full_width_ * params_.feed) * 60;
+    const auto gain_of = [&](double unused, std::size_t moves) {
+      return params_.feed_steps.price * static_cast<double>(row - moves) +
+             (before - unused) / (full_width_ * params_.feed) * 60;
     };
+    if (rows_ == Rows::kQuick) {
+      std::vector<Segment> way =
+          likely_bi_arc({moves_.begin() + static_cast<std::ptrdiff_t>(first),
+                         moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1},
+                        {limits_.engagement, radius_, limits_.shortest, tightest_in(first, last)});
+      if (way.empty() || !may_be(way)) return;
+      const Row made = row_along(way, old);
+      if (most_met(made) > limits_.most_met) return;
+      const double gain = gain_of(unused_area(made, limits_.least_width), way.size());
+      if (gain > best.gain) best = {std::move(way), gain, row};
+      return;
+    }
     Row known = old;
     for (int i = 0; i < kTries; ++i) {
       double unused = 0;
       std::vector<Segment> way = fit_row(known, row - 1, limits_, &unused);
-      if (way.empty() || gain_of(unused) <= best.gain || !may_be(way)) return;
+      if (way.empty() || gain_of(unused, row - 1) <= best.gain || !may_be(way)) return;
       known = row_along(way, old);
       const double most = most_met(known);
       if (most > limits_.most_met + kHopeless) return;
       if (most > limits_.most_met) continue;
-      const double gain = gain_of(unused_area(known, limits_.least_width));
+      const double gain = gain_of(unused_area(known, limits_.least_width), row - 1);
       if (gain > best.gain) best = {std::move(way), gain, row};
       return;
     }
@@ -221,6 +246,7 @@ class FewerMoves {
   const Area& centres_;
   ClearedGround& ground_;
   const ClearingParams& params_;
+  Rows rows_;
   bool comes_back_ = false;
   double radius_;
   double full_width_;  // mm, of a straight cut at the engagement angle
@@ -234,8 +260,8 @@ class FewerMoves {
 
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
                                       const Area& centres, ClearedGround& ground,
-                                      const ClearingParams& params, double overload) {
-  return FewerMoves(moves, stretch, centres, ground, params, overload).made();
+                                      const ClearingParams& params, double overload, Rows rows) {
+  return FewerMoves(moves, stretch, centres, ground, params, overload, rows).made();
 }
 
 }  // namespace evenload

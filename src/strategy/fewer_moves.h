@@ -15,6 +15,10 @@ struct Stretch {
   double from = 0, to = 0;
 };
 
+// How what replaces a row is found: as arcs fitted to what the tool meets along it, one fewer; or,
+// where more may be met, as the likeliest bi-arc, in half the time.
+enum class Rows { kFitted, kQuick };
+
 // `moves` with rows of three to five replaced by two to four tangent arcs, from where the row began
 // to where it ended, in the same directions: only within `stretch` mm, inside `centres`, with no
 // turn tighter than the pass has off the border, at no more than `overload` rad above `params`'
@@ -25,6 +29,7 @@ struct Stretch {
 // back to.
 std::vector<Segment> with_fewer_moves(const std::vector<Segment>& moves, const Stretch& stretch,
                                       const Area& centres, ClearedGround& ground,
-                                      const ClearingParams& params, double overload);
+                                      const ClearingParams& params, double overload,
+                                      Rows rows = Rows::kFitted);
 
 }  // namespace evenload

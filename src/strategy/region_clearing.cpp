@@ -289,7 +289,7 @@ class RegionClearing {
         without_short_moves(joined(pass.moves), exact_, std::min(kSmoothing, params_.tolerance));
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
-                         exact_, ground_, params_, task_.overload);
+                         exact_, ground_, params_, task_.overload, task_.rows);
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));

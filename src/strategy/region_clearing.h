@@ -10,6 +10,7 @@
 #include "cutting/cleared_ground.h"
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/fewer_moves.h"
 #include "strategy/move_checks.h"
 #include "strategy/turn_report.h"
 #include "support/progress.h"
@@ -40,6 +41,7 @@ struct RegionTask {
   // rad: what passes with fewer moves may exceed the engagement angle by. Trochoids and spirals are
   // held to one degree.
   double overload = 0.8 * kSmoothOverload;
+  Rows rows = Rows::kFitted;  // of those passes
   // Where places of the task are in the whole, before they are mirrored; empty: where they are
   // here.
   std::function<Vec2(Vec2)> whole_place;

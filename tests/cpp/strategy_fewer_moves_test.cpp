@@ -70,11 +70,14 @@ bool are_same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
   });
 }
 
-TEST(FewerMoves, LeadOnAsBeforeWithinTheLimit) {
+class RowsFound : public testing::TestWithParam<Rows> {};
+INSTANTIATE_TEST_SUITE_P(FewerMoves, RowsFound, testing::Values(Rows::kFitted, Rows::kQuick));
+
+TEST_P(RowsFound, LeadOnAsBeforeWithinTheLimit) {
   ClearedGround ground = front();
   const std::vector<Segment> moves = gentle();
-  const std::vector<Segment> result =
-      with_fewer_moves(moves, {0, length_of(moves)}, room(), ground, params(), kSmoothOverload);
+  const std::vector<Segment> result = with_fewer_moves(moves, {0, length_of(moves)}, room(), ground,
+                                                       params(), kSmoothOverload, GetParam());
   ASSERT_EQ(result.size(), 2u);
   EXPECT_LE(distance(result.front().a, moves.front().a), 1e-9);
   EXPECT_LE(distance(result.back().b, moves.back().b), 1e-9);
