@@ -394,11 +394,13 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
   return false;
 }
 
-std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x) const {
-  for (std::int32_t at = cell_at(x).newest; at >= 0;) {
+std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x, std::size_t last) const {
+  const Cell& cell = cell_at(x);
+  for (std::int32_t at = newest_before(cell, last); at >= 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     at = entry.before;
     const auto index = static_cast<std::size_t>(entry.move);
+    if (index >= last) continue;
     if (std::abs(moves_[index].distance(x) - moves_[index].swept_radius()) < kOnBorder)
       return index;
   }
@@ -416,8 +418,8 @@ bool ClearedGround::runs_on(std::size_t first, std::size_t last) const {
   return true;
 }
 
-bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b) const {
-  const std::optional<std::size_t> at_a = move_bordering(a), at_b = move_bordering(b);
+bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b, std::size_t last) const {
+  const std::optional<std::size_t> at_a = move_bordering(a, last), at_b = move_bordering(b, last);
   if (at_a && at_b) return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b));
   if (at_a || at_b || !limited_) return false;
   const BoundaryIndex::Hit edge_a = material_.nearest(a), edge_b = material_.nearest(b);

@@ -146,7 +146,7 @@ class FewerMoves {
         here.width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
       }
       if (here.met > most_met) break;
-      if (look != kLook && i % kBesideEvery == 0 && !arcs_.empty())
+      if (look == kOldLook && i % kBesideEvery == 0 && !arcs_.empty())
         looked.is_beside_nothing =
             looked.is_beside_nothing || is_nothing_beside(move.point(t), heading);
     }
@@ -176,12 +176,12 @@ class FewerMoves {
     row.joints.push_back(on({length, move.sweep, 0.5 * length * move.sweep}));
   }
 
-  // What is met along moves in place of a row; as far as no more is met than is allowed for.
-  Row row_along(const std::vector<Segment>& way, const Row& old) {
+  // What is met along moves in place of a row; as far as no more is met than `most` rad.
+  Row row_along(const std::vector<Segment>& way, const Row& old, double most) {
     Row row{old.from, old.to, {}, {}};
     for (const Segment& move : way) {
-      append(move, look_along(move, kLook, limits_.most_met + kHopeless), row);
-      if (row.looks.back().met > limits_.most_met + kHopeless) break;
+      append(move, look_along(move, kLook, most), row);
+      if (row.looks.back().met > most) break;
     }
     return row;
   }
@@ -220,7 +220,7 @@ class FewerMoves {
                          moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1},
                         {limits_.engagement, radius_, limits_.shortest, tightest_in(first, last)});
       if (way.empty() || !may_be(way)) return;
-      const Row made = row_along(way, old);
+      const Row made = row_along(way, old, limits_.most_met);
       if (most_met(made) > limits_.most_met) return;
       const double gain = gain_of(unused_area(made, limits_.least_width), way.size());
       if (gain > best.gain) best = {std::move(way), gain, row};
@@ -231,7 +231,7 @@ class FewerMoves {
       double unused = 0;
       std::vector<Segment> way = fit_row(known, row - 1, limits_, &unused);
       if (way.empty() || gain_of(unused, row - 1) <= best.gain || !may_be(way)) return;
-      known = row_along(way, old);
+      known = row_along(way, old, limits_.most_met + kHopeless);
       const double most = most_met(known);
       if (most > limits_.most_met + kHopeless) return;
       if (most > limits_.most_met) continue;

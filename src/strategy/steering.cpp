@@ -67,7 +67,8 @@ Steering::Contact Steering::contact(const Pose& at) const {
 // cusp of the front. Where contact begins or ends on the way it is less than at the other place.
 bool Steering::is_smooth_between(const Contact& a, const Contact& b) const {
   if (a.total <= kInContact || b.total <= kInContact) return true;
-  return ground_.is_smooth_between(a.edge, b.edge);
+  const bool has_moved = !pass_.moves.empty();
+  return ground_.is_smooth_between(a.edge, b.edge, ground_.size() - (has_moved ? 1 : 0));
 }
 
 Pose Steering::pose() const { return pass_.moves.empty() ? start_ : end_of(pass_.moves.back()); }

@@ -95,6 +95,11 @@ class Steering {
     double above = 0;        // rad engaged at its end beyond the limit
     bool held_back = false;  // a shorter step could turn enough
   };
+  // At a place of a step.
+  struct Look {
+    double t = 0;  // share of the step
+    Contact contact;
+  };
   struct Error {
     double share = 0;    // of what is allowed
     bool rises = false;  // the engagement, on the way

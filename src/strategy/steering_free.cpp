@@ -158,21 +158,37 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   const double slack = slack_of(length);
   const double end = step.above;
   const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
-  // Where the engagement falls on the way, or the front has a cusp, it may have risen before.
-  const bool smooth = steady && is_smooth_between(first, step.end);
-  const double between = (smooth ? kLookStep : kCuspLook) * radius_;
-  const int along = static_cast<int>(std::ceil(length / between));
   const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
-  const int looks = std::max(steady ? (bends ? 3 : 2) : 4, along);
+  const int looks = std::max(steady ? (bends ? 3 : 2) : 4,
+                             static_cast<int>(std::ceil(length / (kLookStep * radius_))));
   Error error;
-  for (int i = 1; i <= looks && error.share <= enough; ++i) {
-    const double t = static_cast<double>(i) / (looks + 1);
-    const double above = contact(end_of(step.move.part(0, t))).steer - theta_;
-    const double even = begin + t * (end - begin), bulge = above - even;
+  const auto look = [&](double t) {
+    const Contact here = contact(end_of(step.move.part(0, t)));
+    const double above = here.steer - theta_, even = begin + t * (end - begin);
+    const double bulge = above - even;
     double share = above / kSmoothOverload;
     if (steady && bulge > 0) share = std::max(share, bulge / (kSmoothOverload - even));
     if (share > error.share) error = {share, true};
     if (steady && -bulge / slack > error.share) error = {-bulge / slack, false};
+    return Look{t, here};
+  };
+  thread_local std::vector<Look> taken;
+  taken.assign(1, {0, first});
+  for (int i = 1; i <= looks && error.share <= enough; ++i)
+    taken.push_back(look(static_cast<double>(i) / (looks + 1)));
+  taken.push_back({1, step.end});
+  // Where the engagement falls on the way, or the front has a cusp, it may have risen before: looks
+  // close in on the cusp from both sides.
+  const auto may_rise_between = [&](const Look& a, const Look& b) {
+    return (b.t - a.t) * length > kCuspLook * radius_ &&
+           !(steady && is_smooth_between(a.contact, b.contact));
+  };
+  while (taken.size() > 1 && error.share <= enough) {
+    const Look after = taken.back(), before = taken[taken.size() - 2];
+    if (may_rise_between(before, after))
+      taken.insert(taken.end() - 1, look(0.5 * (before.t + after.t)));
+    else
+      taken.pop_back();
   }
   return error;
 }
