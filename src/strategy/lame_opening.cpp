@@ -30,6 +30,8 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
+// A pocket of which the closest curve clears less resembles no Lamé curve.
+constexpr double kResembling = 0.75;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
@@ -92,13 +94,21 @@ class Opening {
 
   double arc_tolerance() const { return kArcShare * params_.tolerance; }
 
+  // Of what is within reach in a pocket, by a spiral that ends in this curve.
+  double share_by(const LameCurve& last) const {
+    return grown_lame_area(last, radius_) / made_.reached_area;
+  }
+
   std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
     const std::optional<LameCurve> last = shapes_.last(outline, side);
     if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
     // A constant removal rate makes good for uneven turns, but not for those between a ring's
-    // curves, some of which hardly cut along its narrow sides.
-    const bool ring = side == LameSide::kInside && !task_.centres.islands.empty();
-    if (params_.feed_control == FeedControl::kConstantRemovalRate && !ring) return {*last};
+    // curves, some of which hardly cut along its narrow sides; and where even the closest curve
+    // leaves much, it costs more to come close than it clears.
+    const bool inside = side == LameSide::kInside, ring = inside && !task_.centres.islands.empty();
+    const bool resembles = !inside || share_by(*last) >= kResembling;
+    if (params_.feed_control == FeedControl::kConstantRemovalRate && !ring && resembles)
+      return {*last};
     return shapes_.with_rounder_ones(*last, outline, side);
   }
   LameCurve first_curve(const Curve& outline) const {
@@ -117,6 +127,8 @@ class Opening {
     turns.maximum_feed =
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
     turns.pace = pace_;
+    turns.tolerance = arc_tolerance();
+    turns.block_price = params_.feed_steps.price;
     return turns;
   }
 
@@ -124,13 +136,9 @@ class Opening {
   void clear_pocket_of_one_wall() {
     std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
     const LameCurve largest = lasts.front();
-    const auto share = [&](const LameCurve& last) {
-      return grown_lame_area(last, radius_) / made_.reached_area;
-    };
-    check_share(share(largest));
-    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(),
-                               [&](const LameCurve& last) { return share(last) < kLeastShare; }),
-                lasts.end());
+    check_share(share_by(largest));
+    const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
+    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
     Circle first{task_.hole.value_or(largest.centre), 0};
     double room = least_lame_radius(largest);
     for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
@@ -150,7 +158,7 @@ class Opening {
       refuse(kSizeTooSmall);
     const PlannedGrowth growth = quickest(
         lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
-        [&](const LameCurve& last) { return (1 - share(last)) * made_.reached_area; });
+        [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
     const LameCurve& last = growth.growth.stages.back().to;
     made_.spiral_area = grown_lame_area(last, radius_);
     const double start = last.rotation + kPi / last.segments;
