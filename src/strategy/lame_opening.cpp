@@ -21,8 +21,10 @@
 namespace evenload {
 namespace {
 
-// Share of the user's tolerance within which arcs follow the spiral; it stays this far from walls.
-constexpr double kArcShare = 0.8;
+// Shares of the user's tolerance: within the first one arcs follow the spiral, as far as they are
+// looked at; the second is as far as its last curve stays from walls, so that no arc touches them.
+// Else walls would be clear in places, and be followed from there.
+constexpr double kArcShare = 0.73, kWallShare = 0.8;
 // Tool radii: the width of the channel of tool centres that is cleared around a ring's island
 // before its spiral, and what it is at least.
 constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
@@ -30,6 +32,8 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
+// s: what a block counts where spirals are compared.
+constexpr double kBlockPrice = 0.02;
 // A pocket of which the closest curve clears less resembles no Lamé curve.
 constexpr double kResembling = 0.75;
 // Tool radii: of the first circle in a hole no wider than the tool.
@@ -57,7 +61,7 @@ class Opening {
         lame_(lame),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
-        shapes_(params, lame, arc_tolerance()),
+        shapes_(params, lame, kWallShare * params.tolerance),
         pace_(pace_of(params, task.mirrored)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {}
@@ -128,7 +132,7 @@ class Opening {
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
     turns.pace = pace_;
     turns.tolerance = arc_tolerance();
-    turns.block_price = params_.feed_steps.price;
+    turns.block_price = kBlockPrice;
     return turns;
   }
 
