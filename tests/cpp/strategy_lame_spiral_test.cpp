@@ -183,6 +183,22 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
     }
 }
 
+TEST(LamePitch, CountsBlocksInTheTime) {
+  TurnTask task;
+  task.maximum_feed = 1000;
+  const auto more_for_dear_ones = [&](const LameCurve& last) {
+    const LameGrowth growth = growth_to(last);
+    const MonotoneSpline steps = largest_steps(growth, task);
+    task.block_price = 1e-4;
+    const double cheap = time_of(growth, steps, task);
+    task.block_price = 0.02;
+    return time_of(growth, steps, task) - cheap;
+  };
+  // Some six arcs on each turn of a circle; those of a square are closer, and its feed changes.
+  EXPECT_NEAR(more_for_dear_ones(curve_of(20, 20, 1)), 15 * 6 * 0.02, 0.8);
+  EXPECT_GT(more_for_dear_ones(curve_of(20, 20, 0.3)), 15 * 30 * 0.02);
+}
+
 TEST(LamePitch, ChoosesTheGrowthThatTakesLeastTime) {
   TurnTask task;
   task.maximum_feed = 1000;
