@@ -35,7 +35,7 @@ constexpr double kRestTime = 1.3;
 // s: what a block counts where spirals are compared.
 constexpr double kBlockPrice = 0.02;
 // A pocket of which the closest curve clears less resembles no Lamé curve.
-constexpr double kResembling = 0.75;
+constexpr double kResembling = 0.7;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
