@@ -21,8 +21,10 @@
 namespace evenload {
 namespace {
 
-// Share of the user's tolerance within which arcs follow the spiral; it stays this far from walls.
-constexpr double kArcShare = 0.8;
+// Shares of the user's tolerance: within the first one arcs follow the spiral, as far as they are
+// looked at; the second is as far as its last curve stays from walls, so that no arc touches them.
+// Else walls would be clear in places, and be followed from there.
+constexpr double kArcShare = 0.73, kWallShare = 0.8;
 // Tool radii: the width of the channel of tool centres that is cleared around a ring's island
 // before its spiral, and what it is at least.
 constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
@@ -30,6 +32,10 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
+// s: what a block counts where spirals are compared.
+constexpr double kBlockPrice = 0.02;
+// A pocket of which the closest curve clears less resembles no Lamé curve.
+constexpr double kResembling = 0.7;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
 // By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
@@ -55,7 +61,7 @@ class Opening {
         lame_(lame),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
-        shapes_(params, lame, arc_tolerance()),
+        shapes_(params, lame, kWallShare * params.tolerance),
         pace_(pace_of(params, task.mirrored)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {}
@@ -92,13 +98,21 @@ class Opening {
 
   double arc_tolerance() const { return kArcShare * params_.tolerance; }
 
+  // Of what is within reach in a pocket, by a spiral that ends in this curve.
+  double share_by(const LameCurve& last) const {
+    return grown_lame_area(last, radius_) / made_.reached_area;
+  }
+
   std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
     const std::optional<LameCurve> last = shapes_.last(outline, side);
     if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
     // A constant removal rate makes good for uneven turns, but not for those between a ring's
-    // curves, some of which hardly cut along its narrow sides.
-    const bool ring = side == LameSide::kInside && !task_.centres.islands.empty();
-    if (params_.feed_control == FeedControl::kConstantRemovalRate && !ring) return {*last};
+    // curves, some of which hardly cut along its narrow sides; and where even the closest curve
+    // leaves much, it costs more to come close than it clears.
+    const bool inside = side == LameSide::kInside, ring = inside && !task_.centres.islands.empty();
+    const bool resembles = !inside || share_by(*last) >= kResembling;
+    if (params_.feed_control == FeedControl::kConstantRemovalRate && !ring && resembles)
+      return {*last};
     return shapes_.with_rounder_ones(*last, outline, side);
   }
   LameCurve first_curve(const Curve& outline) const {
@@ -117,6 +131,8 @@ class Opening {
     turns.maximum_feed =
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
     turns.pace = pace_;
+    turns.tolerance = arc_tolerance();
+    turns.block_price = kBlockPrice;
     return turns;
   }
 
@@ -124,13 +140,9 @@ class Opening {
   void clear_pocket_of_one_wall() {
     std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
     const LameCurve largest = lasts.front();
-    const auto share = [&](const LameCurve& last) {
-      return grown_lame_area(last, radius_) / made_.reached_area;
-    };
-    check_share(share(largest));
-    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(),
-                               [&](const LameCurve& last) { return share(last) < kLeastShare; }),
-                lasts.end());
+    check_share(share_by(largest));
+    const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
+    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
     Circle first{task_.hole.value_or(largest.centre), 0};
     double room = least_lame_radius(largest);
     for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
@@ -150,7 +162,7 @@ class Opening {
       refuse(kSizeTooSmall);
     const PlannedGrowth growth = quickest(
         lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
-        [&](const LameCurve& last) { return (1 - share(last)) * made_.reached_area; });
+        [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
     const LameCurve& last = growth.growth.stages.back().to;
     made_.spiral_area = grown_lame_area(last, radius_);
     const double start = last.rotation + kPi / last.segments;

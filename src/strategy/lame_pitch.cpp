@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "cutting/engagement.h"
+#include "geometry/curve_looks.h"
 
 namespace evenload {
 namespace {
@@ -197,18 +198,46 @@ double step_from(const MonotoneSpline& steps, double share) {
   return std::min(here, steps.value(share + here));
 }
 
+// A piece of a turn.
+struct TurnPiece {
+  double length;     // mm
+  double pace;       // min/mm
+  double curvature;  // 1/mm
+  double least_blocks;
+};
+
+// s: what blocks cost on the pieces of a closed turn: the arcs that its curvature demands, more of
+// them where the feed changes, and what is lost since it changes in steps.
+double blocks_cost(const std::vector<TurnPiece>& pieces, const TurnTask& task) {
+  double cost = 0;
+  for (std::size_t i = 0; i < pieces.size(); ++i) {
+    const TurnPiece &here = pieces[i], &next = pieces[(i + 1) % pieces.size()];
+    const double apart = 0.5 * (here.length + next.length);
+    const double bend = std::abs(next.curvature - here.curvature) / apart;
+    const double slope = 60 * std::abs(next.pace - here.pace) / apart;  // s/mm^2
+    const double arcs =
+        std::max(here.least_blocks / here.length, arcs_per_mm(bend, task.tolerance));
+    // As many as lose as little as possible: half the slope over the blocks, and their price.
+    const double blocks = std::max(arcs, std::sqrt(0.5 * slope / task.block_price));
+    cost += here.length * (blocks * task.block_price + 0.5 * slope / blocks);
+  }
+  return cost;
+}
+
 }  // namespace
 
 double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const TurnTask& task) {
   const double nominal = side_step(task.engagement, task.tool_radius);
   const std::vector<double> levels = levels_of(growth);
   double total = 0;
+  std::vector<TurnPiece> pieces;
   for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
     const double level = 0.5 * (levels[k] + levels[k + 1]), step = step_from(steps, level);
     const LameCurve curve = growth.at(level), before = growth.at(level - step);
     const std::vector<double> angles = angles_to_look_at(growth, curve);
     const int parts = is_even(growth) ? curve.segments : 1;
-    double turn = 0;  // min
+    pieces.clear();
+    double turn = 0;  // s
     for (std::size_t i = 0; i < angles.size(); ++i) {
       const double next = i + 1 < angles.size() ? angles[i + 1] : angles[0] + 2 * kPi / parts;
       const Heading here = heading_at(curve, 0.5 * (angles[i] + next), task.inwards);
@@ -220,11 +249,14 @@ double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const Turn
       const double pace = task.pace
                               ? task.pace->value(width)
                               : std::max(width / (nominal * task.feed), 1 / task.maximum_feed);
-      turn += here.speed * (next - angles[i]) * pace;
+      const double length = here.speed * (next - angles[i]);
+      pieces.push_back({length, pace, here.curvature, (next - angles[i]) / kMostTurnOfArc});
+      turn += 60 * length * pace;
     }
+    turn += blocks_cost(pieces, task);
     total += parts * turn * (levels[k + 1] - levels[k]) / step;
   }
-  return 60 * total;
+  return total;
 }
 
 std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,

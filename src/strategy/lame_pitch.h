@@ -6,8 +6,8 @@
 // runs the one with the least time is chosen.
 //
 // Laws: around a circle the step is the one of Thesis I; a wished pitch is never exceeded; a spiral
-// begins tangent to the growth's first curve and ends with a full turn on its last, off which it may
-// turn in the end.
+// begins tangent to the growth's first curve and ends with a full turn on its last, off which it
+// may turn in the end.
 #pragma once
 
 #include <optional>
@@ -26,13 +26,15 @@ struct TurnTask {
   std::optional<MonotoneSpline> pace;
   double feed = 255;          // mm/min at the engagement
   double maximum_feed = 510;  // mm/min where there is less; `feed` for a constant feed
+  double tolerance = 0.004;   // mm, of the arcs
+  double block_price = 0.02;  // s that one more block must save, > 0
 };
 
 // The largest change of the growth's share from one turn to the next, by the share that is reached.
 // Turns are nearly closed curves, and are looked at as such.
 MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task);
 
-// s: what the turns take with these steps, nearly.
+// s: what the turns take with these steps, nearly, and their blocks at the task's price.
 double time_of(const LameGrowth& growth, const MonotoneSpline& steps, const TurnTask& task);
 
 struct PlannedGrowth {

@@ -3,18 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 #include <stdexcept>
 #include <utility>
+
+#include "geometry/tangent_arcs.h"
 
 namespace evenload {
 namespace {
 
-constexpr double kMostTurn = kPi / 3;         // rad of the polar angle that two arcs may span
-constexpr double kLeastTurn = 1e-4;           // rad: shorter pieces are taken as they are
-constexpr double kShrink = 0.7, kGrow = 1.3;  // of a step after one that failed, or fitted
-constexpr double kSafety = 0.9;  // of the tolerance: between the looks it may be a little more
-constexpr int kLooks = 6;        // at the deviation of a pair of arcs
 // Share of a stage within which its exponent comes to rest at a joint.
 constexpr double kJointShare = 0.3;
 // Semi-axes continued backwards never fall below this share of the first ones.
@@ -62,15 +58,6 @@ double exponent_slope(const LameStage& stage, double s) {
   if (stage.joint == LameJoint::kAtBegin) return slope_from_rest(s);
   if (stage.joint == LameJoint::kAtEnd) return slope_from_rest(1 - s);
   return stage.run * std::pow(std::max(1e-6, s), stage.run - 1);
-}
-
-double deviation(const LameSpiral& spiral, const BiArc& pair, double from, double to) {
-  double worst = 0;
-  for (int i = 1; i < kLooks; ++i) {
-    const Vec2 p = spiral.place(from + i * (to - from) / kLooks).p;
-    worst = std::max(worst, std::min(pair.first.distance_to(p), pair.second.distance_to(p)));
-  }
-  return worst;
 }
 
 // Between the shapes of two spirals the circle that joins them has this share of its radius to
@@ -131,30 +118,9 @@ LameArcs arcs_of(const LameSpiral& spiral, double tolerance) {
     check_lame_curve(stage.from);
     check_lame_curve(stage.to);
   }
-  LameArcs arcs;
-  double from = 0, step = kMostTurn / 2;
-  PlanePoint here = spiral.place(from);
-  while (from < spiral.end) {
-    double to = std::min(from + step, spiral.end);
-    if (spiral.end - to < kLeastTurn) to = spiral.end;
-    const PlanePoint there = spiral.place(to);
-    const std::optional<BiArc> pair = bi_arc(here, there, kPi);
-    if (step > kLeastTurn && (!pair || deviation(spiral, *pair, from, to) > kSafety * tolerance)) {
-      step *= kShrink;
-      continue;
-    }
-    if (pair) {
-      arcs.moves.insert(arcs.moves.end(), {pair->first, pair->second});
-      arcs.turned.insert(arcs.turned.end(), {0.5 * (from + to), to});
-    } else {
-      arcs.moves.push_back(Segment::line(here.p, there.p));
-      arcs.turned.push_back(to);
-    }
-    here = there;
-    from = to;
-    step = std::min(kMostTurn, step * kGrow);
-  }
-  return arcs;
+  TangentArcs arcs = tangent_arcs([&](double turned) { return spiral.place(turned); }, spiral.end,
+                                  kMostTurnOfArc, tolerance);
+  return {std::move(arcs.moves), std::move(arcs.until)};
 }
 
 Curve closed_arcs_of(const LameCurve& curve, double tolerance) {

@@ -62,6 +62,9 @@ struct LameSpiral {
   PlanePoint place(double turned) const;
 };
 
+// rad of the polar angle that an arc may span.
+inline constexpr double kMostTurnOfArc = kPi / 3;
+
 struct LameArcs {
   std::vector<Segment> moves;
   std::vector<double> turned;  // rad, at the end of each move, nearly

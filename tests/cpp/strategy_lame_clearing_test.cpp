@@ -409,6 +409,23 @@ TEST(LameClearing, OfALongRingEndsRounderAtAConstantRemovalRateToo) {
   EXPECT_LE(longer, kLongest * shorter * 1.001);
 }
 
+TEST(LameClearing, OfAPocketThatNoCurveResemblesEndsRounderAndHasFewBlocks) {
+  const Case pocket = corpus::load("star");
+  const LameToolpath path = spiral(pocket, pocket.params());
+  expect_within_limits(pocket, path, corpus::judge(pocket, path));
+  const double length = path.report.cut_length + path.report.link_length;  // mm
+  EXPECT_LE(static_cast<double>(path.moves.size()), 0.7 * length);
+  EXPECT_LE(path.report.cutting_time, 1.2 * path.report.ideal_time);
+  LameParams left;
+  left.rest = LameRest::kLeave;
+  LameParams closest;
+  closest.exponent_end = spiral(pocket, pocket.params(), left).figures->last.exponent;
+  EXPECT_GT(path.figures->last.exponent, *closest.exponent_end + 0.1);
+  const LameToolpath close = spiral(pocket, pocket.params(), closest);
+  EXPECT_LT(path.report.cutting_time, close.report.cutting_time);
+  EXPECT_LT(path.moves.size(), 0.9 * static_cast<double>(close.moves.size()));
+}
+
 TEST(LameClearing, TheRestIsClearedAtASlightlySmallerAngle) {
   const auto less_by = [](double degrees) {
     ClearingParams params;

@@ -165,7 +165,7 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
       const Vec2 end = turns.moves.back().b;
       const double off = lame_radius(last, angle_of(end)).r - norm(end);
       EXPECT_GT(off, 0.008);
-      EXPECT_LT(off, 0.03);  // where the exponent changes, too
+      EXPECT_LT(off, 0.05);  // where the exponent changes, too
       for (const Segment& move : turns.moves) ground.add(move);
       ground.remove_last();
       const double heading = angle_of(turns.moves.back().tangent(1));
@@ -181,6 +181,22 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
         EXPECT_NEAR(norm(p), lame_radius(last, angle_of(p)).r, 0.006);
       }
     }
+}
+
+TEST(LamePitch, CountsBlocksInTheTime) {
+  TurnTask task;
+  task.maximum_feed = 1000;
+  const auto more_for_dear_ones = [&](const LameCurve& last) {
+    const LameGrowth growth = growth_to(last);
+    const MonotoneSpline steps = largest_steps(growth, task);
+    task.block_price = 1e-4;
+    const double cheap = time_of(growth, steps, task);
+    task.block_price = 0.02;
+    return time_of(growth, steps, task) - cheap;
+  };
+  // Some six arcs on each turn of a circle; those of a square are closer, and its feed changes.
+  EXPECT_NEAR(more_for_dear_ones(curve_of(20, 20, 1)), 15 * 6 * 0.02, 0.8);
+  EXPECT_GT(more_for_dear_ones(curve_of(20, 20, 0.3)), 15 * 30 * 0.02);
 }
 
 TEST(LamePitch, ChoosesTheGrowthThatTakesLeastTime) {
