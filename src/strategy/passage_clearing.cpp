@@ -188,7 +188,8 @@ class PassageClearing {
         descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
     if (!entry) return kNone;
     path_.begin(entry->descent, entry->start, is_new);
-    return widest;
+    const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
+    return is_done ? kNone : widest;
   }
 
   // At a point of the middle, on the way to its neighbour.
