@@ -37,8 +37,6 @@ constexpr double kShortestStretch = 0.1;
 constexpr double kStretch = 1e-3;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
-// mm: by which lines in place of the arcs of a border leave them; a part of kWallGap.
-constexpr double kChord = 2e-4;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
 
@@ -95,7 +93,7 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
 // no room is so narrow, but for its corners, and nothing is left of it. False where it is longer.
 bool ramp_round_border(const Area& centres, const ClearingParams& params, Entry& entry) {
   if (centres.curves().size() != 1) return false;
-  const std::vector<Vec2> border = centres.curves().front().flattened(kChord);
+  const std::vector<Vec2> border = centres.curves().front().flattened(kRampChord);
   Descent& ramp = entry.descent;
   ramp.at = border.front();
   ramp.ramp_by.assign(border.begin() + 1, border.end());

@@ -36,6 +36,8 @@ std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params);
 inline constexpr double kLongestRamp = 1.5;
+// mm: by which a ramp's lines in place of the arcs of a border leave them; a part of kWallGap.
+inline constexpr double kRampChord = 2e-4;
 // The same entry, but a helix stretched in the direction with the most room, until it removes as
 // much in a time as a cut at the engagement angle, or as far as there is room: it goes down no
 // faster than a circle, but clears more on the way. Law: a helix that is stretched clears no more

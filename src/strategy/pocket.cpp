@@ -312,7 +312,8 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
     if (run.descent.kind == DescentKind::kHelix) removed += cleared_area(run.descent, radius);
-    if (run.descent.kind == DescentKind::kRamp) removed += ramp_area(run.descent, radius);
+    if (run.descent.kind == DescentKind::kRamp)
+      removed += run.descent.new_area.value_or(ramp_area(run.descent, radius));
     for (const PlanarMove& move : run.moves)
       (move.kind == MoveKind::kLink ? path.report.link_length : path.report.cut_length) +=
           move.segment.length() * levels;

@@ -1,6 +1,7 @@
 // A path in the plane of one level, before it is given depths and feeds.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/curve.h"
@@ -37,6 +38,8 @@ struct Descent {
   // helix: from its centre to the centre of the half circle that `at` is the middle of; zero for a
   // circle
   Vec2 stretch = {};
+  std::optional<double> new_area =
+      {};  // mm^2 that nothing cleared before; none: all that it clears
 };
 
 // What is cut between coming down and going up. The moves follow each other without gaps.
