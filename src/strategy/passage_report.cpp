@@ -1,6 +1,7 @@
 #include "strategy/passage_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
 #include <optional>
 #include <sstream>
@@ -11,6 +12,7 @@
 #include "strategy/entry.h"
 #include "strategy/leftover.h"
 #include "toolpath/helix.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -80,7 +82,8 @@ std::optional<DividedRegion> short_necks(const Region& centres, double radius,
 
 DividedRegion without_room_for_trochoids(const Region& centres, const ClearingParams& params) {
   const double tool_radius = 0.5 * params.tool_diameter;
-  const double tightest = std::min(kTightestArc, kTightestArcShare * tool_radius);
+  const double posted = std::sqrt(kLeastSpan / std::sin(params.engagement_angle / 3));
+  const double tightest = std::min({kTightestArc, posted, kTightestArcShare * tool_radius});
   if (params.entry != EntryKind::kPredrilledHole)
     if (std::optional<DividedRegion> necks = short_necks(centres, tightest, params)) return *necks;
   const double radius = std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);

@@ -45,6 +45,8 @@ inline constexpr double kTightestTrochoid = 0.04;
 inline constexpr double kTightestTrochoidShare = 0.015;
 
 // The same: passes that turn more tightly are posted as lines, with a corner between each two.
+// Their turns are steered in pieces of about a third of the engagement angle; so this is for small
+// ones, and less for larger.
 inline constexpr double kTightestArc = 0.16;
 inline constexpr double kTightestArcShare = 0.055;
 
