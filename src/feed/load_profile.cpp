@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "toolpath/ramp.h"
+
 namespace evenload {
 namespace {
 
@@ -35,7 +37,7 @@ void add_descent(const Descent& descent, ClearedGround& ground) {
     ground.add(Segment::line(descent.centre - descent.stretch, descent.centre + descent.stretch),
                descent.radius + ground.tool_radius());
   else if (descent.kind == DescentKind::kRamp)
-    ground.add(Segment::line(descent.at, descent.ramp_end));
+    for (const Segment& line : ramp_round(descent)) ground.add(line);
 }
 
 namespace {

@@ -8,6 +8,7 @@
 
 #include "strategy/feeds.h"
 #include "toolpath/helix.h"
+#include "toolpath/ramp.h"
 
 namespace evenload {
 namespace {
@@ -88,6 +89,20 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
   return length(best) * unit(best);
 }
 
+// A ramp along the border of `centres`, where that is no longer than the longest ramp to and fro:
+// no room is so narrow, but for its corners, and nothing is left of it. False where it is longer.
+bool ramp_round_border(const Area& centres, const ClearingParams& params, Entry& entry) {
+  if (centres.curves().size() != 1) return false;
+  const std::vector<Vec2> border = centres.curves().front().flattened(kRampChord);
+  Descent& ramp = entry.descent;
+  ramp.at = border.front();
+  ramp.ramp_by.assign(border.begin() + 1, border.end());
+  const double length = ramp_length(ramp);
+  if (length > 2 * kLongestRamp * params.tool_diameter || length < 2 * kShortestRamp) return false;
+  entry.start = {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)};
+  return true;
+}
+
 }  // namespace
 
 double widest_helix(const ClearingParams& params) {
@@ -124,12 +139,13 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
     entry.start = {entry.descent.at, kPi / 2};
     return entry;
   }
+  entry.descent.kind = DescentKind::kRamp;
+  if (!helix_fits && ramp_round_border(centres, params, entry)) return entry;
   // The ramp begins and ends where there is most room, so that the tool can turn there.
   const Vec2 line = longest_line(centres, room.centre, kLongestRamp * params.tool_diameter);
   if (norm(line) < kShortestRamp) return std::nullopt;
-  entry.descent.kind = DescentKind::kRamp;
   entry.descent.at = room.centre;
-  entry.descent.ramp_end = room.centre + line;
+  entry.descent.ramp_by = {room.centre + line};
   entry.start = {entry.descent.at, angle_of(line)};
   return entry;
 }

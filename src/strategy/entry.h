@@ -28,13 +28,16 @@ double widest_helix(const ClearingParams& params);
 std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
                                       const ClearingParams& params);
 
-// A helix in `room`, or where none fits or a ramp is asked for, a ramp from the room's centre along
-// the longest free line within `centres`. Empty when there is not even room for a ramp: the tool
-// never plunges. Laws: the descent stays inside `centres`; a ramp is no longer than kLongestRamp
-// tool diameters.
+// A helix in `room`. Where none fits, a ramp round the border of `centres` where that is short: it
+// leaves nothing to be cut beside walls, where half the tool would be engaged at once. Where it is
+// longer, or a ramp is asked for, a ramp from the room's centre along the longest free line. Empty
+// when there is not even room for a ramp: the tool never plunges. Laws: the descent stays inside
+// `centres`; a ramp is no longer than kLongestRamp tool diameters, one way.
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params);
 inline constexpr double kLongestRamp = 1.5;
+// mm: by which a ramp's lines in place of the arcs of a border leave them; a part of kWallGap.
+inline constexpr double kRampChord = 2e-4;
 // The same entry, but a helix stretched in the direction with the most room, until it removes as
 // much in a time as a cut at the engagement angle, or as far as there is room: it goes down no
 // faster than a circle, but clears more on the way. Law: a helix that is stretched clears no more

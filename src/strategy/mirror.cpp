@@ -37,7 +37,7 @@ void mirror_run(PlanarRun& run) {
   run.descent.at = mirrored(run.descent.at);
   run.descent.centre = mirrored(run.descent.centre);
   run.descent.stretch = mirrored(run.descent.stretch);
-  run.descent.ramp_end = mirrored(run.descent.ramp_end);
+  for (Vec2& place : run.descent.ramp_by) place = mirrored(place);
   for (PlanarMove& move : run.moves) {
     const Segment& s = move.segment;
     move.segment = s.is_arc()

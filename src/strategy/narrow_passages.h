@@ -24,6 +24,7 @@ struct Passage {
   std::vector<std::size_t> rooms;                 // that it opens into; may name one twice
   // The same as a region. Walls and mouths meet in cusps, so that make_region need not accept it.
   Region centres;
+  bool by_ramp = false;  // short: to be cleared by a ramp round its border
 };
 
 struct NarrowPlaces {

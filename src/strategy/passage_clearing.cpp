@@ -7,7 +7,9 @@
 #include <utility>
 
 #include "geometry/arc_fit.h"
+#include "geometry/box_tree.h"
 #include "strategy/entry.h"
+#include "strategy/leftover.h"
 #include "strategy/move_checks.h"
 #include "strategy/passage_path.h"
 #include "strategy/passage_walls.h"
@@ -104,6 +106,7 @@ class PassageClearing {
     task.centres = room;
     if (task.hole && !room.contains(*task.hole)) task.hole.reset();
     task.around = {task_.centres};
+    task.round_helix = !places_.passages.empty() && places_.passages.front().by_ramp;
     task.before = path_.runs();
     const double done = share_done(), all = task_.centres.area();
     room_done_[index] = 1;
@@ -139,6 +142,11 @@ class PassageClearing {
     const int number = first_number_ + static_cast<int>(k);
     const PassageAxis& axis = axes_[k];
     passage_done_[k] = 1;
+    if (places_.passages[k].by_ramp) {
+      clear_rooms_beside(k);
+      if (!progress_.cancelled()) ramp_through(places_.passages[k]);
+      return;
+    }
     const std::size_t root = axis.points.empty() ? kNone : come_to(axis, k);
     if (root != kNone) follow_middle(axis, root, number);
     const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
@@ -146,6 +154,20 @@ class PassageClearing {
     if (root != kNone && !progress_.cancelled())
       follow_walls(places_.passages[k], axis, number, params_, path_);
     if (walls_first) clear_rooms_beside(k);
+  }
+
+  // Between rooms that are clear; the way round the border leaves nothing.
+  void ramp_through(const Passage& neck) {
+    Descent ramp;
+    ramp.kind = DescentKind::kRamp;
+    const std::vector<Vec2> border = neck.centres.outer.flattened(kRampChord);
+    ramp.at = border.front();
+    ramp.ramp_by.assign(border.begin() + 1, border.end());
+    Leftover left;
+    left.prepare(Area({neck.centres}),
+                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
+    ramp.new_area = left.area(path_.ground());
+    path_.begin(ramp, {ramp.at, angle_of(border[1] - ramp.at)}, path_.runs().empty());
   }
 
   void clear_rooms_beside(std::size_t k) {
@@ -188,7 +210,8 @@ class PassageClearing {
         descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
     if (!entry) return kNone;
     path_.begin(entry->descent, entry->start, is_new);
-    return widest;
+    const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
+    return is_done ? kNone : widest;
   }
 
   // At a point of the middle, on the way to its neighbour.

@@ -1,12 +1,18 @@
 #include "strategy/passage_report.h"
 
 #include <algorithm>
+#include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 #include "geometry/box_tree.h"
+#include "geometry/medial_axis.h"
 #include "strategy/area.h"
+#include "strategy/entry.h"
 #include "strategy/leftover.h"
+#include "toolpath/helix.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -16,6 +22,11 @@ constexpr double kJustWide = 0.002;
 // Of the widest free width, or of the tool's radius where that is tiny: between points of a
 // passage's middle.
 constexpr double kAxisSpacing = 0.125;
+// Ground that no pass has cleared at the engagement angle, over the area of a circle with the
+// tool's diameter for its radius: for all entries of a region together.
+constexpr double kMostTogether = 1.95;
+// mm: of the place of an entry.
+constexpr double kEntryTolerance = 1e-3;
 
 Curve without_cusps(const std::vector<PassageBorder>& loop) {
   std::vector<Vertex> vertices;
@@ -33,8 +44,48 @@ double left_in(const PassageReport& passage, const ClearedGround& ground) {
   return leftover.area(ground);
 }
 
+// mm^2 that the helices of all rooms clear, if each room has one, and the ramps between them.
+double cleared_by_entries(const NarrowPlaces& places, const ClearingParams& params) {
+  const double diameter = params.tool_diameter;
+  double area = 0;
+  // From both mouths the tool reaches into a neck by its radius, but for the corners.
+  for (const Passage& neck : places.passages)
+    area += diameter * std::max(0.0, 0.5 * neck.centres.outer.length() - diameter) +
+            (1 - kPi / 4) * diameter * diameter;
+  for (const Region& room : places.rooms) {
+    Descent helix;
+    helix.radius = helix_radius(params, largest_circle(room, kEntryTolerance));
+    area += cleared_area(helix, 0.5 * diameter);
+  }
+  return area;
+}
+
+// The necks that are narrower than `radius` allows to turn in, if each can be cleared by a ramp,
+// and the rooms that they join, if the entries of these clear no more than one may.
+std::optional<DividedRegion> short_necks(const Region& centres, double radius,
+                                         const ClearingParams& params) {
+  const double tool_radius = 0.5 * params.tool_diameter;
+  DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};
+  if (region.places.rooms.empty() && !region.places.passages.empty()) return std::nullopt;
+  for (Passage& passage : region.places.passages) {
+    const bool is_neck = passage.rooms.size() > 1 && passage.centres.islands.empty();
+    if (!is_neck || passage.centres.outer.length() > 2 * kLongestRamp * params.tool_diameter)
+      return std::nullopt;
+    passage.by_ramp = true;
+  }
+  const double most = kMostTogether * kPi * params.tool_diameter * params.tool_diameter;
+  if (!region.places.passages.empty() && cleared_by_entries(region.places, params) > most)
+    return std::nullopt;
+  region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
+  return region;
+}
+
 DividedRegion without_room_for_trochoids(const Region& centres, const ClearingParams& params) {
   const double tool_radius = 0.5 * params.tool_diameter;
+  const double posted = std::sqrt(kLeastSpan / std::sin(params.engagement_angle / 3));
+  const double tightest = std::min({kTightestArc, posted, kTightestArcShare * tool_radius});
+  if (params.entry != EntryKind::kPredrilledHole)
+    if (std::optional<DividedRegion> necks = short_necks(centres, tightest, params)) return *necks;
   const double radius = std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
   // Corners, however sharp, are the wall pass's.
   DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};

@@ -30,8 +30,10 @@ struct DividedRegion {
 
 // The rooms and passages of a region of tool centres for the set minimum radius. With
 // NarrowPassages::kReducedFeed passages are no wider than kWidestPassage allows; with kTrochoid
-// they are those where trochoids are no way to cut: too narrow for turns of kTightestTrochoid, and
-// one of them longer than the tool's radius, or without a room beside it.
+// they are those where trochoids are no way to cut: short necks between rooms that are too narrow
+// for turns of kTightestArc, or where one of those is long, or none has a room beside it, what is
+// too narrow for turns of kTightestTrochoid, if one is longer than the tool's radius, or without a
+// room beside it.
 DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.
@@ -41,6 +43,12 @@ inline constexpr double kWidestPassage = 0.9;
 // with lines instead of their arcs.
 inline constexpr double kTightestTrochoid = 0.04;
 inline constexpr double kTightestTrochoidShare = 0.015;
+
+// The same: passes that turn more tightly are posted as lines, with a corner between each two.
+// Their turns are steered in pieces of about a third of the engagement angle; so this is for small
+// ones, and less for larger.
+inline constexpr double kTightestArc = 0.16;
+inline constexpr double kTightestArcShare = 0.055;
 
 std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params);
 

@@ -20,6 +20,7 @@
 #include "strategy/passage_report.h"
 #include "support/errors.h"
 #include "toolpath/helix.h"
+#include "toolpath/ramp.h"
 
 namespace evenload {
 namespace {
@@ -312,8 +313,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   for (const PlanarRun& run : runs) {
     if (run.descent.kind == DescentKind::kHelix) removed += cleared_area(run.descent, radius);
     if (run.descent.kind == DescentKind::kRamp)
-      removed +=
-          kPi * radius * radius + 2 * radius * distance(run.descent.at, run.descent.ramp_end);
+      removed += run.descent.new_area.value_or(ramp_area(run.descent, radius));
     for (const PlanarMove& move : run.moves)
       (move.kind == MoveKind::kLink ? path.report.link_length : path.report.cut_length) +=
           move.segment.length() * levels;

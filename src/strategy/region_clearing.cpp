@@ -264,9 +264,9 @@ class RegionClearing {
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
     // Who asks for a helix shall have the one that was asked for, where it fits.
-    if (task_.stretch_helix || params_.entry != EntryKind::kHelix ||
-        is_shrunk(entry->descent, params_))
-      stretch_helix(*entry, exact_, params_);
+    const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
+                             is_shrunk(entry->descent, params_);
+    if (may_stretch && !task_.round_helix) stretch_helix(*entry, exact_, params_);
     descent = entry->descent;
     add_descent(descent, ground_);
     return entry->start;

@@ -36,8 +36,9 @@ struct RegionTask {
   std::optional<Vec2> hole;  // centre of a pre-drilled hole in this region; not with `rest`
   // An entry's helix, along the room, though a helix was asked for and has room as wished.
   bool stretch_helix = false;
-  bool is_part = false;   // more is cleared later: what is left is neither measured nor noted
-  bool mirrored = false;  // places named in notes and errors are to be mirrored back
+  bool round_helix = false;  // not stretched at all: other entries clear enough
+  bool is_part = false;      // more is cleared later: what is left is neither measured nor noted
+  bool mirrored = false;     // places named in notes and errors are to be mirrored back
   // rad: what passes with fewer moves may exceed the engagement angle by. Trochoids and spirals are
   // held to one degree.
   double overload = 0.8 * kSmoothOverload;

@@ -184,7 +184,7 @@ class Undo {
       const Pose motion = motion_along(middle_, cut_.out);
       descent.at = moved(descent.at, motion);
       descent.centre = moved(descent.centre, motion);
-      descent.ramp_end = moved(descent.ramp_end, motion);
+      for (Vec2& place : descent.ramp_by) place = moved(place, motion);
       descent.stretch = rotated(descent.stretch, motion.heading);
     }
     const RepeatedPeriods& pattern = patterns_[place_.pattern];

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "toolpath/helix.h"
+#include "toolpath/ramp.h"
 
 namespace evenload {
 namespace {
@@ -230,14 +231,20 @@ class Assembler {
     }
   }
 
+  // Down on the way round, and round once more, level.
   void ramp(const Descent& descent, double from, double level) {
-    const double length = distance(descent.at, descent.ramp_end);
-    const double per_leg = std::tan(params_.helix_angle) * length;
-    const int legs = 2 * std::max(1, static_cast<int>(std::ceil((from - level) / per_leg / 2)));
-    for (int i = 1; i <= legs + 2; ++i) {
-      const double z = level + (from - level) * std::max(0, legs - i) / legs;
-      line(i % 2 ? descent.ramp_end : descent.at, z, MoveKind::kEntry, params_.entry.plunge);
-    }
+    const std::vector<Segment> round = ramp_round(descent);
+    const double length = ramp_length(descent);
+    const double rounds =
+        std::max(1.0, std::ceil((from - level) / (std::tan(params_.helix_angle) * length)));
+    double left = rounds * length;  // mm down to the level
+    for (int i = 0; i <= static_cast<int>(rounds); ++i)
+      for (const Segment& leg : round) {
+        left -= leg.length();
+        const double z = level + (from - level) * std::max(0.0, left / (rounds * length));
+        line(leg.b, i < static_cast<int>(rounds) ? z : level, MoveKind::kEntry,
+             params_.entry.plunge);
+      }
   }
 
   const AssemblyParams& params_;

@@ -1,6 +1,7 @@
 // A path in the plane of one level, before it is given depths and feeds.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "geometry/curve.h"
@@ -29,14 +30,16 @@ enum class DescentKind {
 // How the tool comes down to the level.
 struct Descent {
   DescentKind kind = DescentKind::kPlunge;
-  Vec2 at;  // where it arrives; a helix's circle starts and ends here, a ramp starts and ends here
-  Vec2 centre;                       // helix
-  double radius = 0;                 // mm, helix; it turns counter-clockwise
-  Vec2 ramp_end;                     // ramp: the tool goes to and fro between `at` and here
+  Vec2 at;            // where it arrives; a helix's circle starts and ends here, and a ramp's way
+  Vec2 centre;        // helix
+  double radius = 0;  // mm, helix; it turns counter-clockwise
+  std::vector<Vec2> ramp_by = {};    // ramp: the tool goes round by these, or to and fro
   bool over_cleared_ground = false;  // plunge where this level is already cleared by our own moves
   // helix: from its centre to the centre of the half circle that `at` is the middle of; zero for a
   // circle
   Vec2 stretch = {};
+  std::optional<double> new_area =
+      {};  // mm^2 that nothing cleared before; none: all that it clears
 };
 
 // What is cut between coming down and going up. The moves follow each other without gaps.

@@ -390,7 +390,7 @@ TEST(LoadProfile, SeesAsMuchAreaAsWasRemoved) {
   PlanarRun run;
   run.descent.kind = DescentKind::kRamp;
   run.descent.at = {0, 0};
-  run.descent.ramp_end = {5, 0};
+  run.descent.ramp_by = {Vec2{5, 0}};
   run.moves = {{MoveKind::kLink, Segment::line({0, 0}, {5, 0})},
                {MoveKind::kCut, Segment::line({5, 0}, {5, 12})}};
   double area = 0;

@@ -47,7 +47,7 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
       const std::optional<Entry> entry = descend_within(centres, widest(slot), params);
       ASSERT_TRUE(entry);
       EXPECT_EQ(entry->descent.kind, DescentKind::kRamp);
-      const Vec2 from = entry->descent.at, to = entry->descent.ramp_end;
+      const Vec2 from = entry->descent.at, to = entry->descent.ramp_by.front();
       EXPECT_GT(distance(from, to), 0.99 * kLongestRamp * params.tool_diameter);
       for (const double t : {0.0, 0.3, 0.7, 1.0})
         EXPECT_GT(centres.signed_distance(from + t * (to - from)), -1e-9);

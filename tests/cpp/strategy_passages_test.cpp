@@ -5,6 +5,7 @@
 #include <string>
 
 #include "narrow_pockets.h"
+#include "strategy/constant_engagement.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -145,9 +146,7 @@ TEST(NarrowChoice, IsTheUsersWhereTheNeckIsWiderThanTheTool) {
 TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
   for (const double width : {6.01, 6.05, 6.07}) {
     SCOPED_TRACE(width);
-    const double h = width / 2;
-    const Case short_slot = pocket_of({{{-4, -h}}, {{4, -h}}, {{4, h}}, {{-4, h}}});
-    for (const Case& pocket : {slot(width), slot(width, 0.3), short_slot, two_rooms(width)}) {
+    for (const Case& pocket : {slot(width), slot(width, 0.3), two_rooms(width)}) {
       const Toolpath path =
           clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
       expect_cleared(pocket, path);
@@ -155,6 +154,29 @@ TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
       EXPECT_LT(path.moves.size(), 1000u);
       EXPECT_EQ(notes_with(path, "Cut at reduced feed, too narrow for trochoids: the passage"), 1);
     }
+  }
+}
+
+// Along the walls of such a room half the tool would be engaged at once, in less than there is to
+// cut at a reduced feed.
+TEST(NarrowChoice, ClearsShortRoomsHardlyWiderThanTheToolByTheirDescentAlone) {
+  const Region triangle =
+      make_region(Curve({{{-0.04, -0.02}}, {{0.05, -0.02}}, {{0.01, 0.06}}}, true));
+  const std::vector<Region> about = offset({triangle}, 3 + kWallGap);
+  std::vector<Case> pockets{pocket_of(about.front().outer.vertices())};
+  for (const double width : {6.01, 6.05, 6.1})
+    for (const double length : {6.1, 6.4, 8.0}) {
+      const double h = width / 2, l = length / 2;
+      pockets.push_back(pocket_of({{{-l, -h}}, {{l, -h}}, {{l, h}}, {{-l, h}}}));
+    }
+  for (const Case& pocket : pockets) {
+    const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
+    SCOPED_TRACE(path.moves.size());
+    expect_cleared(pocket, path);
+    EXPECT_EQ(path.report.max_engagement, 0);
+    EXPECT_EQ(entries(path), 1);
+    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0);
+    for (const Move& move : path.moves) EXPECT_NE(move.kind, MoveKind::kCut);
   }
 }
 

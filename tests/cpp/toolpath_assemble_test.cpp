@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "toolpath/assemble.h"
+#include "toolpath/ramp.h"
 
 namespace evenload {
 namespace {
@@ -44,8 +45,14 @@ PlanarRun ramp_run() {
   PlanarRun run;
   run.descent.kind = DescentKind::kRamp;
   run.descent.at = {0, 0};
-  run.descent.ramp_end = {6, 3};
+  run.descent.ramp_by = {Vec2{6, 3}};
   run.moves = {planar(MoveKind::kCut, Segment::line({0, 0}, {0, 9}))};
+  return run;
+}
+
+PlanarRun ramp_round_run() {
+  PlanarRun run = ramp_run();
+  run.descent.ramp_by = {{6, 3}, {5, 4}, {1, 3}};
   return run;
 }
 
@@ -57,6 +64,7 @@ double flat_length(const Move& from, const Move& to) {
 std::vector<std::vector<PlanarRun>> jobs() {
   return {{helix_run()},
           {ramp_run()},
+          {ramp_round_run()},
           {plunge_run(false)},
           {helix_run(), plunge_run(true), ramp_run(), plunge_run(false)}};
 }
@@ -196,7 +204,8 @@ TEST(Assemble, MovesRapidlyBelowTheSafeHeightOnlyStraightUpOrDownWhereItMay) {
 }
 
 TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
-  for (const std::vector<PlanarRun>& runs : {std::vector<PlanarRun>{helix_run()}, {ramp_run()}})
+  for (const std::vector<PlanarRun>& runs :
+       {std::vector<PlanarRun>{helix_run()}, {ramp_run()}, {ramp_round_run()}})
     for (const double angle : {0.01, 0.05, 0.5}) {
       AssemblyParams params = two_levels();
       params.helix_angle = angle;
@@ -224,8 +233,9 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
         }
       }
       // The floor under the slope is taken as well.
+      const Descent& descent = runs.front().descent;
       const double whole =
-          runs.front().descent.kind == DescentKind::kHelix ? 2 * kPi * 2.7 : std::hypot(6, 3);
+          descent.kind == DescentKind::kHelix ? 2 * kPi * 2.7 : ramp_length(descent);
       EXPECT_GE(flat_at_level, whole - 1e-9);
     }
 }

@@ -52,6 +52,9 @@ RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
 REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
 OFF_MIDDLE = "entry outside"  # the code where no spiral can begin in a random hole
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
+# mm: less than this may stay on walls: the tool keeps kWallGap off them, and follows lines that were
+# an arc once within kFineShare of the tolerance.
+FILM = 0.003
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 # The same, where a mean is above its limit: one look in a sliver of some micrometres counts less.
 CLOSE_STEP, MEANS = 0.01, ("over", "link", "rate")
@@ -68,7 +71,7 @@ def figures_of(case, path, scene, step=STEP):
         "over": run.max_engagement_deg - case["engagement_deg"],
         "link": run.link_engagement_deg,
         "gouge": run.gouge_mm,
-        "rest": run.rest_area / max(run.removed_area + run.rest_area, 1e-9),
+        "rest": rest_share(case, run),
         "rate": run.removal_rate_peak / nominal,
         "rapid": beyond_rounding(run.rapid_in_material_mm),
         "plunge": beyond_rounding(run.plunge_in_material_mm),
@@ -76,6 +79,16 @@ def figures_of(case, path, scene, step=STEP):
         "climb": 1 - wrong_side(run, case.get("choices", {}).get("cut_mode") == "conventional"),
         "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
     }
+
+
+def rest_share(case, run):
+    """Of the area within reach, without the film that walls may keep."""
+    from evenload import planar
+    from shapely.geometry import LinearRing
+
+    walls = [LinearRing(planar.flattened(chain)) for chain in [case["outer"], *case["islands"]]]
+    film = FILM * sum(wall.length for wall in walls)
+    return max(0.0, run.rest_area - film) / max(run.removed_area + run.rest_area, 1e-9)
 
 
 def cut_width(case):
