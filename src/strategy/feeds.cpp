@@ -22,12 +22,12 @@ constexpr double kThickChip = 1.02;
 
 // Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
 // and what a program has where the tool comes down.
-constexpr double kManyBlocks = 0.697;
+constexpr double kManyBlocks = 0.694;
 constexpr double kBlocksPerRun = 3;
 // s: what one more block must save at most where there are many, and how often the least such price
 // is halved in.
 constexpr double kDearest = 0.1;
-constexpr int kPrices = 4;
+constexpr int kPrices = 6;
 // More time than this, as a share, no number of blocks is worth.
 constexpr double kMostSlower = 0.025;
 
