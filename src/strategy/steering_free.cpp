@@ -18,6 +18,7 @@ constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
 constexpr double kMostTurn = 1.5;           // rad, of a step
 constexpr double kLookStep = 0.25;          // between two looks on the way
+constexpr double kCuspWidth = 0.004;        // to which looks close in on a cusp
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so
@@ -180,7 +181,7 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before: looks
   // close in on the cusp from both sides.
   const auto may_rise_between = [&](const Look& a, const Look& b) {
-    return (b.t - a.t) * length > kCuspLook * radius_ &&
+    return (b.t - a.t) * length > (steady ? kCuspWidth : kCuspLook) * radius_ &&
            !(steady && is_smooth_between(a.contact, b.contact));
   };
   while (taken.size() > 1 && error.share <= enough) {

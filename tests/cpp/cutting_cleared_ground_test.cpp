@@ -409,6 +409,20 @@ TEST(ClearedGround, HasNoSmoothBorderWhereSweptGroundsMeetInACusp) {
   EXPECT_FALSE(ground.is_smooth_between(on_first, {4, -kRadius}));
 }
 
+TEST(ClearedGround, HasASmoothBorderAsItWasBeforeTheToolCameToItsPlace) {
+  ClearedGround ground(kField, kRadius, nullptr);
+  ground.add(Segment::line({-8, 0}, {8, 0}));
+  const Vec2 tool{0, -1};
+  const Vec2 front = tool + Vec2{std::sqrt(kRadius * kRadius - (kRadius - 1) * (kRadius - 1)),
+                                 1 - kRadius};
+  const Vec2 ahead{front.x + 1, -kRadius};
+  ASSERT_TRUE(ground.is_smooth_between(front, ahead));
+  // The disc where the tool stands borders on all of the tool's circle.
+  ground.add(Segment::line({-3, -1}, tool));
+  EXPECT_FALSE(ground.is_smooth_between(front, ahead));
+  EXPECT_TRUE(ground.is_smooth_between(front, ahead, ground.size() - 1));
+}
+
 TEST(ClearedGround, HasASmoothBorderAlongOneEdgeOfTheStockOnly) {
   std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
   for (Vertex& x : v) x.open = true;

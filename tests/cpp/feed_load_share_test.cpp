@@ -82,7 +82,7 @@ TEST(LoadShare, KeepsTheRateAtItsLimitWithALittleMoreEngagement) {
         feed * side_step(angle + 0.3 * kDegree, kRadius) / side_step(angle, kRadius);
     EXPECT_GE(feed, 1);
     if (feed > 1) {
-      EXPECT_NEAR(rate, 1.044, 1e-9);
+      EXPECT_NEAR(rate, kMostRate, 1e-9);
     }
   }
 }
