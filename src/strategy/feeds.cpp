@@ -12,6 +12,7 @@
 #include "strategy/allowed_ground.h"
 #include "strategy/move_checks.h"
 #include "strategy/trochoid_period.h"
+#include "toolpath/helix.h"
 
 namespace evenload {
 namespace {
@@ -21,7 +22,7 @@ namespace {
 constexpr double kThickChip = 1.02;
 
 // Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
-// and what a program has where the tool comes down.
+// and what a program has where the tool comes down, beside the half turns of a helix.
 constexpr double kManyBlocks = 0.694;
 constexpr double kBlocksPerRun = 3;
 // s: what one more block must save at most where there are many, and how often the least such price
@@ -94,10 +95,19 @@ double time_of(const std::vector<PlanarRun>& runs) {
   return time;
 }
 
-bool has_many_blocks(const std::vector<PlanarRun>& runs) {
+// Blocks of a program where the tool comes down to one level, on average over all.
+double blocks_down(const Descent& descent, const ClearingParams& params) {
+  if (descent.kind != DescentKind::kHelix) return kBlocksPerRun;
+  const double depth =
+      (params.top - params.levels.back()) / static_cast<double>(params.levels.size());
+  const double per_half_turn = half_turn_length(descent) * std::tan(params.helix_angle);
+  return kBlocksPerRun + std::ceil(depth / per_half_turn);
+}
+
+bool has_many_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
   double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
-    blocks += kBlocksPerRun + static_cast<double>(run.moves.size());
+    blocks += blocks_down(run.descent, params) + static_cast<double>(run.moves.size());
     for (const PlanarMove& move : run.moves) length += move.segment.length();
   }
   return blocks > kManyBlocks * length;
@@ -106,17 +116,17 @@ bool has_many_blocks(const std::vector<PlanarRun>& runs) {
 // set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
 // that can be in next to the same time.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
-                             FeedParams params) {
+                             FeedParams params, const ClearingParams& clearing) {
   const std::vector<PlanarRun> whole = region;
   std::vector<double> feeds = set_constant_load(region, samples, params);
-  if (!has_many_blocks(region) || has_many_blocks(whole)) return feeds;
+  if (!has_many_blocks(region, clearing) || has_many_blocks(whole, clearing)) return feeds;
   const double most = (1 + kMostSlower) * time_of(region);
   double cheap = params.steps.price, dear = kDearest;
   for (int i = 0; i <= kPrices; ++i) {
     params.steps.price = i == 0 ? dear : std::sqrt(cheap * dear);
     std::vector<PlanarRun> fewer = whole;
     std::vector<double> slower = set_constant_load(fewer, samples, params);
-    if (has_many_blocks(fewer)) {
+    if (has_many_blocks(fewer, clearing)) {
       if (i == 0) break;
       cheap = params.steps.price;
     } else {
@@ -153,8 +163,8 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
       // In longer parts means gain little, and forces peak a fifth higher.
       if (params.feed_control == FeedControl::kConstantRemovalRate) own.mean_length = kMeanLength;
     }
-    const std::vector<double> found =
-        is_repeated ? set_constant_load(region, samples, own) : set_load(region, samples, own);
+    const std::vector<double> found = is_repeated ? set_constant_load(region, samples, own)
+                                                  : set_load(region, samples, own, params);
     feeds.insert(feeds.end(), found.begin(), found.end());
     std::move(region.begin(), region.end(), from);
     first = last;

@@ -15,6 +15,28 @@ constexpr double kCell = 0.5;
 // mm: points nearer than this to the edge of the tool's reach are not looked for.
 constexpr double kEdge = 0.01;
 
+// A place is approached from every side; where one came to nothing, from the next so many further.
+constexpr int kSides = 24, kSidesApart = 4;
+
+// The pose `outwards` of `x` where the tool just touches the surroundings of that on its right.
+std::optional<Pose> touching(const ClearedGround& ground, const Area& centres, Vec2 x,
+                             Vec2 outwards) {
+  const double radius = ground.tool_radius(), far = 2.5 * radius;
+  const auto usable = [&](double d) {
+    const Vec2 p = x + d * outwards;
+    return centres.signed_distance(p) >= 0 && ground.is_clear(p);
+  };
+  double touch = radius;
+  while (touch < far && !usable(touch)) touch += 0.1 * radius;
+  if (touch >= far) return std::nullopt;
+  double near = touch - 0.1 * radius;
+  for (int k = 0; k < 20; ++k) {
+    const double middle = 0.5 * (near + touch);
+    (usable(middle) ? touch : near) = middle;
+  }
+  return Pose{x + touch * outwards, angle_of(-outwards) + kPi / 2};
+}
+
 Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; }
 
 }  // namespace
@@ -67,38 +89,22 @@ std::optional<Vec2> Leftover::nearest_left(const ClearedGround& ground, Vec2 fro
 
 std::optional<Pose> Leftover::next_start(const ClearedGround& ground, const Area& centres,
                                          Vec2 from) {
-  const double radius = ground.tool_radius();
-  while (const std::optional<Vec2> nearest = nearest_left(ground, from)) {
-    const Vec2 x = *nearest;
-    // Neighbours belong to the same piece.
-    to_ask_.drop_if(around(x, 0.5 * radius),
-                    [&](std::size_t i) { return distance(points_[i], x) < 0.5 * radius; });
-    // From every side: where the tool just touches the point's surroundings.
-    for (int i = 0; i < 24; ++i) {
-      const Vec2 outwards = unit(2 * kPi * i / 24);
-      double far = 2.5 * radius, near = radius * 0.9;
-      const auto usable = [&](double d) {
-        const Vec2 p = x + d * outwards;
-        return centres.signed_distance(p) >= 0 && ground.is_clear(p);
-      };
-      double touch = far;
-      bool found = false;
-      for (double d = radius; d < far; d += 0.1 * radius)
-        if (usable(d)) {
-          touch = d;
-          found = true;
-          break;
-        }
-      if (!found) continue;
-      near = touch - 0.1 * radius;
-      for (int k = 0; k < 20; ++k) {
-        const double middle = 0.5 * (near + touch);
-        (usable(middle) ? touch : near) = middle;
-      }
-      return Pose{x + touch * outwards, angle_of(-outwards) + kPi / 2};
+  for (;;) {
+    while (asked_ && next_side_ < kSides && !ground.is_cleared_point(*asked_)) {
+      const std::optional<Pose> start =
+          touching(ground, centres, *asked_, unit(2 * kPi * next_side_ / kSides));
+      next_side_ += start ? kSidesApart : 1;
+      if (start) return start;
     }
+    const std::optional<Vec2> nearest = nearest_left(ground, from);
+    if (!nearest) return std::nullopt;
+    asked_ = nearest;
+    next_side_ = 0;
+    // Neighbours belong to the same piece.
+    const double radius = ground.tool_radius();
+    to_ask_.drop_if(around(*nearest, 0.5 * radius),
+                    [&](std::size_t i) { return distance(points_[i], *nearest) < 0.5 * radius; });
   }
-  return std::nullopt;
 }
 
 }  // namespace evenload

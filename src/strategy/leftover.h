@@ -18,7 +18,7 @@ class Leftover {
   // Finds the points within reach of `centres` that hold material.
   void prepare(const Area& centres, const Bounds& bounds, const ClearedGround& ground);
   // A pose that touches, on its right, leftover material not yet asked for; nearest to `from`
-  // first. Each place is offered once.
+  // first. Each place is offered from one side, and from others as long as it stays.
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
   // Every place that is still left will be offered once more: what a pass left of a piece may be
   // reached from another side. Condition: prepared().
@@ -36,6 +36,8 @@ class Leftover {
   PointGrid to_ask_;  // those of the points that may be left and were not asked for
   std::optional<Vec2> place_;
   double cell_ = 0;
+  std::optional<Vec2> asked_;  // the place last asked for
+  int next_side_ = 0;          // of it
   bool prepared_ = false;
 };
 
