@@ -413,8 +413,8 @@ TEST(ClearedGround, HasASmoothBorderAsItWasBeforeTheToolCameToItsPlace) {
   ClearedGround ground(kField, kRadius, nullptr);
   ground.add(Segment::line({-8, 0}, {8, 0}));
   const Vec2 tool{0, -1};
-  const Vec2 front = tool + Vec2{std::sqrt(kRadius * kRadius - (kRadius - 1) * (kRadius - 1)),
-                                 1 - kRadius};
+  const Vec2 front =
+      tool + Vec2{std::sqrt(kRadius * kRadius - (kRadius - 1) * (kRadius - 1)), 1 - kRadius};
   const Vec2 ahead{front.x + 1, -kRadius};
   ASSERT_TRUE(ground.is_smooth_between(front, ahead));
   // The disc where the tool stands borders on all of the tool's circle.
