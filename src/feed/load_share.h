@@ -16,9 +16,9 @@
 
 namespace evenload {
 
-// Times the nominal removal rate, as a mean over 0.1 mm: 1.05 is the limit, and 0.003 of it are for
+// Times the nominal removal rate, as a mean over 0.1 mm: 1.05 is the limit, and 0.004 of it are for
 // means over a little less.
-inline constexpr double kMostRate = 1.047;
+inline constexpr double kMostRate = 1.046;
 // rad: how well the engagement along a path is known that posts round to 0.001 mm.
 inline constexpr double kEngagementDoubt = 0.3 * kPi / 180;
 // So much of the nominal removal rate is allowed where engagement is as looked at: kMostRate is

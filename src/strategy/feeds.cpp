@@ -23,7 +23,7 @@ constexpr double kThickChip = 1.02;
 
 // Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
 // and what a program has where the tool comes down, beside the half turns of a helix.
-constexpr double kManyBlocks = 0.694;
+constexpr double kManyBlocks = 0.692;
 constexpr double kBlocksPerRun = 3;
 // s: what one more block must save at most where there are many, and how often the least such price
 // is halved in.
