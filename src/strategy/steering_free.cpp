@@ -16,9 +16,10 @@ namespace {
 // Lengths as shares of the tool's radius, but those in mm.
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
-constexpr double kMostTurn = 1.5;           // rad, of a step
-constexpr double kLookStep = 0.05;          // between two looks on the way
-constexpr double kCuspWidth = 0.005;        // to which looks close in on a cusp
+constexpr double kMostTurn = 1.5;   // rad, of a step
+constexpr double kLookStep = 0.05;  // between two looks on the way
+// To which looks close in on a cusp, per rad of the limit: 0.004 at 60 degrees.
+constexpr double kCuspWidth = 0.0038;
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so
@@ -181,7 +182,7 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before: looks
   // close in on the cusp from both sides.
   const auto may_rise_between = [&](const Look& a, const Look& b) {
-    return (b.t - a.t) * length > (steady ? kCuspWidth : kCuspLook) * radius_ &&
+    return (b.t - a.t) * length > (steady ? kCuspWidth * theta_ : kCuspLook) * radius_ &&
            !(steady && is_smooth_between(a.contact, b.contact));
   };
   while (taken.size() > 1 && error.share <= enough) {
