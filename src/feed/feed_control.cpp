@@ -22,6 +22,8 @@ constexpr double kRounding = 1e-9;
 constexpr double kSameFeed = 1e-9;  // share of a feed
 // Share of a block's price: a gain below it is no reason to look for another division.
 constexpr double kLittle = 0.25;
+// Share of the nominal load: samples beside each other that differ more stand at a jump.
+constexpr double kJump = 0.5;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
@@ -131,8 +133,16 @@ std::vector<FeedPiece> joined(const std::vector<FeedPiece>& pieces) {
   return result;
 }
 
+// True where the load jumps, as beyond a corner that is cut bit by bit: over so short a way that a
+// mean depends on where looks are taken.
+bool has_jump(const LoadSample* samples, std::size_t count) {
+  return std::adjacent_find(samples, samples + count, [](const LoadSample& a, const LoadSample& b) {
+           return std::abs(a.share - b.share) > kJump;
+         }) != samples + count;
+}
+
 // Feeds by means are found as if each piece were alone, and lowered where one is too fast beside
-// another. Where that costs more than means gain, every sample is held.
+// another. Where that costs more than means gain, or the load jumps, every sample is held.
 std::vector<FeedPiece> pieces_of(const std::vector<PlanarRun>& runs,
                                  const std::vector<LoadSample>& profile, std::size_t first,
                                  std::size_t last, const FeedParams& params) {
@@ -140,15 +150,17 @@ std::vector<FeedPiece> pieces_of(const std::vector<PlanarRun>& runs,
     return divide(runs, profile, first, last, load, params);
   };
   const LoadSample* samples = profile.data() + first;
+  const auto held = [&] { return divided(MeanLoad(samples, last - first, 0)); };
+  if (has_jump(samples, last - first)) return held();
   const MeanLoad means(samples, last - first, params.mean_length);
   std::vector<FeedPiece> pieces = divided(means);
   const double least = cost_of(pieces, profile, params);  // of samples that are held, too
   if (!means.limit(pieces, params.feed)) return pieces;
   pieces = joined(pieces);
   if (cost_of(pieces, profile, params) - least < kLittle * params.steps.price) return pieces;
-  std::vector<FeedPiece> held = divided(MeanLoad(samples, last - first, 0));
-  const bool is_dearer = cost_of(pieces, profile, params) > cost_of(held, profile, params);
-  return is_dearer ? held : pieces;
+  std::vector<FeedPiece> each_held = held();
+  const bool is_dearer = cost_of(pieces, profile, params) > cost_of(each_held, profile, params);
+  return is_dearer ? each_held : pieces;
 }
 
 }  // namespace
