@@ -1,5 +1,8 @@
 #include "strategy/area.h"
 
+#include <algorithm>
+#include <limits>
+
 namespace evenload {
 namespace {
 
@@ -10,10 +13,27 @@ std::vector<Curve> curves_of(const std::vector<Region>& regions) {
   return curves;
 }
 
+// Of unit vectors along pieces that go on as one.
+constexpr double kSameDirection = 1e-3;
+
+double inward_curvature_of(const std::vector<Segment>& chain) {
+  double most = 0;
+  for (std::size_t i = 0; i < chain.size(); ++i) {
+    const Segment &piece = chain[i], &next = chain[(i + 1) % chain.size()];
+    if (cross(piece.tangent(1), next.tangent(0)) < -kSameDirection)
+      return std::numeric_limits<double>::infinity();
+    most = std::max(most, -piece.curvature());
+  }
+  return most;
+}
+
 }  // namespace
 
 Area::Area(const std::vector<Region>& regions) : curves_(curves_of(regions)), index_(curves_) {
-  for (const Curve& curve : curves_) segments_.push_back(curve.segments());
+  for (const Curve& curve : curves_) {
+    segments_.push_back(curve.segments());
+    inward_curvature_ = std::max(inward_curvature_, inward_curvature_of(segments_.back()));
+  }
 }
 
 double Area::signed_distance(Vec2 q) const { return signed_distance(q, index_.nearest(q)); }

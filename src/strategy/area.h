@@ -22,11 +22,15 @@ class Area {
   // mm to the border, positive inside. Condition: not empty().
   double signed_distance(Vec2 q) const;
   double signed_distance(Vec2 q, const BoundaryIndex::Hit& hit) const;
+  // 1/mm: of the border where it bends most towards the inside, as round islands; infinite at a
+  // corner that sticks in.
+  double inward_curvature() const { return inward_curvature_; }
 
  private:
   std::vector<Curve> curves_;
   std::vector<std::vector<Segment>> segments_;
   BoundaryIndex index_;
+  double inward_curvature_ = 0;
 };
 
 }  // namespace evenload

@@ -26,8 +26,9 @@ bool is_tangent(const Segment& a, const Segment& b, double difference);
 // True where `move`, looked at after each quarter, lies on the border of `centres`.
 bool follows_border(const Segment& move, const Area& centres);
 
-// True where no look along `move`, its ends included, is more than `tolerance` mm outside.
-bool is_inside(const Segment& move, const Area& centres, double tolerance, int looks = kMoveLooks);
+// True where no place of `move` is more than `tolerance` mm outside; but what is outside for less
+// than 0.02 mm of its way may not be seen.
+bool is_inside(const Segment& move, const Area& centres, double tolerance);
 
 // The first of the moves to which a pass does not come back: from there on it turns by less than
 // kComesBack. 0 where that is all of it. Were it led elsewhere before, its next turn would meet

@@ -23,7 +23,6 @@ constexpr double kRollLengths[] = {1, 2, 4, 8, 16, 32};
 constexpr double kMostTurn = 0.6 * kPi;
 // mm: how far beyond the wall's offset a roll may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
-constexpr int kWallLooks = 16;  // for walls along an arc
 
 // In corners the tool meets more than between them: the ends get feeds of their own.
 void add_with_ends(std::vector<Segment>& moves, const Segment& wall, double tool_radius) {
@@ -184,7 +183,7 @@ class Walls {
     roll.radius = 2 * params_.minimum_radius;
     for (const Segment& arc : {pair->first, pair->second}) {
       if (arc.length() < kZeroLength) continue;
-      if (!is_inside(arc, path_.centres(), kWallTolerance, kWallLooks)) return false;
+      if (!is_inside(arc, path_.centres(), kWallTolerance)) return false;
       if (arc.is_arc()) roll.radius = std::min(roll.radius, arc.radius);
       roll.arcs.push_back(arc);
       roll.length += arc.length();

@@ -1,5 +1,9 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <random>
+
 #include "geometry_shapes.h"
 #include "strategy/move_checks.h"
 
@@ -33,6 +37,45 @@ TEST(MoveChecks, AMoveIsInsideUpToTheTolerance) {
   EXPECT_FALSE(is_inside(beside, square(), 1e-6));
   EXPECT_TRUE(is_inside(beside, square(), 2e-5));
   EXPECT_FALSE(is_inside(Segment::line({5, 5}, {10.1, 5}), square(), 1e-6));
+}
+
+TEST(MoveChecks, AMoveIsNotInsideWhereItBendsOutBetweenItsEnds) {
+  // Beyond the border by 0.003 over 0.44 of its 9 mm.
+  const double radius = 8.3, depth = 0.003;
+  const Vec2 centre{5, radius - depth};
+  for (double from = -2.9; from < -1.6; from += 0.01)
+    EXPECT_FALSE(is_inside(Segment::arc(centre, radius, from, 1.08), square(), 1e-6)) << from;
+  EXPECT_TRUE(is_inside(Segment::arc({5, radius}, radius, -2, 0.86), square(), 1e-6));
+}
+
+TEST(MoveChecks, AMoveIsInsideWhereALookEveryMicrometreSaysSo) {
+  // Round an island, whose border bends towards the move, and past a corner that sticks in.
+  const Region around =
+      make_region(shapes::rectangle(0, 0, 20, 20), {shapes::circle({10, 10}, 4).reversed()});
+  const Region ell =
+      make_region(shapes::polygon({{0, 0}, {20, 0}, {20, 20}, {10, 20}, {10, 10}, {0, 10}}));
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int inside = 0, barely = 0;
+  for (const Area& area : {Area({around}), Area({ell})})
+    for (int i = 0; i < 400; ++i) {
+      const Segment move = Segment::from_bulge({between(3, 17), between(3, 17)},
+                                               {between(3, 17), between(3, 17)}, between(-1, 1));
+      const int looks = static_cast<int>(1000 * move.length());
+      double least = 1;
+      for (int k = 0; k <= looks; ++k)
+        least = std::min(least, area.signed_distance(move.point(static_cast<double>(k) / looks)));
+      if (std::abs(least) < 1e-4) {
+        ++barely;
+        continue;
+      }
+      EXPECT_EQ(is_inside(move, area, 1e-6), least > 0) << i << ": " << least;
+      inside += least > 0;
+    }
+  EXPECT_GT(inside, 100);
+  EXPECT_LT(barely, 5);
 }
 
 TEST(MoveChecks, WhatAPassComesBackToIsWhatItTurnsByNearlyACircleAfter) {
