@@ -11,11 +11,58 @@ constexpr double kContactLook = 0.02;
 // mm between two looks at the border, where one between them might see the move beyond it.
 constexpr double kFinestLook = 0.02;
 
-// A place of a move, and where it is to a border.
-struct BorderLook {
-  double t = 0;
-  BoundaryIndex::Hit hit;
-  double inside = 0;  // mm; negative: outside
+class InsideCheck {
+ public:
+  InsideCheck(const Segment& move, const Area& centres, double tolerance)
+      : move_(move),
+        centres_(centres),
+        tolerance_(tolerance),
+        length_(move.length()),
+        bend_(std::abs(move.curvature()) + centres.inward_curvature()) {}
+
+  bool passes() const {
+    const Look first = look_at(0), last = look_at(1);
+    return !is_outside(first) && !is_outside(last) && passes_between(first, last);
+  }
+
+ private:
+  struct Look {
+    double t = 0;
+    std::size_t curve = 0, piece = 0;  // of the border, the nearest
+    double inside = 0;                 // mm; negative: outside
+  };
+
+  Look look_at(double t) const {
+    const Vec2 p = move_.point(t);
+    const BoundaryIndex::Hit hit = centres_.nearest(p);
+    return {t, hit.curve, hit.segment, centres_.signed_distance(p, hit)};
+  }
+
+  bool is_outside(const Look& look) const { return look.inside < -tolerance_; }
+
+  // Between two looks the distance falls by no more than the way between them, and below the chord
+  // by what the move and the border bend towards each other.
+  bool passes_between(const Look& a, const Look& b) const {
+    const double way = (b.t - a.t) * length_;
+    const double least = std::max(0.5 * (a.inside + b.inside - way),
+                                  std::min(a.inside, b.inside) - bend_ * way * way / 8);
+    if (least >= -tolerance_ || way <= kFinestLook) return true;
+    const Look middle = look_at(0.5 * (a.t + b.t));
+    if (is_outside(middle)) return false;
+    if (is_on(a, middle) && is_on(b, middle)) return true;  // and so all of the move between
+    return passes_between(a, middle) && passes_between(middle, b);
+  }
+
+  // Whether both lie on one piece of the border.
+  static bool is_on(const Look& a, const Look& b) {
+    return std::max(std::abs(a.inside), std::abs(b.inside)) < kOnBorder && a.curve == b.curve &&
+           a.piece == b.piece;
+  }
+
+  const Segment& move_;
+  const Area& centres_;
+  double tolerance_, length_;
+  double bend_;  // 1/mm
 };
 
 }  // namespace
@@ -31,43 +78,7 @@ bool follows_border(const Segment& move, const Area& centres) {
 }
 
 bool is_inside(const Segment& move, const Area& centres, double tolerance) {
-  const double length = move.length();
-  // Between two looks the distance falls by no more than the way between them, and below the chord
-  // by what the move and the border bend towards each other.
-  const double bend = std::abs(move.curvature()) + centres.inward_curvature();
-  const auto look_at = [&](double t) -> BorderLook {
-    const Vec2 p = move.point(t);
-    const BoundaryIndex::Hit hit = centres.nearest(p);
-    return {t, hit, centres.signed_distance(p, hit)};
-  };
-  const auto is_sure_between = [&](const BorderLook& a, const BorderLook& b) {
-    const double way = (b.t - a.t) * length;
-    const double least = std::max(0.5 * (a.inside + b.inside - way),
-                                  std::min(a.inside, b.inside) - bend * way * way / 8);
-    return way <= kFinestLook || least >= -tolerance;
-  };
-  const auto follow_one_piece = [](const BorderLook& a, const BorderLook& b, const BorderLook& c) {
-    return std::max({std::abs(a.inside), std::abs(b.inside), std::abs(c.inside)}) < kOnBorder &&
-           a.hit.curve == b.hit.curve && b.hit.curve == c.hit.curve &&
-           a.hit.segment == b.hit.segment && b.hit.segment == c.hit.segment;
-  };
-  std::vector<BorderLook> ahead{look_at(1)};
-  BorderLook here = look_at(0);
-  if (here.inside < -tolerance || ahead.back().inside < -tolerance) return false;
-  while (!ahead.empty()) {
-    const BorderLook& next = ahead.back();
-    if (!is_sure_between(here, next)) {
-      const BorderLook middle = look_at(0.5 * (here.t + next.t));
-      if (middle.inside < -tolerance) return false;
-      if (!follow_one_piece(here, middle, next)) {
-        ahead.push_back(middle);
-        continue;
-      }
-    }
-    here = next;
-    ahead.pop_back();
-  }
-  return true;
+  return InsideCheck(move, centres, tolerance).passes();
 }
 
 std::size_t first_left_behind(const std::vector<Segment>& moves) {
