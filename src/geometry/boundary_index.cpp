@@ -98,7 +98,7 @@ void BoundaryIndex::Implementation::build_grid(const std::vector<Bounds>& boxes)
   for (const Bounds& b : boxes) box = joined(box, b);
   const double width = box.high.x - box.low.x, height = box.high.y - box.low.y;
   // About two cells a piece: a search then starts from a piece that is nearly always the right one.
-  const double cells = 2.0 * static_cast<double>(boxes.size()) + 64;
+  const double cells = 2.0 * static_cast<double>(boxes.size()) + 16;
   const double larger = std::max({width, height, 1e-9});
   const double side =
       std::max(std::sqrt(std::max(width, 1e-3 * larger) * std::max(height, 1e-3 * larger) / cells),

@@ -59,7 +59,6 @@ class RegionClearing {
         radius_(0.5 * params.tool_diameter),
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
-        widest_(largest_circle(task.centres, kEntryTolerance)),
         ground_(ground_of(task, radius_)),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
@@ -68,10 +67,10 @@ class RegionClearing {
   }
 
   RegionResult run() {
-    if (task_.opening.runs.empty())
-      enter();
-    else
+    if (is_opened())
       go_on();
+    else
+      enter();
     if (task_.rest || !result_.runs.empty()) clear_all();
     if (!progress_.cancelled()) {
       if (!task_.is_part) report_uncut();
@@ -110,14 +109,22 @@ class RegionClearing {
             tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
             kSpareTurn * radius_,
-            kFirstTurn * entry_radius(),
+            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius(),
             params_.engagement_angle};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
   double entry_radius() const {
-    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(params_, widest_);
+    return task_.hole ? 0.5 * params_.hole_diameter - radius_ : helix_radius(params_, widest());
   }
+
+  // The largest among the places of the tool's centre.
+  const Circle& widest() const {
+    if (!widest_) widest_ = largest_circle(task_.centres, kEntryTolerance);
+    return *widest_;
+  }
+
+  bool is_opened() const { return !task_.opening.runs.empty(); }
 
   std::vector<Stage> stages() const {
     std::vector<Stage> all = make_stages(task_.centres, limits());
@@ -178,7 +185,7 @@ class RegionClearing {
     const Bounds everywhere = bounds_of({task_.centres});
     if (task_.rest) {  // every pass comes down over cleared ground by itself
       samples_.update(everywhere.low, everywhere.high);
-      here_ = {widest_.centre, 0};
+      here_ = {widest().centre, 0};
       return;
     }
     const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
@@ -203,7 +210,7 @@ class RegionClearing {
       return;
     }
     Descent descent;
-    const Pose start = choose_entry(widest_, descent);
+    const Pose start = choose_entry(widest(), descent);
     samples_.update(everywhere.low, everywhere.high);
     begin_run(descent);
     cut_from(start);
@@ -527,7 +534,7 @@ class RegionClearing {
   Progress& progress_;
   double radius_;
   Area exact_, around_;
-  Circle widest_;  // among the places of the tool's centre
+  mutable std::optional<Circle> widest_;
   ClearedGround ground_;
   std::vector<Stage> stages_;
   PassChoice choice_;
