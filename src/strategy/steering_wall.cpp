@@ -60,7 +60,9 @@ void Steering::step_on_wall() {
     t1 = wall_.t + step / length;
     end = contact_at(t1);
   }
-  while (turn_ <= 0 && (end.total > theta_ || over_mean(end.total, step)) &&
+  // What the step meets on its way may be what it met where it begins.
+  const auto most = [&] { return std::max(end.total, met_before(0)); };
+  while (turn_ <= 0 && (most() > theta_ || over_mean(most(), step)) &&
          step > kFinestWallStep * radius_) {
     step *= 0.5;
     t1 = wall_.t + step / length;
@@ -83,7 +85,7 @@ void Steering::step_on_wall() {
       give_up();
     return;
   }
-  if (turn_ <= 0 && over_mean(end.total, step)) {
+  if (turn_ <= 0 && over_mean(most(), step)) {
     // The little that is left in a sharp corner is taken bit by bit; elsewhere the tool would stand
     // in the middle of a front.
     if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
