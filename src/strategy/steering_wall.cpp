@@ -60,10 +60,15 @@ void Steering::step_on_wall() {
     t1 = wall_.t + step / length;
     end = contact_at(t1);
   }
-  // What the step meets on its way may be what it met where it begins.
-  const auto most = [&] { return std::max(end.total, met_before(0)); };
-  while (turn_ <= 0 && (most() > theta_ || over_mean(most(), step)) &&
-         step > kFinestWallStep * radius_) {
+  // What the step meets on its way may be what it met where it begins; and more where contact
+  // begins, of a front that is met head-on.
+  const double before = met_before(0);
+  const auto most = [&] { return std::max(end.total, before); };
+  const auto may_pass_limit = [&] {
+    return most() > theta_ || over_mean(most(), step) ||
+           (before <= kInContact && end.total > kInContact);
+  };
+  while (turn_ <= 0 && may_pass_limit() && step > kFinestWallStep * radius_) {
     step *= 0.5;
     t1 = wall_.t + step / length;
     end = contact_at(t1);
