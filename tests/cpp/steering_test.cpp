@@ -202,18 +202,19 @@ TEST(Steering, TakesARunUpAlongTheExactBorderWhereTheLastPassEndedInAFront) {
   }
 }
 
-// What a pass meets, looked at every 0.02 mm.
+// What a pass meets.
 struct Look {
   double at = 0;   // mm from the start
   double met = 0;  // rad
 };
 
-std::vector<Look> looks_along(const ClearedGround& ground, const Pass& pass, std::size_t before) {
+std::vector<Look> looks_along(const ClearedGround& ground, const Pass& pass, std::size_t before,
+                              double step = 0.02) {
   std::vector<Look> looks;
   double done = 0;
   for (std::size_t i = 0; i < pass.moves.size(); ++i) {
     const double length = pass.moves[i].length();
-    const int n = std::max(2, static_cast<int>(std::ceil(length / 0.02)));
+    const int n = std::max(2, static_cast<int>(std::ceil(length / step)));
     for (int k = 0; k < n; ++k) {
       const double t = (k + 0.5) / n;
       looks.push_back({done + t * length, engagement_of(ground, pass.moves[i], t, before + i)});
@@ -270,6 +271,34 @@ TEST(Steering, KeepsTheLimitAndKnowsItsContactAmongRandomFronts) {
     for (const Look& look : looks)
       if (look.met > 0.5 * kDegree) last = look.at;
     EXPECT_LE(last, length - pass.idle_after + 0.08);
+  }
+  EXPECT_GT(passes, kRandomFronts / 2);
+}
+
+// What a few lines beside a wall have left there, met head-on.
+TEST(Steering, KeepsTheMeanAlongTheExactBorderWhereFrontsAreMetHeadOn) {
+  const Region centres = make_region(rectangle(0, 0, 40, 30));
+  Stage exact;
+  exact.centres = Area({centres});
+  std::mt19937 random(11);
+  int passes = 0;
+  for (int i = 0; i < 2 * kRandomFronts; ++i) {
+    ClearedGround ground({{-5, -5}, {45, 35}}, kRadius, nullptr);
+    clear_rectangle(ground, -3, -3, 15, 33);
+    clear_rectangle(ground, 14, -3, 43, 33);
+    for (int k = 0; k < 6; ++k) {
+      const Vec2 a{uniform(random, 12, 17), uniform(random, 0, 0.5)};
+      ground.add(Segment::line(a, a + Vec2{uniform(random, 0, 2), uniform(random, 0, 0.3)}));
+    }
+    const double theta = uniform(random, 15, 60) * kDegree, from = 12 - uniform(random, 0, 0.4);
+    SCOPED_TRACE(testing::Message() << i << ": " << theta / kDegree << " degrees, from " << from);
+    const std::size_t before = ground.size();
+    Steering steering(ground, exact, theta);
+    const BoundaryIndex::Hit hit = exact.centres.nearest({from, 0});
+    const Pass pass = steering.from_wall({hit.curve, hit.segment, hit.t});
+    if (pass.empty()) continue;
+    ++passes;
+    EXPECT_LE(worst_mean(looks_along(ground, pass, before, 0.005), 0.1), theta + 1 * kDegree);
   }
   EXPECT_GT(passes, kRandomFronts / 2);
 }
