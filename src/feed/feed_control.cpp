@@ -23,7 +23,7 @@ constexpr double kSameFeed = 1e-9;  // share of a feed
 // Share of a block's price: a gain below it is no reason to look for another division.
 constexpr double kLittle = 0.25;
 // Share of the nominal load: samples beside each other that differ more stand at a jump.
-constexpr double kJump = 0.5;
+constexpr double kJump = 1;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 

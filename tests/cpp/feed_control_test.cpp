@@ -197,6 +197,26 @@ TEST(FeedControl, IsFasterWhereOnlyMeansCount) {
   EXPECT_NEAR(seconds(means), 0.7 * seconds(peaks), 1e-6);
 }
 
+TEST(FeedControl, HoldsEverySampleWhereTheLoadJumps) {
+  // The end of a bit in a corner, so short that its mean would allow the highest feed.
+  std::vector<PlanarRun> runs(1);
+  runs[0].moves.push_back({MoveKind::kCut, Segment::line({0, 0}, {0.23, 0})});
+  runs[0].moves.push_back({MoveKind::kCut, Segment::line({0.23, 0}, {0.23, 0.4})});
+  std::vector<LoadSample> profile;
+  for (int i = 0; i < 23; ++i) {
+    LoadSample sample{0, 0, (i + 0.5) / 23, 0.01, 0, 0, 0, 0};
+    sample.share = i < 22 ? 0 : 2;
+    profile.push_back(sample);
+  }
+  profile.push_back({0, 1, 0.5, 0.4, 0, 0, 0, 0});
+  FeedParams params;
+  params.maximum_feed = 1000;
+  params.mean_length = 0.1;
+  const std::vector<double> feeds = set_constant_load(runs, profile, params);
+  EXPECT_LE(feeds[22], params.feed / 2);
+  EXPECT_EQ(feeds.back(), params.maximum_feed);
+}
+
 TEST(FeedControl, IsNoSlowerByMeansThanWithEverySampleHeld) {
   // A change of feed where a move ends has a price of half a millisecond.
   constexpr double kPricePerMove = 0.0005;

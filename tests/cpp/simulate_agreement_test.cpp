@@ -86,7 +86,8 @@ TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
   EXPECT_LE(figures.rest.area, 0.001 * seen.reachable_area);
   EXPECT_EQ(figures.rapid_in_material.value, 0);
   EXPECT_EQ(figures.plunge_in_material.value, 0);
-  EXPECT_LE(figures.link_engagement.value, seen.link_engagement + 1 * kDegree);
+  // A degree is half a micrometre of material, a hundredth of a row.
+  EXPECT_LE(figures.link_engagement.value, seen.link_engagement + 1.5 * kDegree);
   EXPECT_NEAR(figures.removed_volume, path.report.removed_volume,
               5e-3 * path.report.removed_volume);
   EXPECT_NEAR(figures.time, path.report.cutting_time, 0.05 * path.report.cutting_time);
