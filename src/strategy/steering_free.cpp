@@ -18,8 +18,6 @@ constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
 constexpr double kMostTurn = 1.5;   // rad, of a step
 constexpr double kLookStep = 0.05;  // between two looks on the way
-// To which looks close in on a cusp, per rad of the limit: 0.004 at 60 degrees.
-constexpr double kCuspWidth = 0.0038;
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so

@@ -18,6 +18,9 @@ inline constexpr double kCuspLook = 0.03;      // between two looks where the fr
 inline constexpr double kTurnStep = 10 * kDegree;  // between two looks along a turn
 // Accepted above the limit before the path is changed.
 inline constexpr double kOverload = 0.25 * kDegree;
+// Share of the tool's radius to which looks close in on a cusp, per rad of the limit: 0.004 at 60
+// degrees.
+inline constexpr double kCuspWidth = 0.0038;
 inline constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
 // mm: a pose this near to the tool's present place is that place.
 inline constexpr double kHere = 1e-9;

@@ -53,12 +53,33 @@ void Steering::step_on_wall() {
     t1 = wall_.t + step / length;
   }
   Contact end = contact_at(t1);
-  if (!before_cusp && step > fine &&
-      !is_smooth_between(met_here_ ? *met_here_ : contact_at(wall_.t), end)) {
-    rough_until_ = t1 * length;
-    step = fine;
-    t1 = wall_.t + step / length;
-    end = contact_at(t1);
+  if (before_cusp || step > fine) {
+    const Contact here = met_here_ ? *met_here_ : contact_at(wall_.t);
+    bool is_smooth = is_smooth_between(here, end);
+    if (!is_smooth && step > fine) {
+      rough_until_ = t1 * length;
+      step = fine;
+      t1 = wall_.t + step / length;
+      end = contact_at(t1);
+      is_smooth = is_smooth_between(here, end);
+    }
+    // Between two fine looks the engagement may peak at the cusp: the step ends there.
+    if (!is_smooth && turn_ > 0) {
+      double low = wall_.t, high = t1;
+      Contact peak = here;
+      while ((high - low) * length > kCuspWidth * theta_ * radius_) {
+        const double middle = 0.5 * (low + high);
+        const Contact there = contact_at(middle);
+        const bool is_before = is_smooth_between(peak, there);
+        (is_before ? low : high) = middle;
+        if (is_before) peak = there;
+      }
+      if (peak.total > end.total && low > wall_.t) {
+        t1 = low;
+        step = (t1 - wall_.t) * length;
+        end = peak;
+      }
+    }
   }
   // What the step meets on its way may be what it met where it begins; and more where contact
   // begins, of a front that is met head-on.
