@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 
 #include "geometry/bi_arc.h"
 #include "strategy/move_checks.h"
@@ -17,6 +19,8 @@ constexpr double kPosted = 5e-5;
 constexpr double kMostPosted = 5e-3;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
+// rad: a way off the border and back that turns by less, all in all, is none.
+constexpr double kDetourTurn = 0.01;
 
 // True when every look along `way` is within `smoothing` mm of one of `others`.
 bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others,
@@ -56,12 +60,55 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
   return serves(way) ? way : std::vector<Segment>{};
 }
 
+// Two moves along one line, or arcs of one circle, with what lies between them.
+std::optional<Segment> bridged(const Segment& a, const Segment& b) {
+  if (a.is_arc() != b.is_arc()) return std::nullopt;
+  if (!a.is_arc()) {
+    const Vec2 along = a.tangent(0);
+    const bool is_one = std::abs(cross(along, b.a - a.a)) < kOnBorder &&
+                        std::abs(cross(along, b.b - a.a)) < kOnBorder;
+    if (!is_one || dot(along, b.a - a.b) < 0 || dot(along, b.tangent(0)) < 0) return std::nullopt;
+    return Segment::line(a.a, b.b);
+  }
+  const double gap = wrap_signed(b.start_angle - a.start_angle - a.sweep);
+  if (distance(a.centre, b.centre) > kOnBorder || std::abs(a.radius - b.radius) > kOnBorder ||
+      a.sweep * b.sweep <= 0 || a.sweep * gap < 0)
+    return std::nullopt;
+  return Segment::arc(a.centre, a.radius, a.start_angle, a.sweep + gap + b.sweep);
+}
+
+// Without tiny ways off the border and back to it.
+std::vector<Segment> without_detours(const std::vector<Segment>& moves, const Area& centres) {
+  std::vector<Segment> result;
+  for (std::size_t i = 0; i < moves.size(); ++i) {
+    result.push_back(moves[i]);
+    const bool is_short_next = i + 1 < moves.size() && moves[i + 1].length() < kShortest;
+    if (!is_short_next || !follows_border(moves[i], centres)) continue;
+    double length = 0, turn = 0;
+    for (std::size_t j = i + 1; j < moves.size() && length < kShortest && turn < kDetourTurn; ++j) {
+      const std::optional<Segment> wall = j > i + 1 && follows_border(moves[j], centres)
+                                              ? bridged(result.back(), moves[j])
+                                              : std::nullopt;
+      if (wall) {
+        result.back() = *wall;
+        i = j;
+        length = turn = 0;
+        continue;
+      }
+      length += moves[j].length();
+      turn += std::abs(moves[j].sweep);
+    }
+  }
+  return result;
+}
+
 }  // namespace
 
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
                                          double smoothing) {
+  const std::vector<Segment> whole = without_detours(moves, centres);
   std::vector<Segment> result;                              // the moves so far
-  std::vector<Segment> rest(moves.rbegin(), moves.rend());  // the moves to come, the last first
+  std::vector<Segment> rest(whole.rbegin(), whole.rend());  // the moves to come, the last first
   const auto join_before = [&](const Segment& move) {
     if (result.empty()) return false;
     const std::vector<Segment> way = instead_of(result.back(), move, centres, smoothing);

@@ -55,6 +55,37 @@ double distance_from(Vec2 p, const std::vector<Segment>& moves) {
   return nearest;
 }
 
+// Along the wall, off it by `turn` rad and back, and along it again.
+std::vector<Segment> off_and_back(double turn) {
+  Vec2 p{-10, -50};
+  double heading = 0;
+  std::vector<Segment> moves{next_move(&p, &heading, 0, 10)};
+  for (const double curvature : {1.0, -1.0, -1.0, 1.0})
+    moves.push_back(next_move(&p, &heading, curvature, turn));
+  moves.push_back(next_move(&p, &heading, 0, 10));
+  return moves;
+}
+
+TEST(ShortMoves, LeaveOutTinyWaysOffAWallAndBack) {
+  const std::vector<Segment> straight = without_short_moves(off_and_back(0.001), room());
+  // There and back is aside by the square of the turn, which no post tells from the wall.
+  ASSERT_EQ(straight.size(), 1u);
+  EXPECT_EQ(straight[0].a, off_and_back(0.001).front().a);
+  EXPECT_EQ(straight[0].b, off_and_back(0.001).back().b);
+  EXPECT_GT(without_short_moves(off_and_back(0.02), room()).size(), 1u);
+}
+
+TEST(ShortMoves, LeaveOutTinyWaysOffARoundWallAndBack) {
+  const Area round({make_region(shapes::circle({0, 0}, 20))});
+  const auto on = [](double from, double sweep) { return Segment::arc({0, 0}, 20, from, sweep); };
+  const Segment a = on(0, 0.5), b = on(0.5001, 0.5);
+  const Vec2 middle = 0.5 * (a.b + b.a) + 1e-6 * normalized(-1.0 * a.b);
+  const std::vector<Segment> made =
+      without_short_moves({a, Segment::line(a.b, middle), Segment::line(middle, b.a), b}, round);
+  ASSERT_EQ(made.size(), 1u);
+  EXPECT_NEAR(made[0].sweep, 1.0001, 1e-9);
+}
+
 TEST(ShortMoves, AreTakenUpByTheirNeighboursWithoutCorners) {
   std::mt19937 random(7);
   std::size_t before = 0, after = 0;
