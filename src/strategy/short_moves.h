@@ -20,9 +20,9 @@ inline constexpr double kSmoothing = 1e-3;
 // same directions, or for pieces that posts turn by as much within a quarter of a degree. They are
 // replaced only where what comes instead stays within `smoothing` mm of them, inside `centres`, and
 // has no piece as short. A way off the border of `centres` and back to the same line or circle of
-// it, shorter than kShortest and turning by less than 0.6 degrees all in all, is left out. Laws: the
-// moves follow each other as before, and end where they ended; other moves along the border stay as
-// they are.
+// it is left out where it is shorter than kShortest and turns by less than 0.6 degrees all in all.
+// Laws: the moves follow each other as before, and end where they ended; other moves along the
+// border stay as they are.
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
                                          double smoothing = kSmoothing);
 
