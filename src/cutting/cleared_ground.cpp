@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "support/errors.h"
@@ -18,7 +19,7 @@ constexpr double kWindow = 0.8;
 // work.
 constexpr double kMaximumCells = 6e6;
 // Moves: shorter lists are not worth thinning.
-constexpr std::int32_t kLongList = 20;
+constexpr std::int32_t kLongList = 32;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
@@ -126,26 +127,24 @@ void ClearedGround::visit_cells(const SweptMove& swept, Visit visit) {
     low = low - Vec2{sagitta, sagitta};
     high = high + Vec2{sagitta, sagitta};
   }
-  const int i0 = std::max(0, static_cast<int>(std::floor((low.x - reach - origin_.x) / cell_)));
-  const int j0 = std::max(0, static_cast<int>(std::floor((low.y - reach - origin_.y) / cell_)));
-  const int i1 =
-      std::min(columns_ - 1, static_cast<int>(std::floor((high.x + reach - origin_.x) / cell_)));
-  const int j1 =
-      std::min(rows_ - 1, static_cast<int>(std::floor((high.y + reach - origin_.y) / cell_)));
+  const auto column = [&](double x) { return static_cast<int>(std::floor((x - origin_.x) / cell_)); };
+  const auto row = [&](double y) { return static_cast<int>(std::floor((y - origin_.y) / cell_)); };
+  const int j0 = std::max(0, row(low.y - reach)), j1 = std::min(rows_ - 1, row(high.y + reach));
   for (int j = j0; j <= j1; ++j) {
     const double y = origin_.y + (j + 0.5) * cell_;
-    int first = i0, last = i1;
+    // What lies within reach of the move's box has rounded corners.
+    const double beyond = std::max({0.0, low.y - y, y - high.y});
+    const double aside = std::sqrt(std::max(0.0, reach * reach - beyond * beyond));
+    double from = low.x, to = high.x;
     if (!s.is_arc() && std::abs(s.b.y - s.a.y) > reach) {
       // A long slanting line: only where it is near the row.
-      const double t0 = (y - reach - s.a.y) / (s.b.y - s.a.y);
-      const double t1 = (y + reach - s.a.y) / (s.b.y - s.a.y);
-      const double xa = s.a.x + std::clamp(t0, 0.0, 1.0) * (s.b.x - s.a.x);
-      const double xb = s.a.x + std::clamp(t1, 0.0, 1.0) * (s.b.x - s.a.x);
-      first = std::max(
-          i0, static_cast<int>(std::floor((std::min(xa, xb) - reach - origin_.x) / cell_)));
-      last = std::min(i1,
-                      static_cast<int>(std::floor((std::max(xa, xb) + reach - origin_.x) / cell_)));
+      const auto at = [&](double height) {
+        return s.a.x + std::clamp((height - s.a.y) / (s.b.y - s.a.y), 0.0, 1.0) * (s.b.x - s.a.x);
+      };
+      std::tie(from, to) = std::minmax({at(y - reach), at(y + reach)});
     }
+    const int first = std::max(0, column(from - aside)),
+              last = std::min(columns_ - 1, column(to + aside));
     for (int i = first; i <= last; ++i)
       visit(cells_[static_cast<std::size_t>(j) * columns_ + i],
             Vec2{origin_.x + (i + 0.5) * cell_, y});

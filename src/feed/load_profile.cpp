@@ -2,7 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "support/both.h"
 #include "toolpath/ramp.h"
 
 namespace evenload {
@@ -29,6 +31,10 @@ constexpr double kSmoothSpacing = 5;
 // Of unit vectors along the path at a joint: what is met there is hidden by the move before, whose
 // end clears all of the tool's circle, and next to that before it.
 constexpr double kSameDirection = 0.02;
+// mm of cuts: less is not worth a second core;
+constexpr double kWorthHalving = 100;
+// and the share of them that one of the two looks at: the other has the ground to make as well.
+constexpr double kFirstHalf = 0.58;
 
 }  // namespace
 
@@ -164,26 +170,72 @@ bool runs_on(const PlanarMove& before, const PlanarMove& after) {
          norm(before.segment.tangent(1) - after.segment.tangent(0)) < kSameDirection;
 }
 
-}  // namespace
+// A move of the path, by its run.
+struct Place {
+  std::size_t run = 0, move = 0;
+};
 
-std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
-                                     double spacing, const LoadShare& share) {
+bool operator<(Place a, Place b) { return std::pair(a.run, a.move) < std::pair(b.run, b.move); }
+
+// Cuts all moves before `from`, then those before `end`, of which the load is returned.
+std::vector<LoadSample> profile_between(const std::vector<PlanarRun>& runs, Place from, Place end,
+                                        ClearedGround& ground, double spacing,
+                                        const LoadShare& share) {
   std::vector<LoadSample> profile;
   for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!(Place{i, 0} < end)) break;
     add_descent(runs[i].descent, ground);
     Load load;
-    for (std::size_t j = 0; j < runs[i].moves.size(); ++j) {
+    for (std::size_t j = 0; j < runs[i].moves.size() && Place{i, j} < end; ++j) {
       const PlanarMove& move = runs[i].moves[j];
-      const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0, 0};
-      if (move.kind == MoveKind::kCut)
-        load = MoveProfile(ground, move, where, share, profile)
-                   .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
-      else
-        profile.push_back(where);
+      if (!(Place{i, j} < from)) {
+        const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0, 0};
+        if (move.kind == MoveKind::kCut)
+          load =
+              MoveProfile(ground, move, where, share, profile)
+                  .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
+        else
+          profile.push_back(where);
+      }
       ground.add(move.segment);
     }
   }
   return profile;
+}
+
+// Where a second core may begin: about half of the way to be cut comes before, and the load there
+// follows from no load before. Past the last move where there is no such place, or too little to
+// do.
+Place second_half(const std::vector<PlanarRun>& runs) {
+  const Place past{runs.size(), 0};
+  double whole = 0;
+  for (const PlanarRun& run : runs)
+    for (const PlanarMove& move : run.moves)
+      if (move.kind == MoveKind::kCut) whole += move.segment.length();
+  if (whole < kWorthHalving) return past;
+  double before = 0;
+  for (std::size_t i = 0; i < runs.size(); ++i)
+    for (std::size_t j = 0; j < runs[i].moves.size(); ++j) {
+      const PlanarMove& move = runs[i].moves[j];
+      const bool begins_anew = j == 0 || !runs_on(runs[i].moves[j - 1], move);
+      if (begins_anew && before > kFirstHalf * whole) return {i, j};
+      if (move.kind == MoveKind::kCut) before += move.segment.length();
+    }
+  return past;
+}
+
+}  // namespace
+
+std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
+                                     double spacing, const LoadShare& share) {
+  const Place past{runs.size(), 0}, half = second_half(runs);
+  if (!(half < past)) return profile_between(runs, {}, past, ground, spacing, share);
+  ClearedGround first = ground;
+  auto [profile, after] =
+      both([&] { return profile_between(runs, {}, half, first, spacing, share); },
+           [&] { return profile_between(runs, half, past, ground, spacing, share); });
+  profile.insert(profile.end(), after.begin(), after.end());
+  return std::move(profile);
 }
 
 double worst_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,

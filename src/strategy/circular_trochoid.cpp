@@ -97,18 +97,22 @@ StepGuess step_guess(const TrochoidParams& params) {
   return {most, most};
 }
 
+std::optional<TrochoidPattern> pattern_of(const std::optional<RepeatedPattern>& repeated) {
+  return repeated ? std::optional(repeated->pattern()) : std::nullopt;
+}
+
 }  // namespace
 
 std::optional<TrochoidPattern> circular_pattern(const TrochoidParams& params) {
   check(params);
-  return with_greatest_step([&](double step) { return circles(params, step); }, params,
-                            step_guess(params));
+  return pattern_of(with_greatest_step([&](double step) { return circles(params, step); }, params,
+                                       step_guess(params)));
 }
 
 std::optional<TrochoidPattern> cycloid_pattern(const TrochoidParams& params) {
   check(params);
-  return with_greatest_step([&](double step) { return cycloid(params, step); }, params,
-                            step_guess(params));
+  return pattern_of(with_greatest_step([&](double step) { return cycloid(params, step); }, params,
+                                       step_guess(params)));
 }
 
 }  // namespace evenload

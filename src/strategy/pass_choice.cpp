@@ -134,25 +134,31 @@ Pass PassChoice::best_corner_pass(const PassStart& start, double* turn_radius) {
 
 // The pass along the wall of the latest stage, after the start's own, that can be followed within
 // the limit all the way. The earlier the stage the less there is to cut: the last comes first,
-// since along walls that little is left of it is the only one to be tried, then it is found by
-// halving.
+// since along walls that little is left of it is the only one to be tried, or in a corner that a
+// pass has just been led into that pass's stage and the next to it; then it is found by halving.
 Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   Pass best;
   std::size_t low = start.stage + 1, high = stages_.size();  // of the stages not yet decided
-  for (bool is_first = true; low < high; is_first = false) {
-    const std::size_t k = is_first ? high - 1 : low + (high - low) / 2;
+  if (low >= high) return best;
+  const bool is_known = followed_at_ && distance(start.pose.p, *followed_at_) < radius_;
+  std::size_t k = is_known ? std::clamp(latest_followed_, low, high - 1) : high - 1;
+  for (int tries = 1; low < high; ++tries) {
     const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
     Pass pass;
     if (hit.distance < kSamePlace)
       pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
     if (pass.empty()) {
       high = k;
-      continue;
+    } else {
+      take_back(ground_, pass);
+      best = std::move(pass);
+      *turn_radius = stages_[k].turn_radius;
+      latest_followed_ = k;
+      followed_at_ = start.pose.p;
+      low = k + 1;
     }
-    take_back(ground_, pass);
-    best = std::move(pass);
-    *turn_radius = stages_[k].turn_radius;
-    low = k + 1;
+    const bool was_likely = is_known && tries == 1;
+    if (low < high) k = !was_likely ? low + (high - low) / 2 : high == k ? k - 1 : k + 1;
   }
   for (const Segment& move : best.moves) ground_.add(move);
   return best;

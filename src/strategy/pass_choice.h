@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -50,6 +51,8 @@ class PassChoice {
   std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
   Vec2 tried_at_;                   // where it began
   int since_tried_;                 // passes
+  std::size_t latest_followed_ = 0;  // the stage of the last pass along a wall
+  std::optional<Vec2> followed_at_;  // where it began
 };
 
 // Takes the moves of `pass`, the newest, back from the ground.

@@ -2,11 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "cutting/engagement.h"
 #include "strategy/circular_trochoid.h"
 #include "strategy/trochoid_pattern.h"
+#include "support/both.h"
 
 namespace evenload {
 namespace {
@@ -77,29 +79,47 @@ TrochoidParams narrowed(const TrochoidParams& slot, double beside) {
   return narrow;
 }
 
+// A width with the first of its patterns; nothing where none of them serves.
+struct Candidate {
+  Width width;
+  double time = 0;  // min for a mm of the slot
+};
+
+std::optional<Candidate> candidate(const TrochoidParams& slot, double beside,
+                                   const TurnSearch* like) {
+  Candidate result{{beside, TurnSearch(narrowed(slot, beside), like)}, 0};
+  const TurnSearch::Found* found = result.width.search.first();
+  if (!found) return std::nullopt;
+  result.time = result.width.time(*found, slot);
+  return result;
+}
+
 // But for the front and what follows from that.
 std::optional<SlotPattern> constant_engagement(const TrochoidParams& slot) {
-  std::optional<Width> best;
-  SlotPattern result;
-  double least = 0;
-  for (const double beside : all_beside(slot)) {
-    Width width{beside, TurnSearch(narrowed(slot, beside), best ? &best->search : nullptr)};
-    const TurnSearch::Found* found = width.search.first();
-    if (!found) break;
-    const double time = width.time(*found, slot);
-    if (beside <= 0)
-      result.front = found->pattern.cut;
-    else if (time >= least)
-      break;
-    least = time;
-    best = std::move(width);
-  }
+  const std::vector<double> beside = all_beside(slot);
+  std::optional<Candidate> best = candidate(slot, 0, nullptr);
   if (!best) return std::nullopt;
-  const std::optional<TurnSearch::Found> found = best->search.best();
+  SlotPattern result;
+  result.front = best->width.search.first()->pattern.cut;
+  const TurnSearch whole = best->width.search;
+  std::vector<std::optional<Candidate>> narrower(beside.size() - 1);
+  if (narrower.size() == 2)
+    std::tie(narrower[0], narrower[1]) =
+        both([&] { return candidate(slot, beside[1], &whole); },
+             [&] { return candidate(slot, beside[2], &whole); });
+  else if (narrower.size() == 1)
+    narrower[0] = candidate(slot, beside[1], &whole);
+  // The narrower the pattern the more time the walls take: once it pays no longer, it does not
+  // again.
+  for (std::optional<Candidate>& next : narrower) {
+    if (!next || next->time >= best->time) break;
+    best = std::move(next);
+  }
+  const std::optional<TurnSearch::Found> found = best->width.search.best();
   result.pattern = found->pattern;
-  result.beside = best->beside;
-  result.removal = slot.width / best->time(*found, slot);
-  if (best->beside <= 0) result.front = found->pattern.cut;
+  result.beside = best->width.beside;
+  result.removal = slot.width / best->width.time(*found, slot);
+  if (result.beside <= 0) result.front = found->pattern.cut;
   return result;
 }
 

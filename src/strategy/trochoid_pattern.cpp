@@ -12,6 +12,7 @@
 #include "strategy/move_ends.h"
 #include "strategy/short_moves.h"
 #include "strategy/stage.h"
+#include "support/both.h"
 
 namespace evenload {
 namespace {
@@ -276,51 +277,45 @@ SlotFront scaled(const SlotFront& front, double scale) {
 }
 
 // The same with the greatest step, and the link back; nothing where there is none.
-std::optional<TrochoidPattern> finished(const TrochoidPattern& shape, const TrochoidParams& params,
+std::optional<RepeatedPattern> finished(const TrochoidPattern& shape, const TrochoidParams& params,
                                         const StepGuess& guess) {
-  std::optional<TrochoidPattern> pattern = with_greatest_step(
+  std::optional<RepeatedPattern> pattern = with_greatest_step(
       [&](double step) {
         TrochoidPattern repeated = shape;
         repeated.step = step;
+        repeated.link.clear();
         return repeated;
       },
       params, guess);
-  if (!pattern) return std::nullopt;
-  pattern->link = shortest_return(*pattern, params);
-  if (pattern->link.empty()) return std::nullopt;
-  return pattern;
+  return pattern && pattern->link_back() ? std::move(pattern) : std::nullopt;
 }
 
-struct Settled {
-  TrochoidPattern pattern;
+struct SettledPattern {
+  RepeatedPattern pattern;
   SlotFront front;  // that it leaves
   StepGuess guess;  // of its greatest step
 };
 
 // From `front` on. Patterns with the step that they are sure to keep can be told apart; where that
 // does not keep the limit, with the greatest one.
-std::optional<Settled> settled_pattern(const TrochoidParams& params, double turn_radius,
+std::optional<SettledPattern> settled_pattern(const TrochoidParams& params, double turn_radius,
                                        Steps steps, const SlotFront& front) {
   Passes passes(params, turn_radius, steps, front);
   if (!passes.can_turn()) return std::nullopt;
   const PassSequence sequence = iterate(passes, params, kMostPasses);
   if (sequence.residuals.empty() || sequence.advance <= 0) return std::nullopt;
   const std::vector<Segment>& last = sequence.passes.back();
-  Settled settled;
-  settled.front.way = placed(last, place_along(params.curvature, -passes.along(last.front().a)));
-  settled.front.step = sequence.advance;
-  settled.guess = {kLikelyStep * sequence.advance, kStepRoom * sequence.advance};
-  settled.pattern = pattern_of(sequence, passes, params);
-  settled.pattern.turn_radius = turn_radius;
-  settled.pattern.step = kSureStep * sequence.advance;
-  if (keeps_limit(settled.pattern, params)) {
-    settled.pattern.link = shortest_return(settled.pattern, params);
-    if (!settled.pattern.link.empty()) return settled;
-  }
-  std::optional<TrochoidPattern> pattern = finished(settled.pattern, params, settled.guess);
+  const SlotFront left{placed(last, place_along(params.curvature, -passes.along(last.front().a))),
+                       sequence.advance};
+  const StepGuess guess{kLikelyStep * sequence.advance, kStepRoom * sequence.advance};
+  TrochoidPattern shape = pattern_of(sequence, passes, params);
+  shape.turn_radius = turn_radius;
+  shape.step = kSureStep * sequence.advance;
+  RepeatedPattern sure(shape, params);
+  if (sure.keeps_limit() && sure.link_back()) return SettledPattern{std::move(sure), left, guess};
+  std::optional<RepeatedPattern> pattern = finished(shape, params, guess);
   if (!pattern) return std::nullopt;
-  settled.pattern = std::move(*pattern);
-  return settled;
+  return SettledPattern{std::move(*pattern), left, guess};
 }
 
 }  // namespace
@@ -345,19 +340,39 @@ TurnSearch::TurnSearch(const TrochoidParams& params, const TurnSearch* like) : p
   }
 }
 
+std::optional<TurnSearch::Settled> TurnSearch::settle(double radius, const SlotFront& start) const {
+  // With next to no room to turn, steps come out as few or not at all.
+  std::optional<SettledPattern> settled =
+      settled_pattern(params_, radius, Steps::kExact, start);
+  if (!settled) settled = settled_pattern(params_, radius, Steps::kFew, start);
+  if (!settled) return std::nullopt;
+  const TrochoidPattern& pattern = settled->pattern.pattern();
+  return Settled{{pattern, settled->pattern.figures(), evenload::turns_at_corners(pattern.cut),
+                  settled->guess},
+                 settled->front};
+}
+
+const TurnSearch::Found* TurnSearch::take(std::size_t i, std::optional<Settled> settled) {
+  std::optional<Found>& found = tried_[i];
+  if (!settled) return nullptr;
+  start_ = std::move(settled->front);
+  found = std::move(settled->found);
+  return &*found;
+}
+
 const TurnSearch::Found* TurnSearch::with_radius(std::size_t i) {
   const auto known = tried_.find(i);
   if (known != tried_.end()) return known->second ? &*known->second : nullptr;
-  std::optional<Found>& found = tried_[i];
-  // With next to no room to turn, steps come out as few or not at all.
-  std::optional<Settled> settled = settled_pattern(params_, radii_[i], Steps::kExact, start_);
-  if (!settled) settled = settled_pattern(params_, radii_[i], Steps::kFew, start_);
-  if (!settled) return nullptr;
-  start_ = settled->front;
-  const PatternFigures figures = figures_of(settled->pattern, params_);
-  const bool corners = evenload::turns_at_corners(settled->pattern.cut);
-  found = Found{std::move(settled->pattern), figures, corners, settled->guess};
-  return &*found;
+  return take(i, settle(radii_[i], start_));
+}
+
+// The radii next to the first, of which one is always asked for, and mostly the other.
+void TurnSearch::try_beside(std::size_t i) {
+  if (i == 0 || i + 1 == radii_.size() || tried_.count(i - 1) || tried_.count(i + 1)) return;
+  auto [above, below] = both([&] { return settle(radii_[i + 1], start_); },
+                             [&] { return settle(radii_[i - 1], start_); });
+  take(i + 1, std::move(above));
+  take(i - 1, std::move(below));
 }
 
 bool TurnSearch::is_better(const Found& a, const Found& b) {
@@ -383,9 +398,9 @@ std::optional<TurnSearch::Found> TurnSearch::best() {
   const Found* const found = likely_best();
   if (!found) return std::nullopt;
   Found best = *found;
-  if (std::optional<TrochoidPattern> pattern = finished(best.pattern, params_, best.guess)) {
-    best.pattern = std::move(*pattern);
-    best.figures = figures_of(best.pattern, params_);
+  if (const auto pattern = finished(best.pattern, params_, best.guess)) {
+    best.pattern = pattern->pattern();
+    best.figures = pattern->figures();
   }
   return best;
 }
@@ -393,6 +408,7 @@ std::optional<TurnSearch::Found> TurnSearch::best() {
 const TurnSearch::Found* TurnSearch::likely_best() {
   const Found* const start = first();
   const Found* best = start;
+  if (best) try_beside(first_);
   // The removal rate rises to the best radius and falls beyond it, but for small bumps.
   const auto go_to = [&](std::size_t i) {
     const Found* found = with_radius(i);

@@ -48,8 +48,15 @@ class TurnSearch {
   std::optional<Found> best();
 
  private:
+  struct Settled {
+    Found found;
+    SlotFront front;  // that it leaves
+  };
   const Found* likely_best();
+  std::optional<Settled> settle(double radius, const SlotFront& start) const;
+  const Found* take(std::size_t i, std::optional<Settled> settled);
   const Found* with_radius(std::size_t i);
+  void try_beside(std::size_t i);
   static bool is_better(const Found& a, const Found& b);
 
   TrochoidParams params_;

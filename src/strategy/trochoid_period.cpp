@@ -55,60 +55,6 @@ double along(double curvature, Vec2 p) {
   return wrap_signed(angle_of(v) + (curvature > 0 ? kPi / 2 : -kPi / 2)) / curvature;
 }
 
-// The pattern as it repeats: the ground before a period.
-class Repeated {
- public:
-  Repeated(const TrochoidPattern& pattern, const TrochoidParams& params)
-      : pattern_(pattern),
-        reach_(reach_of(pattern)),
-        periods_(static_cast<int>(
-            std::ceil((reach_.ahead - reach_.back + 2 * params.tool_radius) / pattern.step))),
-        share_(removal_rate_share(params.engagement, params.tool_radius)),
-        ground_(bounds(params), params.tool_radius, nullptr) {
-    for (int k = periods_; k > 0; --k) {
-      const Pose at = place_along(pattern.curvature, -k * pattern.step);
-      for (const Segment& move : placed(pattern.cut, at)) ground_.add(move);
-      for (const Segment& move : placed(pattern.link, at)) ground_.add(move);
-    }
-  }
-
-  ClearedGround& ground() { return ground_; }
-  double back() const { return periods_ * pattern_.step - reach_.back; }
-  double ahead() const { return reach_.ahead + pattern_.step; }
-
-  std::vector<LoadSample> profile(std::vector<PlanarRun>& runs) {
-    runs.assign(1, {});
-    for (const Segment& move : pattern_.cut) {
-      PlanarMove planar;
-      planar.segment = move;
-      runs[0].moves.push_back(planar);
-    }
-    return load_profile(runs, ground_, kLook, share_);
-  }
-
- private:
-  Bounds bounds(const TrochoidParams& params) const {
-    const double r = params.tool_radius, beside = 0.5 * params.width;
-    if (pattern_.curvature == 0) return {{-back() - r, -beside}, {ahead() + r, beside}};
-    const double out = 1 / std::abs(pattern_.curvature) + beside;
-    const Vec2 centre{0, 1 / pattern_.curvature};
-    return {centre - Vec2{out, out}, centre + Vec2{out, out}};
-  }
-
-  const TrochoidPattern& pattern_;
-  PeriodReach reach_;
-  int periods_;
-  LoadShare share_;
-  ClearedGround ground_;
-};
-
-// rad, above the limit; negative below.
-double overload_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
-  std::vector<PlanarRun> runs;
-  const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
-  return worst_engagement(runs, profile, kMeanLength) - most_engagement(params);
-}
-
 // A step that was tried.
 struct Tried {
   double step = 0, overload = 0;
@@ -238,40 +184,72 @@ bool turns_at_corners(const std::vector<Segment>& moves) {
   });
 }
 
-PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
+RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& params)
+    : pattern_(std::move(pattern)),
+      params_(params),
+      reach_(reach_of(pattern_)),
+      periods_(static_cast<int>(
+          std::ceil((reach_.ahead - reach_.back + 2 * params.tool_radius) / pattern_.step))),
+      ground_(bounds(), params.tool_radius, nullptr),
+      runs_(1) {
+  for (int k = periods_; k > 0; --k) {
+    const Pose at = place_along(pattern_.curvature, -k * pattern_.step);
+    for (const Segment& move : placed(pattern_.cut, at)) ground_.add(move);
+    for (const Segment& move : placed(pattern_.link, at)) ground_.add(move);
+  }
+  for (const Segment& move : pattern_.cut) {
+    PlanarMove planar;
+    planar.segment = move;
+    runs_[0].moves.push_back(planar);
+  }
+  profile_ = load_profile(runs_, ground_, kLook,
+                          removal_rate_share(params.engagement, params.tool_radius));
+}
+
+Bounds RepeatedPattern::bounds() const {
+  const double r = params_.tool_radius, beside = 0.5 * params_.width;
+  if (pattern_.curvature == 0) return {{-behind() - r, -beside}, {ahead() + r, beside}};
+  const double out = 1 / std::abs(pattern_.curvature) + beside;
+  const Vec2 centre{0, 1 / pattern_.curvature};
+  return {centre - Vec2{out, out}, centre + Vec2{out, out}};
+}
+
+double RepeatedPattern::overload() const {
+  return worst_engagement(runs_, profile_, kMeanLength) - most_engagement(params_);
+}
+
+PatternFigures RepeatedPattern::figures() const {
   PatternFigures figures;
-  std::vector<PlanarRun> runs;
-  const std::vector<LoadSample> profile = Repeated(pattern, params).profile(runs);
   double within = 0, met = 0;
-  for (const LoadSample& sample : profile) {
-    if (std::abs(sample.engagement - params.engagement) <= kBand) within += sample.length;
+  for (const LoadSample& sample : profile_) {
+    if (std::abs(sample.engagement - params_.engagement) <= kBand) within += sample.length;
     if (sample.engagement > kNoContact) met += sample.length;
   }
-  figures.cut_length = length_of(pattern.cut);
-  figures.link_length = length_of(pattern.link);
-  figures.area_per_length = params.width * pattern.step / met;
-  figures.max_engagement = worst_engagement(runs, profile, kMeanLength);
+  figures.cut_length = length_of(pattern_.cut);
+  figures.link_length = length_of(pattern_.link);
+  figures.area_per_length = params_.width * pattern_.step / met;
+  figures.max_engagement = worst_engagement(runs_, profile_, kMeanLength);
   figures.within = within / figures.cut_length;
-  figures.time = time_of(std::move(runs), profile, pattern.link, params);
-  figures.removal = params.width * pattern.step / figures.time;
+  figures.time = time_of(runs_, profile_, pattern_.link, params_);
+  figures.removal = params_.width * pattern_.step / figures.time;
   return figures;
 }
 
-bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params) {
-  return overload_of(pattern, params) <= 0;
+PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params) {
+  return RepeatedPattern(pattern, params).figures();
 }
 
-std::optional<TrochoidPattern> with_greatest_step(
+std::optional<RepeatedPattern> with_greatest_step(
     const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
     const StepGuess& guess) {
   const double exact = kStepShare * params.tool_radius;
-  std::optional<TrochoidPattern> best;
+  std::optional<RepeatedPattern> best;
   Tried low, high{guess.most, 0};
   bool is_high_tried = false;
   double step = guess.likely, jump = kFirstJump * guess.likely;
   for (int tries = 1; step > exact && high.step - low.step > exact; ++tries, jump *= kLongerJump) {
-    TrochoidPattern pattern = of_step(step);
-    const Tried tried{step, overload_of(pattern, params)};
+    RepeatedPattern pattern(of_step(step), params);
+    const Tried tried{step, pattern.overload()};
     const bool keeps = tried.overload <= 0;
     (keeps ? low : high) = tried;
     if (keeps)
@@ -290,16 +268,18 @@ std::optional<TrochoidPattern> with_greatest_step(
   return best;
 }
 
-std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const TrochoidParams& params) {
-  Repeated repeated(pattern, params);
-  ClearedGround& ground = repeated.ground();
-  for (const Segment& move : pattern.cut) ground.add(move);
-  const Area centres({strip_of(params, repeated.back(), repeated.ahead())});
-  const Segment &first = pattern.cut.front(), &last = pattern.cut.back();
-  const Segment next = placed(first, place_along(pattern.curvature, pattern.step));
+bool RepeatedPattern::link_back() {
+  pattern_.link = shortest_return();
+  return !pattern_.link.empty();
+}
+
+std::vector<Segment> RepeatedPattern::shortest_return() const {
+  const Area centres({strip_of(params_, behind(), ahead())});
+  const Segment &first = pattern_.cut.front(), &last = pattern_.cut.back();
+  const Segment next = placed(first, place_along(pattern_.curvature, pattern_.step));
   const Pose from{last.b, angle_of(last.tangent(1))}, to{next.a, angle_of(next.tangent(0))};
-  const double h = half_room(params),
-               least = std::min(kTightestLink * params.tool_radius, pattern.turn_radius);
+  const double h = half_room(params_),
+               least = std::min(kTightestLink * params_.tool_radius, pattern_.turn_radius);
   std::vector<std::vector<Segment>> ways;
   for (const double one : kLinkTurns)
     for (const double other : kLinkTurns) {
@@ -313,12 +293,12 @@ std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const Troch
            std::pair(turns_at_corners(b), length_of(b));
   });
   for (const std::vector<Segment>& way : ways)
-    if (is_free({ground, ground.size()}, centres, way, kLinkEnds)) return way;
+    if (is_free({ground_, ground_.size()}, centres, way, kLinkEnds)) return way;
   // Where the last turn has gone beyond the way back, right turns as well.
   std::vector<Segment> best;
   for (const double share : kOtherTurns) {
-    std::vector<Segment> way = shortest_link({ground, ground.size()}, centres, from, to, share * h,
-                                             kLongestLink * params.width);
+    std::vector<Segment> way = shortest_link({ground_, ground_.size()}, centres, from, to, share * h,
+                                             kLongestLink * params_.width);
     if (!way.empty() && (best.empty() || length_of(way) < length_of(best))) best = std::move(way);
   }
   return best;

@@ -18,6 +18,7 @@
 
 #include "cutting/cleared_ground.h"
 #include "feed/feed_control.h"
+#include "feed/load_profile.h"
 #include "geometry/curve.h"
 #include "strategy/steering.h"
 
@@ -89,8 +90,36 @@ inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 
-// Whether a pattern, its link left out, keeps the limit once it repeats.
-bool keeps_limit(const TrochoidPattern& pattern, const TrochoidParams& params);
+// A pattern as it repeats: the ground that periods behind each other leave, and the load of one more
+// on it. That is looked at once, for all that is asked of it.
+class RepeatedPattern {
+ public:
+  // Conditions: the cut is not empty; the step is positive.
+  RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& params);
+
+  const TrochoidPattern& pattern() const { return pattern_; }
+  // rad, above what the pattern may meet; negative below.
+  double overload() const;
+  bool keeps_limit() const { return overload() <= 0; }
+  // Gives the pattern the shortest link, from the end of its cut to the start of the next period's
+  // over cleared ground, within the slot. False where there is none.
+  bool link_back();
+  PatternFigures figures() const;
+
+ private:
+  Bounds bounds() const;
+  double behind() const { return periods_ * pattern_.step - reach_.back; }
+  double ahead() const { return reach_.ahead + pattern_.step; }
+  std::vector<Segment> shortest_return() const;
+
+  TrochoidPattern pattern_;
+  TrochoidParams params_;
+  PeriodReach reach_;
+  int periods_;
+  ClearedGround ground_;
+  std::vector<PlanarRun> runs_;  // the cut alone
+  std::vector<LoadSample> profile_;
+};
 
 // mm: where the search for a step begins, and its end.
 struct StepGuess {
@@ -98,15 +127,11 @@ struct StepGuess {
 };
 // Of the patterns that `of_step` makes, that with the greatest step, not above the most, which
 // keeps the limit; nothing where none does.
-std::optional<TrochoidPattern> with_greatest_step(
+std::optional<RepeatedPattern> with_greatest_step(
     const std::function<TrochoidPattern(double step)>& of_step, const TrochoidParams& params,
     const StepGuess& guess);
 
 // Whether one of the moves is an arc so tight that posts write it as lines.
 bool turns_at_corners(const std::vector<Segment>& moves);
-
-// The shortest way from the end of the pattern's cut to the start of the next period's over what
-// the repeated pattern has cleared, within the slot; empty where there is none.
-std::vector<Segment> shortest_return(const TrochoidPattern& pattern, const TrochoidParams& params);
 
 }  // namespace evenload
