@@ -80,6 +80,7 @@ ClearedGround::ClearedGround(const Bounds& bounds, double tool_radius,
   const double width = bounds.high.x - bounds.low.x + 2 * margin;
   const double height = bounds.high.y - bounds.low.y + 2 * margin;
   cell_ = std::max(kCell * tool_radius, std::sqrt(width * height / kMaximumCells));
+  cells_per_mm_ = 1 / cell_;
   half_window_ = 0.5 * kWindow * cell_;
   reach_ = std::sqrt(0.5) * cell_ + 1.01 * half_window_;
   half_circle_windows_ = windows_in(kPi, tool_radius);
@@ -127,7 +128,9 @@ void ClearedGround::visit_cells(const SweptMove& swept, Visit visit) {
     low = low - Vec2{sagitta, sagitta};
     high = high + Vec2{sagitta, sagitta};
   }
-  const auto column = [&](double x) { return static_cast<int>(std::floor((x - origin_.x) / cell_)); };
+  const auto column = [&](double x) {
+    return static_cast<int>(std::floor((x - origin_.x) / cell_));
+  };
   const auto row = [&](double y) { return static_cast<int>(std::floor((y - origin_.y) / cell_)); };
   const int j0 = std::max(0, row(low.y - reach)), j1 = std::min(rows_ - 1, row(high.y + reach));
   for (int j = j0; j <= j1; ++j) {
@@ -225,7 +228,7 @@ void ClearedGround::remove_last() {
 }
 
 const ClearedGround::Cell& ClearedGround::cell_at(Vec2 x) const {
-  const Vec2 at = (x - origin_) / cell_;
+  const Vec2 at = cells_per_mm_ * (x - origin_);
   if (!(at.x >= 0 && at.y >= 0 && at.x < columns_ && at.y < rows_)) return untouched_;
   const auto i = static_cast<std::size_t>(at.x), j = static_cast<std::size_t>(at.y);
   return cells_[j * static_cast<std::size_t>(columns_) + i];

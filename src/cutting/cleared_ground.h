@@ -120,7 +120,8 @@ class ClearedGround {
 
   double tool_radius_;
   double cell_;
-  double half_window_ = 0;  // mm along the circle
+  double cells_per_mm_ = 0;  // 1 / cell_
+  double half_window_ = 0;   // mm along the circle
   // Of looks at half a circle, which are most of all.
   int half_circle_windows_ = 0;
   Vec2 half_circle_turn_;  // from one window to the next

@@ -11,6 +11,7 @@ constexpr double kContactLook = 0.02;
 // mm between two looks at the border, where one between them might see the move beyond it.
 constexpr double kFinestLook = 0.02;
 
+// Whether no place of a move lies outside the centres by more than the tolerance, told from few.
 class InsideCheck {
  public:
   InsideCheck(const Segment& move, const Area& centres, double tolerance)

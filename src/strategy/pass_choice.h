@@ -48,9 +48,9 @@ class PassChoice {
   const ClearingParams& params_;
   TurnLimits limits_;
   double radius_;
-  std::size_t best_in_corner_ = 0;  // the stage of the last pass into a corner
-  Vec2 tried_at_;                   // where it began
-  int since_tried_;                 // passes
+  std::size_t best_in_corner_ = 0;   // the stage of the last pass into a corner
+  Vec2 tried_at_;                    // where it began
+  int since_tried_;                  // passes
   std::size_t latest_followed_ = 0;  // the stage of the last pass along a wall
   std::optional<Vec2> followed_at_;  // where it began
 };

@@ -85,6 +85,10 @@ class Steering {
         0;  // rad from the right to the far end of the main engaged arc, or total if that is more
     Vec2 edge;  // that far end, on the border of what is cleared
   };
+  struct WallLook {
+    double t = 0;  // share of the wall's piece
+    Contact contact;
+  };
 
   // A free step from where the tool stands.
   struct Step {
@@ -127,6 +131,8 @@ class Steering {
   void give_up();
   void roll_out();
   void overload();
+  std::optional<double> cusp_between(const Segment& wall, const WallLook& first,
+                                     const WallLook& second) const;
   bool near_corner(double step) const;
   bool over_mean(double total, double step) const;
   double clear_ahead(WallPlace place) const;

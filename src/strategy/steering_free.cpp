@@ -16,8 +16,8 @@ namespace {
 // Lengths as shares of the tool's radius, but those in mm.
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
-constexpr double kMostTurn = 1.5;   // rad, of a step
-constexpr double kLookStep = 0.05;  // between two looks on the way
+constexpr double kMostTurn = 1.5;           // rad, of a step
+constexpr double kLookStep = 0.05;          // between two looks on the way
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
 // Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so

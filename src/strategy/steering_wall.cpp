@@ -1,6 +1,7 @@
 // Steering along walls, and along the exact border.
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "strategy/move_checks.h"
 #include "strategy/steering.h"
@@ -63,23 +64,12 @@ void Steering::step_on_wall() {
       end = contact_at(t1);
       is_smooth = is_smooth_between(here, end);
     }
-    // Between two fine looks the engagement may peak at the cusp: the step ends there.
-    if (!is_smooth && turn_ > 0) {
-      double low = wall_.t, high = t1;
-      Contact peak = here;
-      while ((high - low) * length > kCuspWidth * theta_ * radius_) {
-        const double middle = 0.5 * (low + high);
-        const Contact there = contact_at(middle);
-        const bool is_before = is_smooth_between(peak, there);
-        (is_before ? low : high) = middle;
-        if (is_before) peak = there;
-      }
-      if (peak.total > end.total && low > wall_.t) {
-        t1 = low;
+    if (!is_smooth && turn_ > 0)
+      if (const std::optional<double> cusp = cusp_between(wall, {wall_.t, here}, {t1, end})) {
+        t1 = *cusp;
         step = (t1 - wall_.t) * length;
-        end = peak;
+        end = contact_at(t1);
       }
-    }
   }
   // What the step meets on its way may be what it met where it begins; and more where contact
   // begins, of a front that is met head-on.
@@ -124,6 +114,23 @@ void Steering::step_on_wall() {
   wall_.t = t1;
   met_here_ = end;
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
+}
+
+// The last look before a cusp between two looks at `wall`, if more is met there than at the second:
+// the engagement may peak at the cusp.
+std::optional<double> Steering::cusp_between(const Segment& wall, const WallLook& first,
+                                             const WallLook& second) const {
+  WallLook before = first;
+  for (double high = second.t; (high - before.t) * wall.length() > kCuspWidth * theta_ * radius_;) {
+    const double middle = 0.5 * (before.t + high);
+    const Contact there = contact({wall.point(middle), angle_of(wall.tangent(middle))});
+    if (is_smooth_between(before.contact, there))
+      before = {middle, there};
+    else
+      high = middle;
+  }
+  const bool is_peak = before.contact.total > second.contact.total && before.t > first.t;
+  return is_peak ? std::optional(before.t) : std::nullopt;
 }
 
 // True where the wall turns sharply within kMeanLength mm of the step of `step` mm.

@@ -26,8 +26,8 @@ constexpr double kTurns[] = {1, 2, 4, 10};
 constexpr double kLikelyTurn = 2;
 // Share of half the room.
 constexpr double kWidestTurn = 0.8;
-// Share of the best removal rate: beyond a radius that comes to less no others are tried.
-constexpr double kWorthMore = 0.997;
+// Share of the best removal rate before: beyond a radius that comes to less no others are tried.
+constexpr double kWorthMore = 1.002;
 // Share of a removal rate: others that differ by less are the same.
 constexpr double kSameRate = 0.005;
 // Share of the tool's radius: no turn is tighter for the sake of the removal rate.
@@ -299,7 +299,7 @@ struct SettledPattern {
 // From `front` on. Patterns with the step that they are sure to keep can be told apart; where that
 // does not keep the limit, with the greatest one.
 std::optional<SettledPattern> settled_pattern(const TrochoidParams& params, double turn_radius,
-                                       Steps steps, const SlotFront& front) {
+                                              Steps steps, const SlotFront& front) {
   Passes passes(params, turn_radius, steps, front);
   if (!passes.can_turn()) return std::nullopt;
   const PassSequence sequence = iterate(passes, params, kMostPasses);
@@ -342,8 +342,7 @@ TurnSearch::TurnSearch(const TrochoidParams& params, const TurnSearch* like) : p
 
 std::optional<TurnSearch::Settled> TurnSearch::settle(double radius, const SlotFront& start) const {
   // With next to no room to turn, steps come out as few or not at all.
-  std::optional<SettledPattern> settled =
-      settled_pattern(params_, radius, Steps::kExact, start);
+  std::optional<SettledPattern> settled = settled_pattern(params_, radius, Steps::kExact, start);
   if (!settled) settled = settled_pattern(params_, radius, Steps::kFew, start);
   if (!settled) return std::nullopt;
   const TrochoidPattern& pattern = settled->pattern.pattern();
@@ -409,12 +408,13 @@ const TurnSearch::Found* TurnSearch::likely_best() {
   const Found* const start = first();
   const Found* best = start;
   if (best) try_beside(first_);
-  // The removal rate rises to the best radius and falls beyond it, but for small bumps.
+  // The removal rate rises to the best radius and falls beyond it.
   const auto go_to = [&](std::size_t i) {
     const Found* found = with_radius(i);
     if (!found) return false;
+    const double most = best->figures.removal;
     if (is_better(*found, *best)) best = found;
-    return found->figures.removal >= kWorthMore * best->figures.removal;
+    return found->figures.removal >= kWorthMore * most;
   };
   for (std::size_t i = first_; best && i-- > 0 && go_to(i);) continue;
   if (best && (best == start || best->turns_at_corners))

@@ -297,8 +297,8 @@ std::vector<Segment> RepeatedPattern::shortest_return() const {
   // Where the last turn has gone beyond the way back, right turns as well.
   std::vector<Segment> best;
   for (const double share : kOtherTurns) {
-    std::vector<Segment> way = shortest_link({ground_, ground_.size()}, centres, from, to, share * h,
-                                             kLongestLink * params_.width);
+    std::vector<Segment> way = shortest_link({ground_, ground_.size()}, centres, from, to,
+                                             share * h, kLongestLink * params_.width);
     if (!way.empty() && (best.empty() || length_of(way) < length_of(best))) best = std::move(way);
   }
   return best;

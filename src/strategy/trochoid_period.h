@@ -90,8 +90,8 @@ inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 
-// A pattern as it repeats: the ground that periods behind each other leave, and the load of one more
-// on it. That is looked at once, for all that is asked of it.
+// A pattern as it repeats: the ground that periods behind each other leave, and the load of one
+// more on it. That is looked at once, for all that is asked of it.
 class RepeatedPattern {
  public:
   // Conditions: the cut is not empty; the step is positive.

@@ -156,8 +156,10 @@ void WallSamples::change(std::size_t index, Edit edit) {
   }
   if (blocks(sample) != blocked)
     for (const std::size_t later : sample.later) {
-      samples_[later].blockers += blocked ? -1 : 1;
-      sort_in(later);
+      int& blockers = samples_[later].blockers;
+      const bool waited = blockers > 0;
+      blockers += blocked ? -1 : 1;
+      if (waited != (blockers > 0)) sort_in(later);
     }
   sort_in(index);
 }

@@ -34,5 +34,44 @@ TEST(LoadProfile, SeesATightTurnAwayFromMaterialAfterAJointThatIsNotQuiteTangent
   }
 }
 
+// Lines to and fro, each a side step further; a look at two of them at a time is too little for two
+// cores.
+std::vector<PlanarRun> rows(int count) {
+  std::vector<PlanarRun> runs(static_cast<std::size_t>(count));
+  for (int i = 0; i < count; ++i) {
+    const double y = -0.7 * i, side = i % 2 == 0 ? 1 : -1;
+    PlanarMove cut, back;
+    cut.segment = Segment::line({-20 * side, y}, {20 * side, y});
+    back.kind = MoveKind::kLink;
+    back.segment = Segment::line(cut.segment.b, cut.segment.b - Vec2{0, 0.7});
+    runs[static_cast<std::size_t>(i)].descent.at = cut.segment.a;
+    runs[static_cast<std::size_t>(i)].moves = {cut, back};
+  }
+  return runs;
+}
+
+TEST(LoadProfile, IsTheSameOnTwoCores) {
+  const std::vector<PlanarRun> all = rows(9);
+  const Bounds bounds{{-25, -15}, {25, 5}};
+  ClearedGround ground(bounds, kRadius, nullptr), row_by_row(bounds, kRadius, nullptr);
+  const std::vector<LoadSample> whole = load_profile(all, ground, 0.3);
+  std::size_t i = 0;
+  double met = 0;
+  for (std::size_t run = 0; run < all.size(); ++run)
+    for (const LoadSample& sample : load_profile({all[run]}, row_by_row, 0.3)) {
+      ASSERT_LT(i, whole.size());
+      EXPECT_EQ(whole[i].run, run);
+      EXPECT_EQ(whole[i].move, sample.move);
+      EXPECT_EQ(whole[i].t, sample.t);
+      EXPECT_EQ(whole[i].engagement, sample.engagement);
+      EXPECT_EQ(whole[i].width, sample.width);
+      met += sample.engagement * sample.length;
+      ++i;
+    }
+  EXPECT_EQ(i, whole.size());
+  EXPECT_GT(met, 100);
+  EXPECT_EQ(ground.size(), row_by_row.size());
+}
+
 }  // namespace
 }  // namespace evenload
