@@ -1,10 +1,13 @@
 #include "strategy/constant_engagement.h"
 
 #include <algorithm>
+#include <optional>
+#include <utility>
 
 #include "strategy/move_checks.h"
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
+#include "strategy/trochoid.h"
 
 namespace evenload {
 namespace {
@@ -21,16 +24,29 @@ double overload(const ClearingParams& params) {
   return kSmoothOverload + (kOverload - kSmoothOverload) * share;
 }
 
+// Stretches that are slots by a pattern, where one serves; the rest pass by pass.
+RegionResult clear(const RegionTask& given, const ClearingParams& params, PatternCache& patterns,
+                   SlotsDone& done, Progress& progress) {
+  RegionTask task = given;
+  task.overload = overload(params);
+  task.rows = Rows::kQuick;
+  std::optional<RegionResult> result =
+      clear_where_patterns_serve(task, params, patterns, done, progress);
+  return result ? std::move(*result) : clear_region(task, params, progress);
+}
+
 }  // namespace
 
 Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
                       Progress& progress) {
-  const RegionClearer clearer = [](const RegionTask& given, const ClearingParams& checked,
-                                   Progress& share) {
-    RegionTask task = given;
-    task.overload = overload(checked);
-    task.rows = Rows::kQuick;
-    return clear_region(task, checked, share);
+  PatternCache patterns(TrochoidKind::kConstantEngagement, params);
+  if (std::optional<TrochoidalPath> path =
+          clear_abridged_slots(regions, patterns, clear, params, progress))
+    return std::move(path->path);
+  SlotsDone done;
+  const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
+                                    Progress& share) {
+    return clear(task, checked, patterns, done, share);
   };
   return clear_by(clearer, regions, params, progress);
 }

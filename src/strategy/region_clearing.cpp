@@ -98,8 +98,9 @@ class RegionClearing {
   }
 
   void report_tight_turns() {
-    if (tightest_ < limits().widest * (1 - 1e-9))
-      result_.tight_turns.add({1, tightest_, shown(tightest_at_)});
+    if (tightest_ >= limits().widest * (1 - 1e-9)) return;
+    const bool is_counted = result_.tight_turns.rooms > 0;  // with the opening
+    result_.tight_turns.add({is_counted ? 0 : 1, tightest_, shown(tightest_at_)});
   }
 
   StageLimits limits() const {

@@ -42,11 +42,12 @@ ClearingParams for_passes(ClearingParams params) {
 
 class SlotClearing {
  public:
-  SlotClearing(const RegionTask& task, const ClearingParams& params, PatternCache& patterns,
-               SlotsDone& done, Progress& progress)
+  // `passes`: where no pattern is repeated.
+  SlotClearing(const RegionTask& task, const ClearingParams& params, const ClearingParams& passes,
+               PatternCache& patterns, SlotsDone& done, Progress& progress)
       : task_(task),
         params_(params),
-        passes_(for_passes(params)),
+        passes_(passes),
         patterns_(patterns),
         cuts_(done.cuts),
         repeated_(done.repeated),
@@ -54,6 +55,7 @@ class SlotClearing {
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
+        length_before_(done.report.length),
         centres_({task.centres}),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {
@@ -61,22 +63,39 @@ class SlotClearing {
   }
 
   RegionResult run() {
-    const double before = report_.length;
-    if (!task_.rest && task_.before.empty()) {
-      find_ways();
-      if (start()) follow_ways();
-    }
-    const bool is_repeated = report_.length > before;
-    RegionTask rest = task_;
-    rest.opening = std::move(opening_);
-    rest.opened = &ground_;
-    if (!is_repeated) passes_.feed_steps = params_.feed_steps;
-    RegionResult result = clear_region(rest, passes_, progress_);
-    if (!is_repeated && !progress_.cancelled()) result.notes.push_back(told_fallback());
+    repeat(Corners::kAllowed);
+    if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
+      opening_.notes.push_back(circles_note(shown_place(task_, *circles_at_)));
+    if (!is_repeated()) passes_.feed_steps = params_.feed_steps;
+    RegionResult result = clear_rest();
+    if (!is_repeated() && !progress_.cancelled()) result.notes.push_back(told_fallback());
     return result;
   }
 
+  std::optional<RegionResult> run_where_patterns_serve() {
+    repeat(Corners::kNone);
+    return is_repeated() ? std::optional(clear_rest()) : std::nullopt;
+  }
+
  private:
+  // Of turns so tight that posts write them as lines.
+  enum class Corners { kAllowed, kNone };
+
+  void repeat(Corners corners) {
+    if (task_.rest || !task_.before.empty()) return;
+    find_ways(corners);
+    if (start()) follow_ways();
+  }
+
+  bool is_repeated() const { return report_.length > length_before_; }
+
+  RegionResult clear_rest() {
+    RegionTask rest = task_;
+    rest.opening = std::move(opening_);
+    rest.opened = &ground_;
+    return clear_region(rest, passes_, progress_);
+  }
+
   // ---- where no pattern is repeated ----
 
   std::string told_fallback() const {
@@ -101,20 +120,21 @@ class SlotClearing {
 
   // ---- the ways ----
 
-  void find_ways() {
+  void find_ways(Corners corners) {
     for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
       if (!longest_stretch_) longest_stretch_ = stretch;
-      add_way(stretch);
-      add_way(stretch.reversed());
+      add_way(stretch, corners);
+      add_way(stretch.reversed(), corners);
     }
     std::stable_sort(ways_.begin(), ways_.end(),
                      [](const Way& a, const Way& b) { return a.whole() > b.whole() + kSameWall; });
     is_too_short_ = is_too_short_ && ways_.empty();
   }
 
-  void add_way(const SlotStretch& stretch) {
+  void add_way(const SlotStretch& stretch, Corners corners) {
     const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
+    if (corners == Corners::kNone && turns_at_corners(*pattern)) return;
     const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
       is_too_short_ = true;
@@ -312,6 +332,7 @@ class SlotClearing {
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
     note(way, s - begin + taken_out(way, begin, s));
+    note_turns(cut_at(way, begin));
     return s - step;
   }
 
@@ -386,6 +407,8 @@ class SlotClearing {
   void note(const Way& way, double length) {
     report_.length += length;
     note_residual(way);
+    if (way.kind == TrochoidKind::kCircular && !circles_at_)
+      circles_at_ = way.stretch.middle.point(0.5);
     if (length <= report_.longest) return;
     report_.longest = length;
     report_.step = way.pattern.step;
@@ -396,6 +419,17 @@ class SlotClearing {
 
   static int iterations(const Way& way) {
     return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
+  }
+
+  void note_turns(const std::vector<Segment>& cut) {
+    const auto sharpest =
+        std::max_element(cut.begin(), cut.end(), [](const Segment& a, const Segment& b) {
+          return std::abs(a.curvature()) < std::abs(b.curvature());
+        });
+    const double radius = 1 / std::abs(sharpest->curvature());
+    if (radius >= turn_radius_ * (1 - 1e-9)) return;
+    TightTurns& turns = opening_.tight_turns;
+    turns.add({turns.rooms > 0 ? 0 : 1, radius, shown_place(task_, sharpest->b)});
   }
 
   // Once for all ways of one pattern.
@@ -415,20 +449,29 @@ class SlotClearing {
   TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;
+  double length_before_;  // mm, of the report
   Area centres_;
   ClearedGround ground_;
   std::vector<Way> ways_;  // the longest first, both directions of each
   RegionResult opening_;
   Pose here_;
   std::optional<SlotStretch> longest_stretch_;
-  bool is_too_short_ = false;  // every stretch with a pattern
+  bool is_too_short_ = false;       // every stretch with a pattern
+  std::optional<Vec2> circles_at_;  // of the first way along which circles are repeated
 };
 
 }  // namespace
 
 RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,
                             PatternCache& patterns, SlotsDone& done, Progress& progress) {
-  return SlotClearing(task, params, patterns, done, progress).run();
+  return SlotClearing(task, params, for_passes(params), patterns, done, progress).run();
+}
+
+std::optional<RegionResult> clear_where_patterns_serve(const RegionTask& task,
+                                                       const ClearingParams& params,
+                                                       PatternCache& patterns, SlotsDone& done,
+                                                       Progress& progress) {
+  return SlotClearing(task, params, params, patterns, done, progress).run_where_patterns_serve();
 }
 
 }  // namespace evenload

@@ -2,6 +2,7 @@
 // leave pass by pass: steps 1 to 4 of trochoid.h.
 #pragma once
 
+#include <optional>
 #include <vector>
 
 #include "strategy/constant_engagement.h"
@@ -38,5 +39,12 @@ struct SlotsDone {
 // Conditions as for clear_region.
 RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,
                             PatternCache& patterns, SlotsDone& done, Progress& progress);
+
+// The same for pockets, some of which are slots in part: nothing where no pattern is repeated, for
+// such as posts would write with corners are not. What patterns leave is cleared as in any pocket.
+std::optional<RegionResult> clear_where_patterns_serve(const RegionTask& task,
+                                                       const ClearingParams& params,
+                                                       PatternCache& patterns, SlotsDone& done,
+                                                       Progress& progress);
 
 }  // namespace evenload

@@ -127,6 +127,7 @@ std::optional<SlotPattern> loops(TrochoidKind kind, TrochoidParams slot) {
   std::optional<TrochoidPattern> pattern = make_pattern(kind, slot);
   if (!pattern) return std::nullopt;
   SlotPattern result;
+  result.kind = kind;
   result.front = {Segment::arc({}, half_room(slot), -kPi / 2, kPi)};  // they go on beyond it
   result.removal = slot.width / time_per_length(figures_of(*pattern, slot), *pattern, slot, 0);
   result.pattern = std::move(*pattern);
@@ -135,10 +136,18 @@ std::optional<SlotPattern> loops(TrochoidKind kind, TrochoidParams slot) {
 
 }  // namespace
 
+bool turns_at_corners(const SlotPattern& pattern) {
+  return turns_at_corners(pattern.pattern.cut) || turns_at_corners(pattern.pattern.link);
+}
+
 std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot) {
   std::optional<SlotPattern> result =
       kind == TrochoidKind::kConstantEngagement ? constant_engagement(slot) : loops(kind, slot);
   if (!result) return std::nullopt;
+  if (kind == TrochoidKind::kConstantEngagement && turns_at_corners(*result)) {
+    std::optional<SlotPattern> circles = loops(TrochoidKind::kCircular, slot);
+    if (circles && !turns_at_corners(*circles)) result = std::move(circles);
+  }
   TrochoidPattern front;
   front.cut = result->front;
   front.curvature = slot.curvature;

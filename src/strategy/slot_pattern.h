@@ -20,6 +20,7 @@ enum class TrochoidKind { kConstantEngagement, kCircular, kCycloid };
 std::optional<TrochoidPattern> make_pattern(TrochoidKind kind, const TrochoidParams& params);
 
 struct SlotPattern {
+  TrochoidKind kind = TrochoidKind::kConstantEngagement;
   TrochoidPattern pattern;
   PeriodReach reach;
   // Across all of the slot, from the right wall to the left one, in the pattern's frame: where what
@@ -30,7 +31,11 @@ struct SlotPattern {
   double removal = 0;      // mm^2/min, passes along the walls and all
 };
 
-// `slot.width`: of the slot; `slot.finish_walls` is set here.
+// Whether posts would write turns of the pattern as lines with corners.
+bool turns_at_corners(const SlotPattern& pattern);
+
+// `slot.width`: of the slot; `slot.finish_walls` is set here. In place of a pattern of constant
+// engagement that turns at corners, in slots hardly wider than the tool, circles that do not.
 std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams& slot);
 
 // mm: so much can be left beside both walls for one pass each at the limit.

@@ -41,6 +41,7 @@ std::optional<Abridged> abridged_slots(const std::vector<Region>& regions,
 
 std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
                                                    PatternCache& patterns,
+                                                   const SlotClearer& clear_slots,
                                                    const ClearingParams& params,
                                                    Progress& progress) {
   std::vector<SlotPiece> spared;
@@ -48,7 +49,7 @@ std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& re
     SlotsDone done;
     const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& checked,
                                       Progress& share) {
-      return clear_slots_of(task, checked, patterns, done, share);
+      return clear_slots(task, checked, patterns, done, share);
     };
     const Abridge abridge = [&](const std::vector<Region>& whole,
                                 const std::vector<Region>& centres, const ClearingParams& checked) {
@@ -77,7 +78,8 @@ TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCach
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {
   PatternCache patterns(kind, params);
-  std::optional<TrochoidalPath> path = clear_abridged_slots(regions, patterns, params, progress);
+  std::optional<TrochoidalPath> path =
+      clear_abridged_slots(regions, patterns, clear_slots_of, params, progress);
   return path ? std::move(*path) : clear_whole_slots(regions, patterns, params, progress);
 }
 

@@ -15,6 +15,7 @@
 // settled.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -34,10 +35,15 @@ struct TrochoidalPath {
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress);
 
+// How the slots of a region are cleared: as clear_slots_of does it.
+using SlotClearer = std::function<RegionResult(const RegionTask&, const ClearingParams&,
+                                               PatternCache&, SlotsDone&, Progress&)>;
+
 // Its two ways to get there. By way of shorter slots; nothing where none is long enough, or their
 // path cannot be made longer.
 std::optional<TrochoidalPath> clear_abridged_slots(const std::vector<Region>& regions,
                                                    PatternCache& patterns,
+                                                   const SlotClearer& clear_slots,
                                                    const ClearingParams& params,
                                                    Progress& progress);
 // As they are.

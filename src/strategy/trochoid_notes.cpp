@@ -22,6 +22,15 @@ std::string fallback_note(TrochoidKind kind, Vec2 place, const std::string& why)
   return note.str();
 }
 
+std::string circles_note(Vec2 place) {
+  std::ostringstream note;
+  note << std::fixed << std::setprecision(2) << "The slot near (" << shown(place.x) << ", "
+       << shown(place.y)
+       << ") is so little wider than the tool that posts would write the turns of constant "
+          "engagement as lines with corners: circles are repeated there.";
+  return note.str();
+}
+
 std::string unsettled_note(int passes, double residual) {
   std::ostringstream note;
   note << std::fixed << std::setprecision(4) << "After " << passes

@@ -11,6 +11,9 @@ namespace evenload {
 // Of a region in which no pattern is repeated. `why`: begins with "where".
 std::string fallback_note(TrochoidKind kind, Vec2 place, const std::string& why);
 
+// Of circles in place of a pattern of constant engagement.
+std::string circles_note(Vec2 place);
+
 // Of a pattern whose advance still differed by `residual` mm after the most passes.
 std::string unsettled_note(int passes, double residual);
 

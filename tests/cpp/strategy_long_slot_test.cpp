@@ -92,7 +92,7 @@ void expect_abridged_as_in_full(const LongSlot& c) {
   Progress progress;
   PatternCache patterns(c.kind, params);
   const std::optional<TrochoidalPath> path =
-      clear_abridged_slots({c.region}, patterns, params, progress);
+      clear_abridged_slots({c.region}, patterns, clear_slots_of, params, progress);
   ASSERT_TRUE(path);
   const TrochoidalPath whole = clear_whole_slots({c.region}, patterns, params, progress);
   const Report &ours = path->path.report, &theirs = whole.path.report;
