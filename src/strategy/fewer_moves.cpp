@@ -10,6 +10,7 @@
 #include "strategy/row_bi_arc.h"
 #include "strategy/row_fit.h"
 #include "strategy/short_moves.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -26,6 +27,8 @@ constexpr double kLongestRow = 4;
 constexpr double kLook = 0.03;
 constexpr double kOldLook = 0.06;
 constexpr double kQuickLook = 0.2;
+// s: what a turn costs that posts write as lines with corners.
+constexpr double kCornerPrice = 0.04;
 constexpr int kFewestLooks = 4;
 // Share of the tool's radius: moves along the border that are as short, remainders before a pass
 // leaves its wall, may be replaced.
@@ -199,44 +202,75 @@ class FewerMoves {
     });
   }
 
+  // s: of a way's blocks, and of the corners that posts make of its tight turns.
+  double price_of(const std::vector<Segment>& way) const {
+    return params_.feed_steps.price * static_cast<double>(way.size()) +
+           kCornerPrice * static_cast<double>(corners_of(way));
+  }
+
+  static std::ptrdiff_t corners_of(const std::vector<Segment>& way) {
+    return std::count_if(way.begin(), way.end(), [](const Segment& move) {
+      return move.is_arc() && becomes_corners(move.radius, move.sweep);
+    });
+  }
+
+  // A row, what it meets, and what is saved by another way.
+  struct Given {
+    std::size_t first = 0, last = 0;
+    std::vector<Segment> moves;
+    Row met;
+    double price = 0, unused = 0;  // s, mm^2
+  };
+
+  double gain_of(const Given& row, double unused, const std::vector<Segment>& way) const {
+    return row.price - price_of(way) + (row.unused - unused) / (full_width_ * params_.feed) * 60;
+  }
+
   void try_row(std::size_t first, std::size_t last, Best& best) {
-    const std::size_t row = last - first + 1;
-    Row old{{moves_[first].a, moves_[first].tangent(0)},
-            {moves_[last].b, moves_[last].tangent(1)},
-            {},
-            {}};
+    Given row{first,
+              last,
+              {moves_.begin() + static_cast<std::ptrdiff_t>(first),
+               moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1},
+              {{moves_[first].a, moves_[first].tangent(0)},
+               {moves_[last].b, moves_[last].tangent(1)},
+               {},
+               {}},
+              0,
+              0};
     for (std::size_t k = first; k <= last; ++k) {
       if (looked_at(k).is_beside_nothing) return;
-      append(moves_[k], looked_[k], old);
+      append(moves_[k], looked_[k], row.met);
     }
-    const double before = unused_area(old, limits_.least_width);
-    const auto gain_of = [&](double unused, std::size_t moves) {
-      return params_.feed_steps.price * static_cast<double>(row - moves) +
-             (before - unused) / (full_width_ * params_.feed) * 60;
-    };
-    if (rows_ == Rows::kQuick) {
-      std::vector<Segment> way =
-          likely_bi_arc({moves_.begin() + static_cast<std::ptrdiff_t>(first),
-                         moves_.begin() + static_cast<std::ptrdiff_t>(last) + 1},
-                        {limits_.engagement, radius_, limits_.shortest, tightest_in(first, last)});
-      if (way.empty() || !may_be(way)) return;
-      const Row made = row_along(way, old, limits_.most_met);
-      if (most_met(made) > limits_.most_met) return;
-      const double gain = gain_of(unused_area(made, limits_.least_width), way.size());
-      if (gain > best.gain) best = {std::move(way), gain, row};
-      return;
-    }
-    Row known = old;
+    row.price = price_of(row.moves);
+    row.unused = unused_area(row.met, limits_.least_width);
+    if (rows_ == Rows::kFitted) try_fitted(row, best);
+    // Fitted arcs keep the turns of the row's ends, tight ones as well.
+    if (rows_ == Rows::kQuick || corners_of(row.moves) > 0) try_likely(row, best);
+  }
+
+  void try_likely(const Given& row, Best& best) {
+    std::vector<Segment> way = likely_bi_arc(
+        row.moves,
+        {limits_.engagement, radius_, limits_.shortest, tightest_in(row.first, row.last)});
+    if (way.empty() || !may_be(way)) return;
+    const Row made = row_along(way, row.met, limits_.most_met);
+    if (most_met(made) > limits_.most_met) return;
+    const double gain = gain_of(row, unused_area(made, limits_.least_width), way);
+    if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
+  }
+
+  void try_fitted(const Given& row, Best& best) {
+    Row known = row.met;
     for (int i = 0; i < kTries; ++i) {
       double unused = 0;
-      std::vector<Segment> way = fit_row(known, row - 1, limits_, &unused);
-      if (way.empty() || gain_of(unused, row - 1) <= best.gain || !may_be(way)) return;
-      known = row_along(way, old, limits_.most_met + kHopeless);
+      std::vector<Segment> way = fit_row(known, row.moves.size() - 1, limits_, &unused);
+      if (way.empty() || gain_of(row, unused, way) <= best.gain || !may_be(way)) return;
+      known = row_along(way, row.met, limits_.most_met + kHopeless);
       const double most = most_met(known);
       if (most > limits_.most_met + kHopeless) return;
       if (most > limits_.most_met) continue;
-      const double gain = gain_of(unused_area(known, limits_.least_width), row - 1);
-      if (gain > best.gain) best = {std::move(way), gain, row};
+      const double gain = gain_of(row, unused_area(known, limits_.least_width), way);
+      if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
       return;
     }
   }

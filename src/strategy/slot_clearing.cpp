@@ -134,7 +134,7 @@ class SlotClearing {
   void add_way(const SlotStretch& stretch, Corners corners) {
     const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
-    if (corners == Corners::kNone && turns_at_corners(*pattern)) return;
+    if (corners == Corners::kNone && has_corners(*pattern)) return;
     const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
       is_too_short_ = true;

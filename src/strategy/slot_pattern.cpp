@@ -136,7 +136,7 @@ std::optional<SlotPattern> loops(TrochoidKind kind, TrochoidParams slot) {
 
 }  // namespace
 
-bool turns_at_corners(const SlotPattern& pattern) {
+bool has_corners(const SlotPattern& pattern) {
   return turns_at_corners(pattern.pattern.cut) || turns_at_corners(pattern.pattern.link);
 }
 
@@ -144,9 +144,9 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
   std::optional<SlotPattern> result =
       kind == TrochoidKind::kConstantEngagement ? constant_engagement(slot) : loops(kind, slot);
   if (!result) return std::nullopt;
-  if (kind == TrochoidKind::kConstantEngagement && turns_at_corners(*result)) {
+  if (kind == TrochoidKind::kConstantEngagement && has_corners(*result)) {
     std::optional<SlotPattern> circles = loops(TrochoidKind::kCircular, slot);
-    if (circles && !turns_at_corners(*circles)) result = std::move(circles);
+    if (circles && !has_corners(*circles)) result = std::move(circles);
   }
   TrochoidPattern front;
   front.cut = result->front;

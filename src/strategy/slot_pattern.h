@@ -32,7 +32,7 @@ struct SlotPattern {
 };
 
 // Whether posts would write turns of the pattern as lines with corners.
-bool turns_at_corners(const SlotPattern& pattern);
+bool has_corners(const SlotPattern& pattern);
 
 // `slot.width`: of the slot; `slot.finish_walls` is set here. In place of a pattern of constant
 // engagement that turns at corners, in slots hardly wider than the tool, circles that do not.

@@ -239,6 +239,22 @@ TEST(TrochoidPattern, OfConstantEngagementThatFinishesItsWallsBeatsCirclesWithTw
   }
 }
 
+TEST(SlotPattern, IsOfCirclesWhereTurnsOfConstantEngagementWouldBeCorners) {
+  for (const double width : {6.1, 6.2, 6.6, 9.0}) {
+    SCOPED_TRACE(width);
+    TrochoidParams slot;
+    slot.width = width;
+    slot.maximum_feed = 1000;
+    const auto ours = make_pattern(TrochoidKind::kConstantEngagement, slot);
+    const auto chosen = slot_pattern(TrochoidKind::kConstantEngagement, slot);
+    ASSERT_TRUE(ours && chosen);
+    EXPECT_FALSE(has_corners(*chosen));
+    const bool cornered = turns_at_corners(ours->cut) || turns_at_corners(ours->link);
+    EXPECT_EQ(chosen->kind == TrochoidKind::kCircular, cornered);
+    EXPECT_EQ(cornered, width < 6.5);
+  }
+}
+
 TEST(SlotPattern, LeavesNoMoreBesideAWallThanOnePassTakesAtTheLimit) {
   for (const double width : {1.5, 2.0, 3.0})
     for (const double curvature : {0.0, 0.02}) {
