@@ -6,8 +6,11 @@
 namespace evenload {
 namespace {
 
-// mm and 1/mm: of half rooms and curvatures.
-constexpr double kAlike = 1e-9;
+// mm and 1/mm: half rooms and curvatures are rounded to this, half rooms down, so that a slot that
+// is turned or moved has the same pattern: which of several is best may hang on the last digit.
+constexpr double kRounding = 1e-6, kCurvatureRounding = 1e-9;
+
+double rounded(double value, double to) { return std::round(value / to) * to; }
 
 }  // namespace
 
@@ -22,16 +25,16 @@ PatternCache::PatternCache(TrochoidKind kind, const ClearingParams& params) : ki
 }
 
 std::optional<SlotPattern> PatternCache::pattern_of(const SlotStretch& stretch) {
-  const double half_room = stretch.half_room, curvature = stretch.middle.curvature();
+  const double half_room = rounded(stretch.half_room, kRounding) - kRounding,
+               curvature = rounded(stretch.middle.curvature(), kCurvatureRounding);
   for (const Known& known : known_)
-    if (std::abs(known.half_room - half_room) < kAlike &&
-        std::abs(known.curvature - curvature) < kAlike)
-      return known.pattern;
+    if (known.half_room == half_room && known.curvature == curvature) return known.pattern;
   TrochoidParams slot = slot_;
   slot.width = 2 * (slot.tool_radius + half_room);
   slot.curvature = curvature;
   Known known{half_room, curvature, std::nullopt};
-  if (std::abs(curvature) * 0.5 * slot.width < 1) known.pattern = slot_pattern(kind_, slot);
+  if (half_room > 0 && std::abs(curvature) * 0.5 * slot.width < 1)
+    known.pattern = slot_pattern(kind_, slot);
   known_.push_back(std::move(known));
   return known_.back().pattern;
 }

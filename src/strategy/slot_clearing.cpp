@@ -84,7 +84,7 @@ class SlotClearing {
   void repeat(Corners corners) {
     if (task_.rest || !task_.before.empty()) return;
     find_ways(corners);
-    if (start()) follow_ways();
+    if (start(corners)) follow_ways();
   }
 
   bool is_repeated() const { return report_.length > length_before_; }
@@ -126,9 +126,14 @@ class SlotClearing {
       add_way(stretch, corners);
       add_way(stretch.reversed(), corners);
     }
-    std::stable_sort(ways_.begin(), ways_.end(),
-                     [](const Way& a, const Way& b) { return a.whole() > b.whole() + kSameWall; });
+    std::stable_sort(ways_.begin(), ways_.end(), comes_first);
     is_too_short_ = is_too_short_ && ways_.empty();
+  }
+
+  // The longest first, of those as long the widest, so that a turned slot is cut the same.
+  static bool comes_first(const Way& a, const Way& b) {
+    if (std::abs(a.whole() - b.whole()) > kSameWall) return a.whole() > b.whole();
+    return a.stretch.half_room > b.stretch.half_room + kSameWidth;
   }
 
   void add_way(const SlotStretch& stretch, Corners corners) {
@@ -155,17 +160,30 @@ class SlotClearing {
   // ---- the start ----
 
   // Makes ground in which a way can begin. False where there is none.
-  bool start() {
+  bool start(Corners corners) {
     if (ways_.empty()) return false;
+    if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
+      if (begins_outside()) return true;
+      if (corners == Corners::kNone) return false;  // passes find the open side
+    }
     if (task_.hole) return clear_room_about_hole();
     if (params_.entry == EntryKind::kPredrilledHole) return false;
-    if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic)
-      for (const Way& way : ways_)
-        if (first_free(way, ground_)) return true;
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
       const double length = ways_[first].whole();
       while (last < ways_.size() && ways_[last].whole() > length - kSameWall) ++last;
       if (clear_smallest_end(first, last)) return true;
+    }
+    return false;
+  }
+
+  // Whether the way that is followed first begins beside the stock.
+  bool begins_outside() const {
+    for (const Way& way : ways_) {
+      const std::optional<double> free = first_place_to_follow(way);
+      if (!free) continue;
+      const Vec2 p = cut_at(way, *free).front().a;
+      return std::none_of(task_.material.begin(), task_.material.end(),
+                          [&](const Region& region) { return region.contains(p); });
     }
     return false;
   }
@@ -243,12 +261,19 @@ class SlotClearing {
     while (!progress_.cancelled() && (follow_one() || clear_next_room())) continue;
   }
 
+  // Of the first period that cuts, after cleared ground; nothing where there is none.
+  std::optional<double> first_place_to_follow(const Way& way) const {
+    const std::optional<double> free = first_free(way, ground_);
+    if (!free || *free + way.pattern.step > way.last()) return std::nullopt;
+    return *free + way.pattern.step;
+  }
+
   // The first way that can begin in cleared ground. False where none can.
   bool follow_one() {
     for (const Way& way : ways_) {
-      const std::optional<double> free = first_free(way, ground_);
-      if (!free || *free + way.pattern.step > way.last()) continue;
-      const double end = follow(way, *free + way.pattern.step);
+      const std::optional<double> first = first_place_to_follow(way);
+      if (!first) continue;
+      const double end = follow(way, *first);
       if (way.beside > 0) clear_end(way, end);
       return true;
     }
