@@ -86,7 +86,7 @@ DividedRegion without_room_for_trochoids(const Region& centres, const ClearingPa
   const double tightest = std::min({kTightestArc, posted, kTightestArcShare * tool_radius});
   if (params.entry != EntryKind::kPredrilledHole)
     if (std::optional<DividedRegion> necks = short_necks(centres, tightest, params)) return *necks;
-  const double radius = std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
+  const double radius = tightest_trochoid(tool_radius);
   // Corners, however sharp, are the wall pass's.
   DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};
   region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
@@ -97,6 +97,10 @@ DividedRegion without_room_for_trochoids(const Region& centres, const ClearingPa
 }
 
 }  // namespace
+
+double tightest_trochoid(double tool_radius) {
+  return std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
+}
 
 DividedRegion divide(const Region& centres, const ClearingParams& params) {
   if (params.narrow_passages == NarrowPassages::kTrochoid)

@@ -28,6 +28,9 @@ struct DividedRegion {
   std::vector<PassageAxis> axes;  // of the passages
 };
 
+// mm: half the room in which the tool has too little to turn for trochoids.
+double tightest_trochoid(double tool_radius);
+
 // The rooms and passages of a region of tool centres for the set minimum radius. With
 // NarrowPassages::kReducedFeed passages are no wider than kWidestPassage allows; with kTrochoid
 // they are those where trochoids are no way to cut: short necks between rooms that are too narrow

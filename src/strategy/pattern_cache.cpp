@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/passage_report.h"
+
 namespace evenload {
 namespace {
 
@@ -22,6 +24,10 @@ PatternCache::PatternCache(TrochoidKind kind, const ClearingParams& params) : ki
   slot_.maximum_feed =
       params.feed_control == FeedControl::kConstantFeed ? params.feed : params.maximum_feed;
   slot_.link_feed = params.link_feed;
+  if (params.narrow_passages != NarrowPassages::kTrochoid)
+    least_room_ = params.minimum_radius;
+  else if (kind == TrochoidKind::kConstantEngagement)
+    least_room_ = tightest_trochoid(slot_.tool_radius);
 }
 
 std::optional<SlotPattern> PatternCache::pattern_of(const SlotStretch& stretch) {
@@ -33,7 +39,7 @@ std::optional<SlotPattern> PatternCache::pattern_of(const SlotStretch& stretch) 
   slot.width = 2 * (slot.tool_radius + half_room);
   slot.curvature = curvature;
   Known known{half_room, curvature, std::nullopt};
-  if (half_room > 0 && std::abs(curvature) * 0.5 * slot.width < 1)
+  if (half_room > least_room_ && std::abs(curvature) * 0.5 * slot.width < 1)
     known.pattern = slot_pattern(kind_, slot);
   known_.push_back(std::move(known));
   return known_.back().pattern;

@@ -16,7 +16,8 @@ class PatternCache {
 
   TrochoidKind kind() const { return kind_; }
 
-  // Nothing where the tool has too little room to turn.
+  // Nothing where the tool has too little room to turn, or where the place is a narrow passage that
+  // is not to be cleared by trochoids.
   std::optional<SlotPattern> pattern_of(const SlotStretch& stretch);
 
  private:
@@ -25,7 +26,8 @@ class PatternCache {
     std::optional<SlotPattern> pattern;
   };
   TrochoidKind kind_;
-  TrochoidParams slot_;  // but for the width and the curvature
+  TrochoidParams slot_;    // but for the width and the curvature
+  double least_room_ = 0;  // mm, half of it
   std::vector<Known> known_;
 };
 

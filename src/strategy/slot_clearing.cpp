@@ -32,6 +32,9 @@ constexpr double kLongestJunction = 8;
 // The same: so far beyond the corner inside where two ways meet both walls of a way are there.
 constexpr double kPastCorner = 1.1;
 constexpr double kSameArea = 1e-6;  // mm^2
+// Share of the tool's radius: where half the room is less passes serve pockets better than
+// patterns.
+constexpr double kServingRoom = 0.05;
 
 ClearingParams for_passes(ClearingParams params) {
   const double limit = params.engagement_angle;
@@ -139,7 +142,9 @@ class SlotClearing {
   void add_way(const SlotStretch& stretch, Corners corners) {
     const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
-    if (corners == Corners::kNone && has_corners(*pattern)) return;
+    if (corners == Corners::kNone &&
+        (has_corners(*pattern) || stretch.half_room < kServingRoom * radius_))
+      return;
     const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
       is_too_short_ = true;

@@ -41,7 +41,8 @@ RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params
                             PatternCache& patterns, SlotsDone& done, Progress& progress);
 
 // The same for pockets, some of which are slots in part: nothing where no pattern is repeated, for
-// such as posts would write with corners are not. What patterns leave is cleared as in any pocket.
+// such as posts would write with corners are not, nor are those in hardly any room. What patterns
+// leave is cleared as in any pocket.
 std::optional<RegionResult> clear_where_patterns_serve(const RegionTask& task,
                                                        const ClearingParams& params,
                                                        PatternCache& patterns, SlotsDone& done,

@@ -16,6 +16,8 @@ namespace {
 // Share of the side step at the limit that is left beside a wall at most: the scallops of the
 // pattern come on top.
 constexpr double kMostBeside = 0.9;
+// Share of the tool's radius: smaller circles meet too much once posts round them.
+constexpr double kLeastCircle = 0.03;
 // Shares of half the room that are tried, the last the most.
 constexpr double kOfRoom[] = {1.0 / 3, 0.5};
 
@@ -144,7 +146,8 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
   std::optional<SlotPattern> result =
       kind == TrochoidKind::kConstantEngagement ? constant_engagement(slot) : loops(kind, slot);
   if (!result) return std::nullopt;
-  if (kind == TrochoidKind::kConstantEngagement && has_corners(*result)) {
+  if (kind == TrochoidKind::kConstantEngagement && has_corners(*result) &&
+      half_room(slot) > kLeastCircle * slot.tool_radius) {
     std::optional<SlotPattern> circles = loops(TrochoidKind::kCircular, slot);
     if (circles && !has_corners(*circles)) result = std::move(circles);
   }

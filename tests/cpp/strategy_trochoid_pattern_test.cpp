@@ -240,7 +240,7 @@ TEST(TrochoidPattern, OfConstantEngagementThatFinishesItsWallsBeatsCirclesWithTw
 }
 
 TEST(SlotPattern, IsOfCirclesWhereTurnsOfConstantEngagementWouldBeCorners) {
-  for (const double width : {6.1, 6.2, 6.6, 9.0}) {
+  for (const double width : {6.2, 6.6, 9.0}) {
     SCOPED_TRACE(width);
     TrochoidParams slot;
     slot.width = width;
