@@ -66,7 +66,7 @@ class SlotClearing {
   }
 
   RegionResult run() {
-    repeat(Corners::kAllowed);
+    repeat(Use::kSlots);
     if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
       opening_.notes.push_back(circles_note(shown_place(task_, *circles_at_)));
     if (!is_repeated()) passes_.feed_steps = params_.feed_steps;
@@ -76,18 +76,18 @@ class SlotClearing {
   }
 
   std::optional<RegionResult> run_where_patterns_serve() {
-    repeat(Corners::kNone);
+    repeat(Use::kPockets);
     return is_repeated() ? std::optional(clear_rest()) : std::nullopt;
   }
 
  private:
-  // Of turns so tight that posts write them as lines.
-  enum class Corners { kAllowed, kNone };
+  // Slots take any pattern that there is; pockets only what serves them better than passes do.
+  enum class Use { kSlots, kPockets };
 
-  void repeat(Corners corners) {
+  void repeat(Use use) {
     if (task_.rest || !task_.before.empty()) return;
-    find_ways(corners);
-    if (start(corners)) follow_ways();
+    find_ways(use);
+    if (start(use)) follow_ways();
   }
 
   bool is_repeated() const { return report_.length > length_before_; }
@@ -123,11 +123,11 @@ class SlotClearing {
 
   // ---- the ways ----
 
-  void find_ways(Corners corners) {
+  void find_ways(Use use) {
     for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
       if (!longest_stretch_) longest_stretch_ = stretch;
-      add_way(stretch, corners);
-      add_way(stretch.reversed(), corners);
+      add_way(stretch, use);
+      add_way(stretch.reversed(), use);
     }
     std::stable_sort(ways_.begin(), ways_.end(), comes_first);
     is_too_short_ = is_too_short_ && ways_.empty();
@@ -139,10 +139,10 @@ class SlotClearing {
     return a.stretch.half_room > b.stretch.half_room + kSameWidth;
   }
 
-  void add_way(const SlotStretch& stretch, Corners corners) {
+  void add_way(const SlotStretch& stretch, Use use) {
     const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
-    if (corners == Corners::kNone &&
+    if (use == Use::kPockets &&
         (has_corners(*pattern) || stretch.half_room < kServingRoom * radius_))
       return;
     const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
@@ -165,11 +165,11 @@ class SlotClearing {
   // ---- the start ----
 
   // Makes ground in which a way can begin. False where there is none.
-  bool start(Corners corners) {
+  bool start(Use use) {
     if (ways_.empty()) return false;
     if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
       if (begins_outside()) return true;
-      if (corners == Corners::kNone) return false;  // passes find the open side
+      if (use == Use::kPockets) return false;  // passes find the open side
     }
     if (task_.hole) return clear_room_about_hole();
     if (params_.entry == EntryKind::kPredrilledHole) return false;
