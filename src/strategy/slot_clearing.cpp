@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -12,6 +13,7 @@
 #include "strategy/entry.h"
 #include "strategy/links.h"
 #include "strategy/slot.h"
+#include "strategy/slot_end.h"
 #include "strategy/slot_rooms.h"
 #include "strategy/slot_way.h"
 #include "strategy/trochoid_notes.h"
@@ -88,6 +90,7 @@ class SlotClearing {
     if (task_.rest || !task_.before.empty()) return;
     find_ways(use);
     if (start(use)) follow_ways();
+    early_end_.reset();
   }
 
   bool is_repeated() const { return report_.length > length_before_; }
@@ -184,9 +187,9 @@ class SlotClearing {
   // Whether the way that is followed first begins beside the stock.
   bool begins_outside() const {
     for (const Way& way : ways_) {
-      const std::optional<double> free = first_place_to_follow(way);
-      if (!free) continue;
-      const Vec2 p = cut_at(way, *free).front().a;
+      const std::optional<int> first = first_to_cut(way, ground_);
+      if (!first) continue;
+      const Vec2 p = cut_at(way, place_of(way, *first)).front().a;
       return std::none_of(task_.material.begin(), task_.material.end(),
                           [&](const Region& region) { return region.contains(p); });
     }
@@ -196,15 +199,20 @@ class SlotClearing {
   // Of the ways [first, last), which are equally long: an end of the slot if there is one.
   bool clear_smallest_end(std::size_t first, std::size_t last) {
     std::optional<StartRoom> best;
+    const Way* way = nullptr;  // that begins there
     for (std::size_t i = first; i < last; ++i) {
       std::optional<StartRoom> room = start_room_of(ways_[i], first_place(ways_[i]));
       if (!room) continue;
       const bool is_better = !best || (room->is_end != best->is_end
                                            ? room->is_end
                                            : room->room.area() < best->room.area() - kSameArea);
-      if (is_better) best = std::move(room);
+      if (!is_better) continue;
+      best = std::move(room);
+      way = &ways_[i];
     }
-    return best && clear_room(best->room);
+    if (!best) return false;
+    early_end_ = EarlyEnd::begin(task_, centres_, *way, first_place(*way), passes_);
+    return clear_room(best->room);
   }
 
   bool clear_room_about_hole() {
@@ -234,30 +242,13 @@ class SlotClearing {
                       placed(way.front, pose_on(way.stretch, s)));
   }
 
-  static std::ptrdiff_t descents(const RegionResult& result) {
-    return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
-      return run.descent.kind != DescentKind::kPlunge;
-    });
-  }
-
-  // False where the tool finds no way in, or none at its depth once it is down; then the whole
-  // region may still have one.
+  // False where the tool finds no way in.
   bool clear_room(const Region& room) {
-    RegionTask task = task_;
-    task.centres = room;
-    task.around = {task_.centres};
-    task.is_part = true;
-    try {
-      task.opening = opening_;
-      task.opened = &ground_;
-      task.stretch_helix = true;
-      RegionResult cleared = clear_region(task, passes_, progress_);
-      if (!opening_.runs.empty() && descents(cleared) > descents(opening_)) return false;
-      take(std::move(cleared));
-      return !opening_.runs.empty();
-    } catch (const GeometryError&) {
-      return false;
-    }
+    std::optional<RegionResult> cleared =
+        clear_part(task_, room, opening_, ground_, passes_, progress_);
+    if (!cleared) return false;
+    take(std::move(*cleared));
+    return !opening_.runs.empty();
   }
 
   // ---- the way ----
@@ -266,20 +257,14 @@ class SlotClearing {
     while (!progress_.cancelled() && (follow_one() || clear_next_room())) continue;
   }
 
-  // Of the first period that cuts, after cleared ground; nothing where there is none.
-  std::optional<double> first_place_to_follow(const Way& way) const {
-    const std::optional<double> free = first_free(way, ground_);
-    if (!free || *free + way.pattern.step > way.last()) return std::nullopt;
-    return *free + way.pattern.step;
-  }
-
   // The first way that can begin in cleared ground. False where none can.
   bool follow_one() {
     for (const Way& way : ways_) {
-      const std::optional<double> first = first_place_to_follow(way);
+      const std::optional<int> first = first_to_cut(way, ground_);
       if (!first) continue;
-      const double end = follow(way, *first);
-      if (way.beside > 0) clear_end(way, end);
+      const int last = follow(way, *first);
+      if (!progress_.cancelled()) clear_end(way, *first, last);
+      early_end_.reset();
       return true;
     }
     return false;
@@ -330,40 +315,53 @@ class SlotClearing {
                       kLongestJunction * way.stretch.half_room;
   }
 
-  // The end of the slot beyond a period at `s`, so that the walls are left to passes from there.
-  void clear_end(const Way& way, double s) {
-    const SlotStretch back = way.stretch.reversed();
-    const double from = back.middle.length() - s - way.reach.back;
-    const std::optional<Region> room =
-        room_behind(task_.centres, centres_, round_front(back, from));
-    if (room && is_end(*room, back, from)) clear_room(*room);
+  // The end of the slot beyond the last period, so that the walls are left to passes from there.
+  void clear_end(const Way& way, int first, int last) {
+    if (early_end_ && early_end_->fits(way, first) && last == 0) {
+      if (std::optional<RegionResult> end = early_end_->cleared()) append_end(std::move(*end));
+      return;
+    }
+    const std::optional<Region> room = end_room(task_.centres, centres_, way, last);
+    if (room) clear_room(*room);
   }
 
-  // Repeats the pattern from the place `from` on; returns the last place.
-  double follow(const Way& way, double from) {
-    const double step = way.pattern.step, begin = from;
+  void append_end(RegionResult end) {
+    for (const PlanarMove& move : end.runs.front().moves) add(move.kind, {move.segment});
+    for (std::size_t i = 1; i < end.runs.size(); ++i) append(std::move(end.runs[i]));
+    opening_.passes += end.passes;
+    opening_.links += end.links;
+    if (opening_.tight_turns.rooms > 0) end.tight_turns.rooms = 0;  // the same region's
+    opening_.tight_turns.add(end.tight_turns);
+    opening_.notes.insert(opening_.notes.end(), end.notes.begin(), end.notes.end());
+  }
+
+  // Repeats the pattern from the period `first` on; returns the last one.
+  int follow(const Way& way, int first) {
+    const double step = way.pattern.step, begin = place_of(way, first);
     const int before = repeated_.empty() ? 0 : repeated_.back().first + repeated_.back().count;
     repeated_.push_back(
         {way.stretch, way.reach, way.stretch.half_room - way.beside, step, begin, before, 0});
-    double s = from;
-    for (; s <= way.last() && has_work(way, ground_, s) && !progress_.cancelled(); s += step) {
+    int period = first;
+    for (; period >= 0 && !progress_.cancelled(); --period) {
+      const double s = place_of(way, period);
+      if (period < first && !has_work(way, ground_, s)) break;
       const std::vector<Segment> cut = cut_at(way, s);
-      const bool is_first = s == begin;
       // Once as much is cut as a period reaches, the ground is what the pattern left.
       const bool is_sure = s - begin > way.reach.ahead - way.reach.back + 2 * radius_;
-      if (is_first)
+      if (period == first)
         go_to({cut.front().a, angle_of(cut.front().tangent(0))});
       else
-        link_back(placed(way.pattern.link, pose_on(way.stretch, s - step)), is_sure,
-                  {cut.front().a, angle_of(cut.front().tangent(0))});
-      add(MoveKind::kCut, cut, period());
+        link_back(placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))),
+                  is_sure, {cut.front().a, angle_of(cut.front().tangent(0))});
+      add(MoveKind::kCut, cut, period_number());
       ++repeated_.back().count;
       ++opening_.passes;
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
-    note(way, s - begin + taken_out(way, begin, s));
+    const double end = place_of(way, period);
+    note(way, end - begin + taken_out(way, begin, end));
     note_turns(cut_at(way, begin));
-    return s - step;
+    return period + 1;
   }
 
   void link_back(const std::vector<Segment>& link, bool is_sure, const Pose& to) {
@@ -371,12 +369,12 @@ class SlotClearing {
       go_to(to);
       return;
     }
-    add(MoveKind::kLink, link, period());
+    add(MoveKind::kLink, link, period_number());
     ++opening_.links;
   }
 
-  // The number of the period that is being made.
-  int period() const { return repeated_.back().first + repeated_.back().count; }
+  // Of the period that is being made, among all that are repeated.
+  int period_number() const { return repeated_.back().first + repeated_.back().count; }
 
   void go_to(const Pose& to) {
     if (opening_.runs.empty()) {
@@ -483,6 +481,7 @@ class SlotClearing {
   Area centres_;
   ClearedGround ground_;
   std::vector<Way> ways_;  // the longest first, both directions of each
+  std::unique_ptr<EarlyEnd> early_end_;
   RegionResult opening_;
   Pose here_;
   std::optional<SlotStretch> longest_stretch_;

@@ -6,8 +6,8 @@
 namespace evenload {
 namespace {
 
-// Steps between two places that are tried for a first period: how much of a step may be lost.
-constexpr double kTrySpacing = 0.25;
+// Places in a step that are tried for a first period: how much of a step may be lost.
+constexpr int kTriesInStep = 4;
 // Share of the tool's radius: between two looks along a cut that shall be clear.
 constexpr double kLook = 0.1;
 // Share of a step: what is thinner in front of a period is a scallop.
@@ -33,19 +33,28 @@ std::vector<Segment> cut_at(const Way& way, double s) {
   return placed(way.pattern.cut, pose_on(way.stretch, s));
 }
 
-std::optional<double> first_free(const Way& way, const ClearedGround& ground) {
+double place_of(const Way& way, int period) { return way.last() - period * way.pattern.step; }
+
+std::optional<int> first_to_cut(const Way& way, const ClearedGround& ground) {
   const std::optional<double> edge = edge_of_material(way, ground);
   if (!edge) return std::nullopt;
   const double reach = way.reach.ahead - way.reach.back + 2 * ground.tool_radius();
-  std::optional<double> last;
-  const double from = -way.reach.back - way.stretch.half_room;
-  for (double s = std::max(from, *edge - reach); s <= std::min(way.last(), *edge);
-       s += kTrySpacing * way.pattern.step)
+  const double from = std::max(-way.reach.back - way.stretch.half_room, *edge - reach);
+  const double spacing = way.pattern.step / kTriesInStep;
+  // Places that are tried are counted as periods are.
+  std::optional<int> free;
+  for (int i = static_cast<int>(std::floor((way.last() - from) / spacing)); i >= kTriesInStep;
+       --i) {
+    const double s = way.last() - i * spacing;
+    if (s > *edge) break;
     if (is_clear(cut_at(way, s), ground, kThin * way.pattern.step))
-      last = s;
-    else if (last)
+      free = i;
+    else if (free)
       break;
-  return last && has_work(way, ground, *last + way.pattern.step) ? last : std::nullopt;
+  }
+  if (!free || !has_work(way, ground, way.last() - (*free - kTriesInStep) * spacing))
+    return std::nullopt;
+  return (*free - 1) / kTriesInStep;
 }
 
 std::optional<double> edge_of_material(const Way& way, const ClearedGround& ground) {

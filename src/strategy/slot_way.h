@@ -27,9 +27,14 @@ inline constexpr double kMiddleLook = 0.5;
 // The cut of a period.
 std::vector<Segment> cut_at(const Way& way, double s);
 
-// The last place before the material at which a whole period would cut nothing; none where there is
-// no such place, or nothing to be cut beyond it.
-std::optional<double> first_free(const Way& way, const ClearedGround& ground);
+// Periods are numbered back from the last place that there is for one: where the number `period`
+// is.
+double place_of(const Way& way, int period);
+
+// The number of the first period that has something to cut, beyond a place at which a whole period
+// would cut nothing, and no more than a step from it; none where there is no such place, or nothing
+// to be cut beyond it.
+std::optional<int> first_to_cut(const Way& way, const ClearedGround& ground);
 
 // Where the middle leads from cleared ground into material for the first time, to a look.
 std::optional<double> edge_of_material(const Way& way, const ClearedGround& ground);

@@ -1,0 +1,108 @@
+#include "strategy/slot_end.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "geometry/box_tree.h"
+#include "strategy/entry.h"
+#include "strategy/slot_rooms.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+std::ptrdiff_t descents(const RegionResult& result) {
+  return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
+    return run.descent.kind != DescentKind::kPlunge;
+  });
+}
+
+// One run of the periods from the `first` on, the way back before each.
+RegionResult periods_from(const Way& way, int first) {
+  RegionResult made;
+  for (int period = first; period >= 0; --period) {
+    std::vector<Segment> moves;
+    if (period < first)
+      moves = placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1)));
+    else
+      made.runs.push_back(
+          {{DescentKind::kPlunge, cut_at(way, place_of(way, first)).front().a, {}, 0, {}, true},
+           {},
+           false});
+    for (const Segment& move : moves) made.runs.back().moves.push_back({MoveKind::kLink, move, 0});
+    for (const Segment& move : cut_at(way, place_of(way, period)))
+      made.runs.back().moves.push_back({MoveKind::kCut, move, 0});
+  }
+  return made;
+}
+
+}  // namespace
+
+std::optional<RegionResult> clear_part(const RegionTask& whole, const Region& part,
+                                       RegionResult opening, const ClearedGround& opened,
+                                       const ClearingParams& params, Progress& progress) {
+  RegionTask task = whole;
+  task.centres = part;
+  task.around = {whole.centres};
+  task.is_part = true;
+  task.opening = std::move(opening);
+  task.opened = &opened;
+  task.stretch_helix = true;
+  try {
+    RegionResult cleared = clear_region(task, params, progress);
+    const RegionResult& before = task.opening;
+    if (!before.runs.empty() && descents(cleared) > descents(before)) return std::nullopt;
+    return cleared;
+  } catch (const GeometryError&) {
+    return std::nullopt;
+  }
+}
+
+std::optional<Region> end_room(const Region& region, const Area& centres, const Way& way,
+                               int last_period) {
+  if (way.beside <= 0) return std::nullopt;
+  const SlotStretch back = way.stretch.reversed();
+  const double from = back.middle.length() - place_of(way, last_period) - way.reach.back;
+  std::optional<Region> room = room_behind(region, centres, round_front(back, from));
+  return room && is_end(*room, back, from) ? std::move(room) : std::nullopt;
+}
+
+std::unique_ptr<EarlyEnd> EarlyEnd::begin(const RegionTask& task, const Area& centres,
+                                          const Way& way, double from,
+                                          const ClearingParams& passes) {
+  const double reach = way.reach.ahead - way.reach.back + passes.tool_diameter;
+  const int settled = static_cast<int>(std::ceil(reach / way.pattern.step)) + 1;
+  if (place_of(way, settled) < from) return nullptr;
+  std::optional<Region> room = end_room(task.centres, centres, way, 0);
+  if (!room) return nullptr;
+  return std::unique_ptr<EarlyEnd>(new EarlyEnd(task, way, passes, settled, std::move(*room)));
+}
+
+EarlyEnd::EarlyEnd(const RegionTask& task, const Way& way, const ClearingParams& passes,
+                   int settled, Region room)
+    : task_(task), way_(way), passes_(passes), settled_(settled), room_(std::move(room)) {
+  result_ = std::async(std::launch::async, [this] { return clear(); });
+}
+
+EarlyEnd::~EarlyEnd() { is_wanted_ = false; }
+
+std::optional<RegionResult> EarlyEnd::clear() {
+  RegionResult opening = periods_from(way_, settled_);
+  const std::size_t made = opening.runs.front().moves.size();
+  const double radius = 0.5 * passes_.tool_diameter;
+  ClearedGround ground(grown(bounds_of({task_.centres}), radius), radius,
+                       task_.has_open_edges ? &task_.material : nullptr);
+  for (const PlanarMove& move : opening.runs.front().moves) ground.add(move.segment);
+  Progress progress([this](double) { return is_wanted_.load(); });
+  std::optional<RegionResult> result =
+      clear_part(task_, room_, std::move(opening), ground, passes_, progress);
+  if (!result) return std::nullopt;
+  std::vector<PlanarMove>& moves = result->runs.front().moves;
+  moves.erase(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(made));
+  return result;
+}
+
+std::optional<RegionResult> EarlyEnd::cleared() { return result_.get(); }
+
+}  // namespace evenload
