@@ -31,6 +31,9 @@ constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 // rounding.
 constexpr double kThin = 1e-6;
 
+// rad: less than this is thin stuff on either side.
+constexpr double kLeastLeaning = kDegree;
+
 }  // namespace
 
 Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement,
@@ -50,9 +53,10 @@ Steering::Contact Steering::contact(const Pose& at) const {
   ground_.uncovered(at.p, right, right + kPi, scratch_, kThin,
                     here ? ground_.size() - 1 : ground_.size());
   Contact result;
-  double widest = 0;
+  double widest = 0, towards_left = 0;
   for (const AngularInterval& piece : scratch_) {
     result.total += piece.width();
+    towards_left += piece.width() * (0.5 * (piece.low + piece.high) - at.heading);
     if (piece.width() > widest) {
       widest = piece.width();
       result.steer = piece.high - right;
@@ -60,6 +64,7 @@ Steering::Contact Steering::contact(const Pose& at) const {
     }
   }
   result.steer = std::max(result.steer, result.total);
+  result.leans_left = towards_left > 0 && result.total > kLeastLeaning;
   return result;
 }
 
@@ -364,6 +369,7 @@ void Steering::reset(const Pose& start) {
   pass_ = {};
   start_ = start;
   travelled_ = 0;
+  on_left_ = 0;
   met_.clear();
   trouble_at_ = -1;
   troubles_ = 0;

@@ -71,7 +71,8 @@ class Steering {
   Pass from_wall(const WallPlace& start);
   // The same from a free pose that just touches material on its right.
   Pass from_pose(const Pose& start);
-  // From the wall, but never leaves it: empty where that would exceed the limit.
+  // From the wall, but never leaves it: empty where that would exceed the limit, or meet more
+  // material on the left than on the right for longer than a touch.
   Pass along_wall(const WallPlace& start);
   // Along the exact border, where nothing else will do: as far as the limit allows, and no further.
   Pass bit_by_bit(const WallPlace& start);
@@ -83,7 +84,8 @@ class Steering {
     double total = 0;  // rad engaged in the leading half circle
     double steer =
         0;  // rad from the right to the far end of the main engaged arc, or total if that is more
-    Vec2 edge;  // that far end, on the border of what is cleared
+    Vec2 edge;                // that far end, on the border of what is cleared
+    bool leans_left = false;  // more of it lies left of the feed than right of it
   };
   struct WallLook {
     double t = 0;  // share of the wall's piece
@@ -161,6 +163,7 @@ class Steering {
   bool bit_by_bit_ = false;
   WallPlace wall_;
   double rough_until_ = 0;           // mm along the wall's piece: short of a cusp of the front
+  double on_left_ = 0;               // mm, the last on the wall, with more material on the left
   std::optional<Contact> met_here_;  // on the wall
   double travelled_ = 0;             // mm
   // What was met on the way, so that it can be forgotten when the path is cut back.

@@ -17,6 +17,7 @@ namespace {
 constexpr double kWallStep = 0.1;  // between two looks at the engagement along a wall
 // The same along the exact border where the limit is passed.
 constexpr double kFinestWallStep = 0.002;
+constexpr double kMostOnLeft = 0.1;   // along a wall with more material on the left than there
 constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 // Of the limit for that mean: rounded G-code meets more in a corner.
 constexpr double kCornerShare = 0.7;
@@ -106,6 +107,18 @@ void Steering::step_on_wall() {
     // in the middle of a front.
     if (may_leave_wall_ && (bit_by_bit_ || near_corner(step)))
       mode_ = Mode::kEnd;
+    else
+      give_up();
+    return;
+  }
+  // A wall that is near another has material on both sides. A tighter turn leads out of that before
+  // it is conventional milling; only where there is none the exact border is followed all the same.
+  on_left_ = end.leans_left ? on_left_ + step : 0;
+  if ((turn_ > 0 || !may_leave_wall_) && on_left_ > kMostOnLeft * radius_) {
+    cut_back(on_left_ - step);
+    on_left_ = 0;
+    if (may_leave_wall_)
+      overload();
     else
       give_up();
     return;
