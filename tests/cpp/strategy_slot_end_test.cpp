@@ -124,7 +124,8 @@ TEST(EarlyEnd, IsNoneWhereTheSlotIsShortOrLeadsOn) {
   }
 }
 
-TEST(EarlyEnd, ThatNobodyWantsEndsSoon) {
+// For the sanitizers: what still runs must not outlive what it reads.
+TEST(EarlyEnd, IsWaitedForWhereNobodyWantsIt) {
   const SlotWithWay slot(120, 9);
   for (int i = 0; i < 20; ++i) {
     const auto early = EarlyEnd::begin(slot.task, slot.area, slot.way, 10, slot.params);
