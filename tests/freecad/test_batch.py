@@ -511,8 +511,10 @@ def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
     bare = folder / "bare" / "Mod" / "evenload"
     shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "_build.py", "__pycache__"))
     (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))
+    home = folder / "home"
+    home.mkdir()  # or FreeCAD takes the user's own, with the addon in it if that is installed
     code, output = freecad(
-        str(bare / "batch.py"), "jobs.json", cwd=folder, FREECAD_USER_HOME=str(folder / "home")
+        str(bare / "batch.py"), "jobs.json", cwd=folder, FREECAD_USER_HOME=str(home)
     )
     assert code == 2, output
     assert "compiled modules are missing: run './run install'" in output
