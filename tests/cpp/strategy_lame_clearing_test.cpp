@@ -86,9 +86,24 @@ TEST(LameClearing, IsTheSameForPocketsThatAreTurnedShiftedAndMirrored) {
   }
 }
 
-TEST(LameClearing, ASpiralHasNoLinksAndNoTurnTighterThanTheMinimumRadius) {
-  const Case pocket = corpus::load("lame_hex50");
-  for (const double radius : {0.9, 8.0}) {
+// mm, of the cuts that begin further than `from` mm from the origin.
+double tightest_turn(const std::vector<Move>& moves, double from) {
+  double tightest = std::numeric_limits<double>::infinity();
+  double x = 0, y = 0;
+  for (const Move& move : moves) {
+    if (move.kind == MoveKind::kCut && move.sweep != 0 && std::hypot(x, y) > from)
+      tightest = std::min(tightest, std::hypot(move.x - move.cx, move.y - move.cy));
+    x = move.x;
+    y = move.y;
+  }
+  return tightest;
+}
+
+class EverySpiral : public testing::TestWithParam<std::string> {};
+
+TEST_P(EverySpiral, HasNoLinksAndNoTurnTighterThanTheMinimumRadius) {
+  const Case pocket = corpus::load(GetParam());
+  for (const double radius : {0.5, 0.9, 2.0}) {
     ClearingParams params = pocket.params();
     params.minimum_radius = radius;
     LameParams lame;
@@ -97,17 +112,23 @@ TEST(LameClearing, ASpiralHasNoLinksAndNoTurnTighterThanTheMinimumRadius) {
     EXPECT_EQ(path.report.links, 0);
     EXPECT_EQ(path.report.retracts, 0);
     EXPECT_EQ(path.report.passes, 1);
-    // In the outer turns: the first ones are as tight as the entry.
-    double tightest = std::numeric_limits<double>::infinity();
-    double x = 0, y = 0;
-    for (const Move& move : path.moves) {
-      if (move.kind == MoveKind::kCut && move.sweep != 0 && std::hypot(x, y) > 12)
-        tightest = std::min(tightest, std::hypot(move.x - move.cx, move.y - move.cy));
-      x = move.x;
-      y = move.y;
-    }
-    EXPECT_GE(tightest, radius);
+    EXPECT_GE(tightest_turn(path.moves, 0), radius);
   }
+}
+
+INSTANTIATE_TEST_SUITE_P(Corpus, EverySpiral,
+                         testing::Values("lame_square35", "lame_hex50", "lame_square_island",
+                                         "lame_hex_island", "square60", "boss_open"),
+                         [](const auto& each) { return each.param; });
+
+TEST(LameClearing, ASpiralKeepsALargeMinimumRadiusInItsOuterTurns) {
+  const Case pocket = corpus::load("lame_hex50");
+  ClearingParams params = pocket.params();
+  params.minimum_radius = 8;
+  LameParams lame;
+  lame.rest = LameRest::kLeave;
+  // The first turns are as tight as the entry.
+  EXPECT_GE(tightest_turn(spiral(pocket, params, lame).moves, 12), 8);
 }
 
 TEST(LameClearing, LeavesTheRestWhereThatIsWished) {
