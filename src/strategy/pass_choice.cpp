@@ -16,17 +16,17 @@ constexpr double kSamePlace = 1e-4;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
 // mm: no pass turns more tightly in a corner where a stage that does not can enter; nor so tightly
-// that a roll-out, which turns by more than this share of the engagement angle, is posted as a
-// line.
+// that its turns, most of them by more than this share of the engagement angle, are posted as
+// lines.
 constexpr double kTightInCorner = 0.1;
-constexpr double kRollOutShare = 0.8;
+constexpr double kTurnShare = 0.5;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
 constexpr std::size_t kStagesAtOnce = 3;
 
 double tightest_in_corner(double engagement) {
-  const double span = std::sin(std::min(engagement, kPi / 2));
+  const double span = std::sin(std::min(kTurnShare * engagement, kPi / 2));
   return std::max(kTightInCorner, std::sqrt((kLeastSpan + kSpanMargin) / span));
 }
 

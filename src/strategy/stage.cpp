@@ -25,11 +25,10 @@ const double kSteeredTurn = std::sqrt(kLeastSpan / std::sin(0.2));
 // There stages follow each other so closely that such an arc, along the wall of the next, meets no
 // more than this share of the engagement angle; where they would have to follow more closely than
 // kFinestRatio, passes would be many: steered ones it is.
-constexpr double kHeldShare = 0.8;
+constexpr double kHeldShare = 0.95;
 constexpr double kFinestRatio = 0.986;
-// rad: nor at smaller engagement angles, where even right angles would need many stages, and narrow
-// pockets take twice as long to compute.
-constexpr double kLeastAngle = 25 * kPi / 180;
+constexpr double kRatioStep = 1e-3;  // to which that is found
+constexpr int kCornerLooks = 24;     // along a turn
 
 // The walls are opened by this much more than the turn radius, so that a pass in the narrowest
 // channel of its stage still has room between its roll-in and its roll-out.
@@ -60,16 +59,33 @@ double sharpest_corner(const Region& region) {
   return least;
 }
 
-// Of the turn radii of two stages whose walls in the sharpest corner are so far apart that the pass
-// along the second meets what it may. Where the first pass turned with radius a about its centre,
-// the second does with q a about one that lies (1 - q) a / sin(half the corner) further in, and
-// cos(angle met) is a over the largest distance of its path from the first centre.
-double corner_ratio(const Region& region, double engagement) {
-  if (engagement < kLeastAngle) return kStageRatio;
-  const double half_corner = sharpest_corner(region);
-  const double held = 1 / std::cos(std::min(kHeldShare * engagement, kPi / 3)) - 1;
-  const double ratio = 1 - held / std::max(1e-9, 1 / std::sin(half_corner) - 1);
-  return ratio > kFinestRatio ? kStageRatio : std::max(ratio, kStageRatio);
+// rad: the most that is met along the wall of a stage in a corner of twice `half` rad, where the
+// pass before followed the wall of one that turns 1 / `ratio` times as widely. That pass left a
+// disc clear, about its turn's centre; beside it the tool, which is wide, meets what lies within
+// acos(its radius / distance) of the direction from there, and of that what lies ahead.
+double met_in_corner(double ratio, double half) {
+  const double apart = (1 - ratio) / std::sin(half);  // of the two turns' centres
+  double most = 0;
+  for (int i = 0; i <= kCornerLooks; ++i) {
+    const double right = i * (kPi / 2 - half) / kCornerLooks;  // of the tool, from the bisector
+    const Vec2 from_disc = Vec2{apart, 0} + ratio * unit(right);
+    const double to_side = std::acos(std::min(1.0, 1 / norm(from_disc)));
+    most = std::max(most, to_side + right - angle_of(from_disc));
+  }
+  return most;
+}
+
+// How far apart the turn radii of two stages may be, as a ratio, for a pass along the wall of the
+// second to keep to kHeldShare of `engagement` in the sharpest corner; 0 where it would have to be
+// above kFinestRatio.
+double held_ratio(const Region& region, double engagement) {
+  const double half = sharpest_corner(region);
+  double low = 0, high = 1;
+  while (high - low > kRatioStep) {
+    const double middle = 0.5 * (low + high);
+    (met_in_corner(middle, half) > kHeldShare * engagement ? low : high) = middle;
+  }
+  return high > kFinestRatio ? 0 : high;
 }
 
 }  // namespace
@@ -79,10 +95,10 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
   std::vector<Stage> stages;
   const Area exact_area({centres});
   bool spare = false;
-  const double in_corner = corner_ratio(centres, limits.engagement);
+  const double held = held_ratio(centres, limits.engagement);
   const auto next = [&](double turn) {
-    if (spare) return turn * kSpareRatio;
-    return turn * (turn < kSteeredTurn ? in_corner : kStageRatio);
+    const double ratio = spare ? kSpareRatio : kStageRatio;
+    return turn * (ratio * turn < kSteeredTurn ? std::max(ratio, held) : ratio);
   };
   for (double turn = limits.widest; turn > (spare ? limits.spare : limits.tightest) * kStageRatio;
        turn = next(turn)) {
