@@ -130,13 +130,16 @@ def path_and_scene(case, resolution):
     with_larger = {key: case[key] for key in case if key not in ("choices", "hole")}
     with_larger["tool"] = given["tool_diameter"] = case["rest_of"]
     before = pocket_case.path_of(with_larger, minimum_radius=0.15 * case["rest_of"])
-    given["resolution"] = max(resolution, REST_RESOLUTION)
+    given["resolution"] = REST_RESOLUTION
     run = evenload.simulate(before, **given)
     stay = case.get("choices", {}).get("stock_to_leave", 0.0)
     reach = _core.reachable_ground([pocket_case.region(case)], case["tool"], stay)
     standing = run.stock.standing(-case["axial_depth"], reach)
     if not standing:
         raise NothingLeft
+    if resolution < REST_RESOLUTION:  # what is cleared is judged more closely than it was seen
+        given["resolution"] = resolution
+        run = evenload.simulate(before, **given)
     given.update(stock=run, tool_diameter=case["tool"], earlier=[])
     return pocket_case.path_of(case, stock=[standing]), given
 
