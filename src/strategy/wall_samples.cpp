@@ -224,7 +224,22 @@ const WallSamples::Sample* WallSamples::last_clear_before(std::size_t index) con
 
 std::vector<PassStart> WallSamples::starts() const {
   std::vector<PassStart> result = starts(edges_in_turn_);
-  return result.empty() ? starts(edges_) : result;
+  return result.empty() ? earliest(starts(edges_)) : result;
+}
+
+// Those that have none of an earlier stage nearby.
+std::vector<PassStart> WallSamples::earliest(std::vector<PassStart> starts) const {
+  std::stable_sort(starts.begin(), starts.end(),
+                   [](const PassStart& a, const PassStart& b) { return a.stage < b.stage; });
+  std::vector<PassStart> result;
+  for (const PassStart& start : starts) {
+    const auto comes_first = [&](const PassStart& other) {
+      return other.stage < start.stage &&
+             distance(other.pose.p, start.pose.p) < ground_.tool_radius();
+    };
+    if (std::none_of(result.begin(), result.end(), comes_first)) result.push_back(start);
+  }
+  return result;
 }
 
 std::vector<PassStart> WallSamples::starts(const std::set<std::size_t>& from) const {

@@ -37,7 +37,8 @@ class WallSamples {
   // Looks again at the samples that moves in the box from `low` to `high` may have cleared.
   void update(Vec2 low, Vec2 high);
   // Every place where a pass can start now; those of later stages only where no earlier stage has
-  // work left nearby, unless there are no others.
+  // work left nearby. Where all that could start have to wait for work that cannot, it is the
+  // earliest of them that are nearby.
   std::vector<PassStart> starts() const;
   bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
   // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
@@ -69,6 +70,7 @@ class WallSamples {
   void take_samples(double spacing);
   void order_by_stage();
   std::vector<PassStart> starts(const std::set<std::size_t>& from) const;
+  std::vector<PassStart> earliest(std::vector<PassStart> starts) const;
   const Sample* last_clear_before(std::size_t index) const;
   std::size_t neighbour(std::size_t index, std::size_t back) const;
   void look(Sample& sample);
