@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/lame_curve.h"
+#include "geometry_shapes.h"
 #include "judged.h"
 #include "strategy/lame_clearing.h"
 #include "strategy/lame_opening.h"
@@ -99,6 +100,59 @@ INSTANTIATE_TEST_SUITE_P(Corpus, EveryLamePocket,
                                          "lame_hex_island", "square60", "boss_open",
                                          "square_island"),
                          [](const auto& each) { return each.param; });
+
+std::vector<Vec2> corners(int count, double radius) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < count; ++i) points.push_back(radius * unit(0.2 + 2 * kPi * i / count));
+  return points;
+}
+
+std::vector<Vec2> box_corners(double width, double height) {
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+struct Shape {
+  const char* name;
+  Curve outline;
+  int segments;
+};
+
+// For a tool of 6 mm: corners that it enters and corners that it does not.
+std::vector<Shape> other_shapes() {
+  return {{"ellipse", shapes::ellipse(35, 22), 4},
+          {"slot", shapes::slot({5, 5}, 30, 15), 4},
+          {"rectangle", shapes::rectangle(0, 0, 60, 40), 4},
+          {"rectangle_with_tight_corners", shapes::filleted(box_corners(60, 40), 2), 4},
+          {"rectangle_with_wide_corners", shapes::filleted(box_corners(60, 40), 8), 4},
+          {"square_with_tight_corners", shapes::filleted(box_corners(40, 40), 2), 4},
+          {"square_with_wide_corners", shapes::filleted(box_corners(40, 40), 6), 4},
+          {"triangle", shapes::polygon(corners(3, 40)), 3},
+          {"triangle_with_wide_corners", shapes::filleted(corners(3, 40), 6), 3},
+          {"hexagon", shapes::polygon(corners(6, 25)), 6},
+          {"hexagon_with_tight_corners", shapes::filleted(corners(6, 25), 2), 6},
+          {"hexagon_with_wide_corners", shapes::filleted(corners(6, 25), 8), 6},
+          {"octagon", shapes::polygon(corners(8, 30)), 8},
+          {"octagon_with_wide_corners", shapes::filleted(corners(8, 30), 8), 8}};
+}
+
+class EveryOtherLameShape : public testing::TestWithParam<int> {};
+
+TEST_P(EveryOtherLameShape, IsClearedWithinTheLimitsAndTheTime) {
+  const Shape shape = other_shapes()[static_cast<std::size_t>(GetParam())];
+  Case pocket = corpus::load("square60");
+  pocket.region = make_region(shape.outline);
+  const LameToolpath path = spiral(pocket, pocket.params());
+  expect_within_limits(pocket, path, corpus::judge(pocket, path));
+  EXPECT_EQ(path.figures->last.segments, shape.segments);
+  EXPECT_LE(path.report.cutting_time, 1.1 * path.report.ideal_time);
+  EXPECT_GT(path.cleared_share, shape.segments == 3 ? 0.74 : 0.93);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EveryOtherLameShape,
+                         testing::Range(0, static_cast<int>(other_shapes().size())),
+                         [](const auto& each) {
+                           return other_shapes()[static_cast<std::size_t>(each.param)].name;
+                         });
 
 TEST(LameClearing, IsTheSameForPocketsThatAreTurnedShiftedAndMirrored) {
   const Case original = corpus::load("lame_square35");
