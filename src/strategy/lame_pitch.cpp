@@ -291,8 +291,9 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
   while (shares.back() < 1) {
     if (turned.back() > 2 * kPi * kMostTurns)
       throw std::invalid_argument(
-          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, or take the "
-          "operation Adaptive.");
+          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, make "
+          "courses "
+          "more even, or take the operation Adaptive.");
     const double share = shares.back(), step = step_from(steps, share);
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
     double by = ramp * step / kKnots;

@@ -13,6 +13,7 @@ namespace {
 constexpr int kBands = 24;                      // of the growth that are corrected by themselves
 constexpr int kBandsOfPiece = 3;                // the same to each piece of its courses, at least
 constexpr int kMostRounds = 6;                  // of corrections
+constexpr int kMostRoundsOfCourses = 12;        // where courses may be steep
 constexpr int kWideningRounds = 1;              // of them may widen steps, too
 constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 constexpr double kCoarse = 3;                   // so much more coarsely the first round looks
@@ -183,7 +184,8 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
   const LameGrowth& growth = planned.growth;
   MonotoneSpline steps = planned.steps;
   LameTurns best;
-  for (int round = 0; round < kMostRounds; ++round) {
+  const int rounds = growth.courses().any() ? kMostRoundsOfCourses : kMostRounds;
+  for (int round = 0; round < rounds; ++round) {
     if (task.pitch) steps = limited(steps, growth, *task.pitch);
     LameSpiral spiral = spiral_of(growth, steps, start, task.inwards, kOff * tolerance, task.pitch);
     // The first arcs are never cut.

@@ -380,6 +380,9 @@ TEST(LameClearing, NamesTheCoursesThatLeadNowhereOrChangeNothing) {
   lame.semi_axis_a_course = lame.semi_axis_b_course = {0, 0.5, 1, 1};
   EXPECT_NE(refusal({island.region}, island.params(), lame).find("With these courses"),
             std::string::npos);
+  lame.semi_axis_a_course = lame.semi_axis_b_course = Course(kMostCourse, 1);  // all at once
+  lame.semi_axis_a_course[0] = lame.semi_axis_b_course[0] = 0;
+  EXPECT_NE(refusal({pocket.region}, pocket.params(), lame).find("more even"), std::string::npos);
   lame = {};
   lame.exponent_course = {0, 0.2, 1};
   EXPECT_FALSE(tells(spiral(pocket, pocket.params(), lame), "ExponentCourse"));
