@@ -73,7 +73,7 @@ def with_more(title, names):
 
 
 def values_in(text):
-    """The numbers in a text: separated by semicolons, where a comma may be a decimal one, or else by
+    """The numbers in a text: between semicolons, where commas may be decimal ones, or else between
     commas or blanks. None where it holds anything else.
     """
     words = text.replace(",", ".").split(";") if ";" in text else text.replace(",", " ").split()
