@@ -6,12 +6,15 @@
 # it slots and thus exceeds the removal rate, and at the same peak force as the spiral's with the
 # feed control Constant force. FreeCAD's Pocket is set against that spiral in its time, too, and at
 # its own feed against the spiral at a higher one: an even load allows that at a lower peak force.
+# The same spirals with a late exponent show what courses do to the time. Of other pockets there is
+# the time over the ideal one alone.
 import math
 import time
 
 import contour_parallel
 import evenload
 import freecads_paths
+import lame_pockets
 import pocket_case
 from evenload import _core, materials
 from evenload.simulation import HELIX_ANGLE_DEG
@@ -24,6 +27,7 @@ SPIRAL_IS_THERE = 0.5  # of the progress
 # mm/min, at which a straight cut at 60 degrees has about the peak force of contours that slot at
 # the cases' 255 mm/min.
 RAISED_FEED = 368
+LATE = [0, 0, 1]  # the course of the exponent that takes least time in the pockets
 
 
 def spiral(case, **parameters):
@@ -115,6 +119,7 @@ def figures():
         path = spiral(case)
         rows = {
             "spiral": judged(case, path),
+            "spiral_late_exponent": judged(case, spiral(case, exponent_course=LATE)),
             "spiral_even_force": judged(case, spiral(case, **even_force())),
             "constant_engagement": judged(case, pocket_case.path_of(case)),
             "freecad_adaptive": judged(
@@ -140,10 +145,19 @@ def figures():
         alone = best_time(lambda: spiral(case, rest="leave"))
         yield "lame.%s.compute_spiral" % name, alone, "s"
         yield "lame.%s.compute_fit_and_spiral" % name, fit_and_spiral(case), "s"
+    yield from other_figures()
+
+
+def other_figures():
+    for name, case in lame_pockets.CASES.items():
+        row = judged(case, spiral(case))
+        yield "lame.other.%s.time_over_ideal" % name, row["time_ratio"][0], ""
+        yield "lame.other.%s.max_engagement" % name, row["max_engagement"][0], "deg"
 
 
 PATHS = (
     "spiral",
+    "spiral_late_exponent",
     "spiral_even_force",
     "constant_engagement",
     "freecad_adaptive",
@@ -189,6 +203,10 @@ def table(values):
             "%s %.1f ms" % (name, 1000 * values.get("lame.%s.%s" % (name, figure), math.nan))
             for name in CASES
         )
+    yield "other pockets, over ideal: " + ", ".join(
+        "%s %.2f" % (name, values.get("lame.other.%s.time_over_ideal" % name, math.nan))
+        for name in lame_pockets.CASES
+    )
 
 
 def verdicts(values):

@@ -19,6 +19,12 @@ CASES = (
 FAMILIES = ((3, (0.05, 0.4, 0.7, 1)), (4, (0.05, 0.4, 1, 2)), (6, (0.05, 0.4, 0.71, 1)))
 COLOURS = (BLUE, GREEN, ORANGE, VIOLET)
 STEP = 0.1  # mm along a path between two looks
+COURSES = (
+    ("no course", {}),
+    ("exponent 0, 0.8, 1", {"exponent_course": [0, 0.8, 1]}),
+    ("exponent 0, 0, 1", {"exponent_course": [0, 0, 1]}),
+    ("semi-axis A 0, 0.2, 0.5, 1", {"semi_axis_a_course": [0, 0.2, 0.5, 1]}),
+)
 
 
 def sheet(columns, width, height):
@@ -64,7 +70,7 @@ def region_of(core, case):
     return core.Region(outer, [[tuple(v) for v in island] for island in case["islands"]])
 
 
-def cleared(core, case):
+def cleared(core, case, **more):
     return core.clear_with_lame_spiral(
         [region_of(core, case)],
         tool_diameter=case["tool"],
@@ -78,6 +84,7 @@ def cleared(core, case):
         levels=[-case["axial_depth"]],
         safe_height=3.0,
         clearance_height=5.0,
+        **more,
     )
 
 
@@ -101,23 +108,38 @@ def samples(path, depth):
     return result
 
 
+def draw_path(axes, case, path):
+    styles = {CUT: (BLUE, 0.8), LINK: (GREY, 0.8), ENTRY: (ORANGE, 0.8)}
+    if case.get("open"):
+        axes.add_patch(Polygon(outline(case["outer"]), color=STOCK, zorder=0))
+    for chain in [case["outer"]] + case["islands"]:
+        axes.plot(*zip(*outline([tuple(v) for v in chain])), color=INK, linewidth=1.6)
+    for kind, points in stretches(samples(path, case["axial_depth"]), STEP):
+        colour, width = styles[kind]
+        axes.plot(*zip(*points), color=colour, linewidth=width)
+    plan(axes)
+
+
 def draw_spirals(core):
     figure, all_axes = sheet((2, 2), 10, 10)
-    styles = {CUT: (BLUE, 0.8), LINK: (GREY, 0.8), ENTRY: (ORANGE, 0.8)}
     for axes, (name, title) in zip(all_axes, CASES):
         case = load(name)
         path = cleared(core, case)
-        if case.get("open"):
-            axes.add_patch(Polygon(outline(case["outer"]), color=STOCK, zorder=0))
-        for chain in [case["outer"]] + case["islands"]:
-            axes.plot(*zip(*outline([tuple(v) for v in chain])), color=INK, linewidth=1.6)
-        for kind, points in stretches(samples(path, case["axial_depth"]), STEP):
-            colour, width = styles[kind]
-            axes.plot(*zip(*points), color=colour, linewidth=width)
-        plan(axes)
+        draw_path(axes, case, path)
+        # The simulator finds the same, to 0.001 (docs/lame_spiral.md).
         ratio = path.report.cutting_time / path.report.ideal_time
         axes.set_title("%s: %.2f of the ideal time" % (title, ratio), fontsize=10)
     save(figure, "lame_spirals.png")
+
+
+def draw_courses(core):
+    figure, all_axes = sheet((1, 4), 14, 4)
+    case = load(CASES[0][0])
+    for axes, (title, course) in zip(all_axes, COURSES):
+        path = cleared(core, case, rest="leave", **course)
+        draw_path(axes, case, path)
+        axes.set_title("%s\nspiral: %.0f s" % (title, path.report.cutting_time), fontsize=10)
+    save(figure, "lame_courses.png")
 
 
 def draw_engagement(core):
@@ -143,4 +165,4 @@ def draw_engagement(core):
     save(figure, "lame_engagement.png")
 
 
-PICTURES = (draw_family, draw_spirals, draw_engagement)
+PICTURES = (draw_family, draw_spirals, draw_courses, draw_engagement)

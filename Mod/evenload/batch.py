@@ -337,7 +337,9 @@ def _has(obj, element):
 
 
 def _set_parameters(op, parameters, number):
-    """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points."""
+    """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points or
+    courses.
+    """
     known = [s.name for s in op.Proxy.settings] + list(HOST_PARAMETERS)
     for name, value in parameters.items():
         if name not in known:

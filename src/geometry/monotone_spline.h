@@ -6,6 +6,7 @@
 // and slope are continuous; two knots make a line; outside the knots it keeps the end's value.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 namespace evenload {
@@ -21,6 +22,9 @@ class MonotoneSpline {
 
   double value(double x) const;
   double slope(double x) const;
+  std::size_t pieces() const { return knots_.size() - 1; }
+
+  bool operator==(const MonotoneSpline&) const = default;
 
  private:
   struct Place {

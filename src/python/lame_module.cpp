@@ -6,6 +6,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <utility>
 #include <vector>
 
 #include "python/clearing_params.h"
@@ -30,6 +31,14 @@ LameToolpath clear_from_python(const std::vector<Region>& regions, const py::kwa
   std::optional<std::tuple<double, double>> centre;
   keywords.optional("centre", centre);
   if (centre) lame.centre = Vec2{std::get<0>(*centre), std::get<1>(*centre)};
+  const auto course = [&](const char* name, std::vector<double>& target) {
+    std::optional<std::vector<double>> given;
+    keywords.optional(name, given);
+    if (given) target = std::move(*given);
+  };
+  course("semi_axis_a_course", lame.semi_axis_a_course);
+  course("semi_axis_b_course", lame.semi_axis_b_course);
+  course("exponent_course", lame.exponent_course);
   keywords.choice("rest", {{"clear", LameRest::kClear}, {"leave", LameRest::kLeave}}, lame.rest);
   keywords.refuse_others();
   Progress watch = progress_of(call.progress);
@@ -60,8 +69,11 @@ void bind_lame(py::module_& module) {
              (std::string("The toolpath that clears the regions with Lamé spirals. Its own keyword "
                           "arguments, fitted where they are missing or None: segments, "
                           "semi_axis_a, semi_axis_b, exponent_start, exponent_end, rotation, "
-                          "pitch (mm per turn, at most), centre (x, y); and rest ('clear', "
-                          "'leave'). They describe the way of the tool's centre.\n\n") +
+                          "pitch (mm per turn, at most), centre (x, y); courses from the first "
+                          "turn to the last, even where they are missing, None or empty: "
+                          "semi_axis_a_course, semi_axis_b_course, exponent_course (shares of the "
+                          "change at even steps of the way, as [0, 0.1, 0.4, 1]); and rest "
+                          "('clear', 'leave'). They describe the way of the tool's centre.\n\n") +
               kClearingArguments)
                  .c_str());
 }

@@ -17,12 +17,23 @@ namespace evenload {
 namespace {
 
 constexpr double kRounding = 1e-3;  // of areas
+constexpr double kStraight = 1e-9;  // steps of a course
 constexpr double kSlow = 1.3;       // ideal times
 // Along a spiral the load changes all the time, a little: steps pay that would not elsewhere.
 constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
+}
+
+void check_course(const std::vector<double>& course, const char* name) {
+  bool good = course.empty() || (course.size() >= 2 && course.size() <= kMostCourse &&
+                                 course.front() == 0 && course.back() == 1);
+  for (std::size_t i = 1; i < course.size(); ++i) good = good && course[i] >= course[i - 1];
+  if (!good)
+    throw std::invalid_argument(std::string(name) +
+                                " must be 2 to 20 values that begin with 0, end with 1 and never "
+                                "fall, as 0, 0.1, 0.4, 1.");
 }
 
 void check(const LameParams& p) {
@@ -43,6 +54,9 @@ void check(const LameParams& p) {
               *p.semi_axis_a == *p.semi_axis_b,
           "Semi-axes of two lengths need Segments 4: set both to the same length, or leave one "
           "unset.");
+  check_course(p.semi_axis_a_course, "SemiAxisACourse");
+  check_course(p.semi_axis_b_course, "SemiAxisBCourse");
+  check_course(p.exponent_course, "ExponentCourse");
 }
 
 LameFigures mirrored(LameFigures figures) {
@@ -56,6 +70,22 @@ LameParams mirrored(LameParams p) {
   if (p.centre) p.centre->x = -p.centre->x;
   // Mirrored at the y axis, the first semi-axis points the other way.
   if (p.rotation) p.rotation = kPi - *p.rotation;
+  return p;
+}
+
+bool is_straight(const std::vector<double>& course) {
+  for (std::size_t i = 0; i < course.size(); ++i)
+    if (std::abs(course[i] * static_cast<double>(course.size() - 1) - static_cast<double>(i)) >
+        kStraight)
+      return false;
+  return true;
+}
+
+// Where both semi-axes change evenly all the same, no course is set.
+LameParams without_straight_courses(LameParams p) {
+  if (!is_straight(p.semi_axis_a_course) || !is_straight(p.semi_axis_b_course)) return p;
+  p.semi_axis_a_course.clear();
+  p.semi_axis_b_course.clear();
   return p;
 }
 
@@ -122,7 +152,7 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
           "A Lamé spiral cannot clear what earlier operations left: turn UseRestMachining off, or "
           "take the operation Adaptive.");
   const bool mirror = clearing.cut_mode == CutMode::kConventional;
-  const LameParams seen = mirror ? mirrored(params) : params;
+  const LameParams seen = without_straight_courses(mirror ? mirrored(params) : params);
   LameToolpath result;
   double by_spirals = 0, reached = 0, most = 0;
   const auto clearer = [&](const RegionTask& task, const ClearingParams& checked, Progress& watch) {

@@ -4,6 +4,7 @@
 // engagement.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -26,8 +27,21 @@ struct LameParams {
   std::optional<double> rotation;                  // rad, of the first semi-axis
   std::optional<double> pitch;                     // mm per turn, > 0, at most
   std::optional<Vec2> centre;                      // of the last turn
+  // How the semi-axes and the exponent come from those of the first turn to those of the last:
+  // shares of the change at even steps of the way, from 0 to 1, never falling, 2 to kMostCourse of
+  // them. A monotone spline runs through them. Empty: semi-axes change evenly, the exponent as is
+  // quicker. With courses islands and rings have no circle between their first and last turn.
+  // Where no semi-axis and no rotation is set, A is then the longer axis, of equal ones that nearer
+  // to X; but for four segments both axes have one course.
+  std::vector<double> semi_axis_a_course, semi_axis_b_course, exponent_course;
   LameRest rest = LameRest::kClear;
+
+  bool has_axis_courses() const {
+    return !semi_axis_a_course.empty() || !semi_axis_b_course.empty();
+  }
+  bool has_courses() const { return has_axis_courses() || !exponent_course.empty(); }
 };
+inline constexpr std::size_t kMostCourse = 20;
 
 // The curve in which a spiral ends, and how it came there.
 struct LameFigures {
@@ -42,7 +56,8 @@ struct LameToolpath : Toolpath {
 };
 
 // Laws: as for clear_pocket; the engagement angle and the parameters of both strategies are kept;
-// no turn of a spiral is tighter than the minimum radius, but for entries that are. Throws
+// no turn of a spiral is tighter than the minimum radius, but for entries that are, and for what
+// set exponents and courses demand, which the report tells. Throws
 // std::invalid_argument for parameters out of range and for rest machining, GeometryError also for
 // pockets that no Lamé curve resembles: those of which it would reach less than kLeastShare, rings
 // of which the spiral would clear less than kLeastRingShare beside the channel that it begins from,

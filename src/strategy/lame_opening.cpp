@@ -43,8 +43,18 @@ constexpr double kTightestCircle = 0.01;
 constexpr double kBesideShare = 0.007, kBesideSmall = 0.42 * kPi / 180, kBesideMost = 0.03;
 // rad: a spiral that exceeds the engagement angle by more is none.
 constexpr double kMostOver = 1 * kPi / 180;
+// Of a radius: arcs of a turn are this much tighter than its curve, at most.
+constexpr double kRadius = 0.03;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
 constexpr double kBeside = 1.02;
+
+// mm: the least radius of arcs.
+double tightest(const std::vector<Segment>& moves) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const Segment& move : moves)
+    if (move.is_arc()) least = std::min(least, move.radius);
+  return least;
+}
 
 double area_of(const std::vector<Region>& regions) {
   double sum = 0;
@@ -106,6 +116,7 @@ class Opening {
   std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
     const std::optional<LameCurve> last = shapes_.last(outline, side);
     if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
+    check_courses(*last);
     // A constant removal rate makes good for uneven turns, but not for those between a ring's
     // curves, some of which hardly cut along its narrow sides; and where even the closest curve
     // leaves much, it costs more to come close than it clears.
@@ -177,13 +188,29 @@ class Opening {
     cut(growth, start, false);
   }
 
+  void check_courses(const LameCurve& last) const {
+    if (last.segments != 4 && !lame_.semi_axis_a_course.empty() &&
+        !lame_.semi_axis_b_course.empty() && lame_.semi_axis_a_course != lame_.semi_axis_b_course)
+      refuse(kTwoCourses);
+  }
+
+  // From one curve to another, with what courses are set.
+  LameGrowth one_stage(const LameCurve& from, const LameCurve& to) const {
+    LameCourses courses{course_through(lame_.semi_axis_a_course),
+                        course_through(lame_.semi_axis_b_course),
+                        course_through(lame_.exponent_course)};
+    if (to.segments != 4 && !courses.a) courses.a = courses.b;
+    if (to.segments != 4) courses.b = courses.a;
+    return {{{from, to, 1, LameJoint::kNone, std::move(courses)}}};
+  }
+
   // From the entry's circle to a last curve.
   LameGrowth growth_from(const Circle& first, const LameCurve& last) const {
     LameCurve circle = lame_circle(last, first.centre, first.radius);
     circle.exponent = lame_.exponent_start.value_or(1);
     // A first curve that is no circle touches the entry's circle from inside, at its corners.
     circle.a = circle.b = first.radius / std::pow(2, (1 - circle.exponent) / 2);
-    return {{{circle, last}}};
+    return one_stage(circle, last);
   }
 
   // The growth to one of the last curves with which spiral and rest take the least time.
@@ -280,14 +307,26 @@ class Opening {
     ++made_.result.passes;
     made_.figures = LameFigures{growth.growth.stages.back().to,
                                 growth.growth.stages.front().from.exponent, turns.largest_pitch};
+    if (!lame_.exponent_course.empty() &&
+        growth.growth.stages.front().from.exponent == growth.growth.stages.back().to.exponent)
+      made_.result.notes.push_back(kIdleCourse);
+    if (const double radius = tightest(turns.moves); radius < (1 - kRadius) * wished_radius(growth))
+      made_.result.notes.push_back(tight_turn_note(radius));
     if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6))
       made_.result.notes.push_back(small_pitch_note(turns.smallest_pitch));
+  }
+
+  // mm: what the turns' arcs must have, unless the first curve is tighter itself, as an entry may
+  // be. Fitted exponents see to it.
+  double wished_radius(const PlannedGrowth& growth) const {
+    return std::min(params_.minimum_radius,
+                    least_curvature_radius(growth.growth.stages.front().from));
   }
 
   [[noreturn]] void refuse_load() const {
     if (task_.hole)
       throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleTooTight);
-    refuse(kNoLoad);
+    refuse(lame_.has_courses() ? kNoLoadOfCourse : kNoLoad);
   }
 
   // To the spiral's start: over cleared ground, or down beside it.
@@ -349,9 +388,10 @@ void Opening::clear_stock_around_island() {
   const double kept = kept_area(), beside = grown_lame_area(first, -radius_);
 
   const auto growths_to = [&](const LameCurve& last) {
-    std::vector<LameGrowth> growths = growths_through_circles(first, last);
+    std::vector<LameGrowth> growths;
+    if (!lame_.has_courses()) growths = growths_through_circles(first, last);
     if (const std::optional<LameCurve> alike = shapes_.first_like(last, outside))
-      growths.push_back({{{*alike, last}}});
+      growths.push_back(one_stage(*alike, last));
     return growths;
   };
   const PlannedGrowth growth = quickest(lasts, true, growths_to, [&](const LameCurve& last) {
@@ -387,13 +427,12 @@ void Opening::clear_ring() {
     std::vector<LameGrowth> growths;
     const bool closest = last == lasts.front();
     if (!closest && with_channel_to(last) < kLeastShare) return growths;
-    if (const std::optional<LameCurve> first = within_channel(beside, last))
-      growths = growths_through_circles(*first, last);
-    else if (closest)
-      refuse(kNoRoom);
+    const std::optional<LameCurve> first = within_channel(beside, last);
+    if (!first && closest) refuse(kNoRoom);
+    if (first && !lame_.has_courses()) growths = growths_through_circles(*first, last);
     if (const std::optional<LameCurve> alike = shapes_.first_like(last, island))
-      if (const std::optional<LameCurve> first = within_channel(*alike, last))
-        growths.push_back({{{*first, last}}});
+      if (const std::optional<LameCurve> from = within_channel(*alike, last))
+        growths.push_back(one_stage(*from, last));
     const auto does_little = [&](const LameGrowth& growth) {
       return by_spiral_to(growth) < kLeastRingShare;
     };
@@ -421,6 +460,7 @@ void Opening::clear_ring() {
 }
 
 void Opening::refuse_growth() const {
+  if (lame_.has_courses()) refuse(kNoCourse);
   if (task_.hole && task_.centres.islands.empty())
     throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleOffMiddle);
   refuse(kNoGrowth);

@@ -15,10 +15,12 @@ namespace evenload {
 namespace {
 
 constexpr int kLevels = 8;         // of the growth at which steps are looked for, to each stage
+constexpr int kLevelsOfPiece = 3;  // the same to each piece of its courses, at least
 constexpr int kEveryAngle = 3;     // of lame_angles() is looked at: axes and corners are among them
 constexpr int kKnots = 16;         // of a spiral's functions, for each turn
 constexpr double kRampIn = 0.5;    // rad within which a spiral takes up its first slope
 constexpr double kTurnOff = 0.15;  // rad within which it turns off its last curve
+constexpr double kMostBack = 0.1;  // of the last step: it turns off by no more
 constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
 constexpr double kSameAngle = 1e-9;  // rad
 // Share of what semi-axes change by: fits of even shapes come as near to even curves.
@@ -28,6 +30,7 @@ constexpr double kFirstStep = 2;     // side steps: no turn goes farther
 constexpr int kMostLooks = 8;        // for one step
 constexpr double kEdge = 5e-4;       // tool radii: how well the edge of the engagement is met
 constexpr double kCrossing = 1e-6;   // of a radius: rounding
+constexpr double kLess = 0.95;       // by which a step is tried again that exceeds the pitch
 constexpr std::array<double, 2> kRuns = {1, 2.5};
 
 struct Heading {
@@ -52,7 +55,7 @@ bool is_even(const LameGrowth& growth) {
   const double small = kAlike * growth.length();
   return std::all_of(growth.stages.begin(), growth.stages.end(), [&](const LameStage& s) {
     return std::abs(s.from.a - s.from.b) < small && std::abs(s.to.a - s.to.b) < small &&
-           distance(s.from.centre, s.to.centre) < small;
+           distance(s.from.centre, s.to.centre) < small && s.courses.a == s.courses.b;
   });
 }
 
@@ -144,10 +147,11 @@ double step_at(const LameGrowth& growth, const TurnTask& task, double share, dou
 
 std::vector<double> levels_of(const LameGrowth& growth) {
   const std::vector<double> joints = growth.joints();
+  const int count = std::max(kLevels, kLevelsOfPiece * static_cast<int>(growth.courses().pieces()));
   std::vector<double> levels{0};
   for (std::size_t k = 0; k + 1 < joints.size(); ++k)
-    for (int i = 1; i <= kLevels; ++i)
-      levels.push_back(joints[k] + i * (joints[k + 1] - joints[k]) / kLevels);
+    for (int i = 1; i <= count; ++i)
+      levels.push_back(joints[k] + i * (joints[k + 1] - joints[k]) / count);
   levels.back() = 1;
   return levels;
 }
@@ -171,11 +175,10 @@ bool stays_between(const LameGrowth& growth) {
 MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
   const std::vector<double> levels = levels_of(growth);
   std::vector<double> steps;
-  const double farthest =
-      kFirstStep * side_step(task.engagement, task.tool_radius) / growth.length();
+  const double farthest = kFirstStep * side_step(task.engagement, task.tool_radius);  // mm
   std::size_t worst = 0;  // where the step was the least
   for (const double level : levels) {
-    double least = task.pitch ? std::min(farthest, *task.pitch / growth.length()) : farthest;
+    double least = growth.step_of(level, task.pitch ? std::min(farthest, *task.pitch) : farthest);
     const std::vector<double> angles = angles_to_look_at(growth, growth.at(level));
     // It is likely to be the least there again, and then one look at each other angle is enough.
     const std::size_t first = std::min(worst, angles.size() - 1);
@@ -267,7 +270,8 @@ std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
     const bool one = growth.stages.size() == 1;
     const LameStage& stage = growth.stages.front();
     for (const double run : kRuns) {
-      if (run != 1 && (!one || stage.from.exponent == stage.to.exponent)) continue;
+      const bool has_run = one && stage.from.exponent != stage.to.exponent;
+      if (run != 1 && (!has_run || stage.courses.exponent)) continue;
       if (one) growth.stages.front().run = run;
       if (!stays_between(growth)) continue;
       MonotoneSpline steps = largest_steps(growth, task);
@@ -281,24 +285,31 @@ std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
 }
 
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
-                     bool inwards, double off) {
+                     bool inwards, double off, std::optional<double> pitch) {
   const double knot = 2 * kPi / kKnots;
   std::vector<double> turned{-knot, 0}, shares{0, 0};
   while (shares.back() < 1) {
     if (turned.back() > 2 * kPi * kMostTurns)
       throw std::invalid_argument(
-          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, or take the "
-          "operation Adaptive.");
+          "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, make "
+          "courses "
+          "more even, or take the operation Adaptive.");
     const double share = shares.back(), step = step_from(steps, share);
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
+    double by = ramp * step / kKnots;
+    if (pitch && growth.courses().any())
+      while (growth.change(share + by, by) > (1 + kCrossing) * *pitch / kKnots) by *= kLess;
     turned.push_back(turned.back() + knot);
-    shares.push_back(std::min(1.0, share + ramp * step / kKnots));
+    shares.push_back(std::min(1.0, share + by));
   }
   turned.push_back(turned.back() + 2 * kPi);
   shares.push_back(1);
   if (off > 0) {
     turned.push_back(turned.back() + kTurnOff);
-    shares.push_back(1 - std::min(0.5, off / growth.length()));  // never back to the beginning
+    // Never back to the beginning, nor, where a course ends at rest, by much of a step.
+    double back = std::min(0.5, growth.step_of(1, off));
+    if (growth.courses().any()) back = std::min(back, kMostBack * steps.value(1));
+    shares.push_back(1 - back);
   }
   const double end = turned.back();
   return {growth, MonotoneSpline(std::move(turned), std::move(shares)), start, inwards, end};

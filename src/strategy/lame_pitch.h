@@ -7,7 +7,7 @@
 //
 // Laws: around a circle the step is the one of Thesis I; a wished pitch is never exceeded; a spiral
 // begins tangent to the growth's first curve and ends with a full turn on its last, off which it
-// may turn in the end.
+// may turn in the end. A set course of the exponent is the only one that is tried.
 #pragma once
 
 #include <optional>
@@ -48,10 +48,11 @@ std::optional<PlannedGrowth> best_growth(const std::vector<LameGrowth>& growths,
                                          const TurnTask& task);
 
 // The spiral with these steps, `start` rad being the polar angle where it begins. After its full
-// turn on the last curve it turns off that curve by `off` mm, to where nothing is left. Throws
+// turn on the last curve it turns off that curve by `off` mm, to where nothing is left. `pitch`: mm
+// that courses of the semi-axes are not to exceed between two places where steps are known. Throws
 // std::invalid_argument where it would take more than kMostTurns turns.
 LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, double start,
-                     bool inwards, double off = 0);
+                     bool inwards, double off = 0, std::optional<double> pitch = {});
 inline constexpr double kMostTurns = 2000;
 
 }  // namespace evenload

@@ -50,4 +50,12 @@ std::string small_pitch_note(double pitch) {
   return note.str();
 }
 
+std::string tight_turn_note(double radius) {
+  std::ostringstream note;
+  note << std::fixed << std::setprecision(3)
+       << "The spiral turns more tightly than MinimumRadius, down to " << radius
+       << " mm: raise ExponentStart or ExponentEnd, or make the courses more even.";
+  return note.str();
+}
+
 }  // namespace evenload

@@ -23,6 +23,19 @@ inline constexpr const char* kSizeTooSmall =
     "SemiAxisA and SemiAxisB leave no room for a spiral around its entry: set larger ones, or "
     "leave them unset.";
 
+// Of courses.
+inline constexpr const char* kTwoCourses =
+    "Only curves of four segments have two courses: set SemiAxisACourse and SemiAxisBCourse to the "
+    "same values, or leave one of them empty.";
+inline constexpr const char* kNoCourse =
+    "With these courses no Lamé spiral leads from its first turn to its last: leave "
+    "SemiAxisACourse, SemiAxisBCourse and ExponentCourse empty, or take the operation Adaptive.";
+inline constexpr const char* kNoLoadOfCourse =
+    "With these courses no Lamé spiral keeps to the engagement angle: make SemiAxisACourse, "
+    "SemiAxisBCourse and ExponentCourse more even, or leave them empty.";
+inline constexpr const char* kIdleCourse =
+    "ExponentCourse changes nothing: the first and the last exponent are the same.";
+
 // Of pre-drilled holes.
 inline constexpr const char* kHoleOutside =
     "The pre-drilled hole lies outside this pocket: choose the entry 'Automatic', or another hole.";
@@ -48,5 +61,7 @@ std::string small_size_note(double share);
 // Where turns are closer than the set pitch, down to `pitch` mm.
 std::string channel_note(double share);
 std::string small_pitch_note(double pitch);
+// Where a set exponent or course makes turns tighter than MinimumRadius, down to `radius` mm.
+std::string tight_turn_note(double radius);
 
 }  // namespace evenload

@@ -2,14 +2,25 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <utility>
 
 namespace evenload {
 namespace {
 
 // Arcs turn this share more tightly than the curve that they follow.
 constexpr double kArcRadius = 1.03;
+constexpr double kEqualAxes = 0.01;  // of themselves
 // Shares of the way from a curve's exponent to the circle's: curves that are tried.
 constexpr std::array<double, 4> kRounder = {0.25, 0.5, 0.75, 1};
+
+// Of the two axes of a curve of four segments: whether its first is the shorter, or of equal ones
+// that farther from the X axis.
+bool is_second(const LameCurve& curve) {
+  if (std::abs(curve.a - curve.b) > kEqualAxes * std::max(curve.a, curve.b))
+    return curve.a < curve.b;
+  return std::abs(std::sin(curve.rotation)) > std::abs(std::cos(curve.rotation));
+}
 
 }  // namespace
 
@@ -33,7 +44,13 @@ LameFitTask LameShapes::task(LameSide side, const LameWishes& wishes) const {
 }
 
 std::optional<LameCurve> LameShapes::last(const Curve& outline, LameSide side) const {
-  return fitted(outline, task(side, last_wishes()));
+  std::optional<LameCurve> curve = fitted(outline, task(side, last_wishes()));
+  if (curve && curve->segments == 4 && lame_.has_axis_courses() && !has_wished_size() &&
+      !lame_.rotation && is_second(*curve)) {
+    std::swap(curve->a, curve->b);
+    curve->rotation = std::remainder(curve->rotation + kPi / 2, kPi);
+  }
+  return curve;
 }
 
 std::optional<LameCurve> LameShapes::fitted(const Curve& outline, LameFitTask fit) const {

@@ -2,7 +2,9 @@
 //
 // Laws: those of fit_lame_curve; unless an exponent is set, no corner is tighter than the minimum
 // radius, nor than kCornerRadius; inside an outline a curve whose size is not set is no longer than
-// kLongest times its width.
+// kLongest times its width. For courses the first axis of a last curve of four segments is
+// the longer one, of equal ones that nearer to the X axis, unless a semi-axis or the rotation is
+// set: so it is the same in the mirrored work of conventional milling.
 #pragma once
 
 #include <optional>

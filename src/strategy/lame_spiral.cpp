@@ -18,6 +18,15 @@ constexpr double kLeastAxis = 0.01;
 
 bool is_circle(const LameCurve& curve) { return curve.exponent == 1 && curve.a == curve.b; }
 
+// What a step that is sought is known to, of itself.
+constexpr double kStepFound = 1e-12;
+
+// How far a semi-axis has come at a share of the stage, which may be below 0, and its slope.
+double come(const LameCourse& course, double s) { return course && s > 0 ? course->value(s) : s; }
+double slope_of(const LameCourse& course, double s) {
+  return course ? course->slope(std::max(0.0, s)) : 1;
+}
+
 double larger_change(const LameStage& stage) {
   return std::max({std::abs(stage.to.a - stage.from.a), std::abs(stage.to.b - stage.from.b), 1e-9});
 }
@@ -50,11 +59,13 @@ double slope_from_rest(double s) {
 // How far the exponent has come at a share of the stage, and its slope; not where that is infinite,
 // at the begin of a run below 1.
 double exponent_share(const LameStage& stage, double s) {
+  if (stage.courses.exponent) return stage.courses.exponent->value(s);
   if (stage.joint == LameJoint::kAtBegin) return from_rest(s);
   if (stage.joint == LameJoint::kAtEnd) return 1 - from_rest(1 - s);
   return stage.run == 1 ? s : std::pow(s, stage.run);
 }
 double exponent_slope(const LameStage& stage, double s) {
+  if (stage.courses.exponent) return stage.courses.exponent->slope(s);
   if (stage.joint == LameJoint::kAtBegin) return slope_from_rest(s);
   if (stage.joint == LameJoint::kAtEnd) return slope_from_rest(1 - s);
   return stage.run * std::pow(std::max(1e-6, s), stage.run - 1);
@@ -67,6 +78,21 @@ constexpr double kCircleRoom = 0.05;
 constexpr std::array<double, 3> kCircles = {0.15, 0.45, 0.75};
 
 }  // namespace
+
+LameCourse course_through(const std::vector<double>& values) {
+  if (values.empty()) return {};
+  std::vector<double> shares;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    shares.push_back(static_cast<double>(i) / static_cast<double>(values.size() - 1));
+  return MonotoneSpline(std::move(shares), values);
+}
+
+std::size_t LameCourses::pieces() const {
+  std::size_t most = 1;
+  for (const LameCourse* course : {&a, &b, &exponent})
+    if (*course) most = std::max(most, (*course)->pieces());
+  return most;
+}
 
 double LameGrowth::length() const {
   double sum = 0;
@@ -88,21 +114,44 @@ LameCurve LameGrowth::at(double share) const {
   const double t = std::max(0.0, s), e = exponent_share(*stage, t);
   LameCurve curve = is_circle(to) ? from : to;
   curve.centre = from.centre + t * (to.centre - from.centre);
-  curve.a = std::max(kLeastAxis * from.a, from.a + s * (to.a - from.a));
-  curve.b = std::max(kLeastAxis * from.b, from.b + s * (to.b - from.b));
+  const double a = come(stage->courses.a, s), b = come(stage->courses.b, s);
+  curve.a = std::max(kLeastAxis * from.a, from.a + a * (to.a - from.a));
+  curve.b = std::max(kLeastAxis * from.b, from.b + b * (to.b - from.b));
   curve.exponent = from.exponent + e * (to.exponent - from.exponent);
   return curve;
 }
 
+double LameGrowth::change(double share, double step) const {
+  if (!courses().a && !courses().b) return step * length();
+  const LameStage& stage = stages.front();
+  const auto by = [&](const LameCourse& course, double all) {
+    return std::abs(all) * (come(course, share) - come(course, share - step));
+  };
+  return std::max(by(courses().a, stage.to.a - stage.from.a),
+                  by(courses().b, stage.to.b - stage.from.b));
+}
+
+double LameGrowth::step_of(double share, double mm) const {
+  const double even = mm / length();
+  if (!courses().a && !courses().b) return even;
+  // It is no longer than to where the growth, continued backwards, has changed by as much again.
+  double low = 0, high = std::max(0.0, share) + even;
+  while (high - low > kStepFound * high) {
+    const double middle = 0.5 * (low + high);
+    (change(share, middle) < mm ? low : high) = middle;
+  }
+  return high;
+}
+
 PlanePoint LameSpiral::place(double turned) const {
   const double phi = angle(turned), sense = clockwise ? -1 : 1;
-  const double come = share.value(turned);
-  const LameCurve here = growth.at(come);
-  const auto [stage, s] = place_in(growth, come);
+  const double so_far = share.value(turned);
+  const LameCurve here = growth.at(so_far);
+  const auto [stage, s] = place_in(growth, so_far);
   const double rate = share.slope(turned) * growth.length() / larger_change(*stage);
   const LameRadius at = lame_radius(here, phi);
-  const double growing = at.by_a * (stage->to.a - stage->from.a) +
-                         at.by_b * (stage->to.b - stage->from.b) +
+  const double growing = at.by_a * (stage->to.a - stage->from.a) * slope_of(stage->courses.a, s) +
+                         at.by_b * (stage->to.b - stage->from.b) * slope_of(stage->courses.b, s) +
                          at.by_exponent * (stage->to.exponent - stage->from.exponent) *
                              exponent_slope(*stage, std::max(0.0, s));
   const Vec2 out = unit(phi);

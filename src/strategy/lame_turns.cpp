@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "cutting/engagement.h"
@@ -10,7 +11,9 @@ namespace evenload {
 namespace {
 
 constexpr int kBands = 24;                      // of the growth that are corrected by themselves
+constexpr int kBandsOfPiece = 3;                // the same to each piece of its courses, at least
 constexpr int kMostRounds = 6;                  // of corrections
+constexpr int kMostRoundsOfCourses = 12;        // where courses may be steep
 constexpr int kWideningRounds = 1;              // of them may widen steps, too
 constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 constexpr double kCoarse = 3;                   // so much more coarsely the first round looks
@@ -122,46 +125,54 @@ class Looks {
   std::vector<AngularInterval> arcs_;
 };
 
+int bands_of(const LameGrowth& growth) {
+  return std::max(kBands, kBandsOfPiece * static_cast<int>(growth.courses().pieces()));
+}
+
 // The steps times what the looks within a turn of them ask for.
 MonotoneSpline corrected(const MonotoneSpline& steps, const std::vector<Look>& looks,
-                         const TurnTask& task, double most) {
+                         const TurnTask& task, double most, int bands) {
   const double aim = 1 - std::cos(std::max(0.5 * task.engagement, task.engagement - kAim));
-  std::vector<double> shares, factors(kBands + 1, most), values;
+  std::vector<double> shares, factors(bands + 1, most), values;
   for (const Look& look : looks) {
     const double factor =
         std::clamp(aim / std::max(1e-9, 1 - std::cos(look.engagement)), kNarrow, most);
-    const double reach = steps.value(look.share) + 1.0 / kBands;
-    const int low = std::max(0, static_cast<int>(std::ceil((look.share - reach) * kBands)));
+    const double reach = steps.value(look.share) + 1.0 / bands;
+    const int low = std::max(0, static_cast<int>(std::ceil((look.share - reach) * bands)));
     const int high =
-        std::min(kBands, static_cast<int>(std::floor((look.share + 1.0 / kBands) * kBands)));
+        std::min(bands, static_cast<int>(std::floor((look.share + 1.0 / bands) * bands)));
     for (int i = low; i <= high; ++i) factors[i] = std::min(factors[i], factor);
   }
-  for (int i = 0; i <= kBands; ++i) {
-    shares.push_back(static_cast<double>(i) / kBands);
+  for (int i = 0; i <= bands; ++i) {
+    shares.push_back(static_cast<double>(i) / bands);
     values.push_back(steps.value(shares.back()) * factors[i]);
   }
   return MonotoneSpline(std::move(shares), std::move(values));
 }
 
-MonotoneSpline limited(const MonotoneSpline& steps, double most) {
+MonotoneSpline limited(const MonotoneSpline& steps, const LameGrowth& growth, double pitch) {
+  const int bands = bands_of(growth);
   std::vector<double> shares, values;
-  for (int i = 0; i <= kBands; ++i) {
-    shares.push_back(static_cast<double>(i) / kBands);
-    values.push_back(std::min(most, steps.value(shares.back())));
+  for (int i = 0; i <= bands; ++i) {
+    shares.push_back(static_cast<double>(i) / bands);
+    values.push_back(std::min(growth.step_of(shares.back(), pitch), steps.value(shares.back())));
   }
   return MonotoneSpline(std::move(shares), std::move(values));
 }
 
 struct Range {
-  double least = 1, most = 0;
+  double least = std::numeric_limits<double>::infinity(), most = 0;  // mm
 };
 
-Range range_of(const MonotoneSpline& steps) {
+// Of the pitch.
+Range range_of(const MonotoneSpline& steps, const LameGrowth& growth) {
+  const int bands = bands_of(growth);
   Range range;
-  for (int i = 0; i <= kBands; ++i) {
-    const double step = steps.value(static_cast<double>(i) / kBands);
-    range.least = std::min(range.least, step);
-    range.most = std::max(range.most, step);
+  for (int i = 0; i <= bands; ++i) {
+    const double share = static_cast<double>(i) / bands;
+    const double pitch = growth.change(share, steps.value(share));
+    range.least = std::min(range.least, pitch);
+    range.most = std::max(range.most, pitch);
   }
   return range;
 }
@@ -173,9 +184,10 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
   const LameGrowth& growth = planned.growth;
   MonotoneSpline steps = planned.steps;
   LameTurns best;
-  for (int round = 0; round < kMostRounds; ++round) {
-    if (task.pitch) steps = limited(steps, *task.pitch / growth.length());
-    LameSpiral spiral = spiral_of(growth, steps, start, task.inwards, kOff * tolerance);
+  const int rounds = growth.courses().any() ? kMostRoundsOfCourses : kMostRounds;
+  for (int round = 0; round < rounds; ++round) {
+    if (task.pitch) steps = limited(steps, growth, *task.pitch);
+    LameSpiral spiral = spiral_of(growth, steps, start, task.inwards, kOff * tolerance, task.pitch);
     // The first arcs are never cut.
     const double coarse = round == 0 ? kCoarse : 1;
     LameArcs arcs = arcs_of(spiral, coarse * tolerance);
@@ -184,16 +196,13 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
     for (const Look& look : looks.found()) most = std::max(most, look.engagement);
     const bool good = most <= task.engagement + kTurnTolerance;
     if (round <= kWideningRounds || good || most < best.engagement) {
-      const Range range = range_of(steps);
-      best = {std::move(spiral),
-              std::move(arcs.moves),
-              looks.smooth(),
-              most,
-              range.least * growth.length(),
-              range.most * growth.length()};
+      const Range range = range_of(steps, growth);
+      best = {std::move(spiral), std::move(arcs.moves), looks.smooth(), most, range.least,
+              range.most};
     }
     if (good && round >= kWideningRounds) break;
-    steps = corrected(steps, looks.found(), task, round < kWideningRounds ? kWiden : 1);
+    steps = corrected(steps, looks.found(), task, round < kWideningRounds ? kWiden : 1,
+                      bands_of(growth));
   }
   return best;
 }

@@ -78,51 +78,116 @@ TEST(LameCurve, HasAsManyEqualSegmentsAsItSays) {
 }
 
 TEST(LameCurve, IsFiniteAndContinuousAtEveryAngle) {
+  constexpr double kStep = 1e-4;  // rad
   for (const double n : kExponents)
     for (const int segments : {4, 6}) {
       const LameCurve curve = curve_of(40, 11, n, segments, 0.3);
-      double before = radius(curve, -0.001);
+      // From an axis on, r falls as the power 2 / n of the angle; elsewhere it is no steeper than
+      // the corners of the smallest exponent.
+      const double most =
+          60 * n * std::pow(40.0 / 11 * segments / 4 * kStep, std::min(1.0, 2 / n)) + 0.02;
+      double before = radius(curve, -kStep);
       for (int i = 0; i <= 64000; ++i) {
-        const double here = radius(curve, i * 1e-4);
-        ASSERT_TRUE(std::isfinite(here));
-        // Cusps of n = 3 are the steepest places.
-        ASSERT_NEAR(here, before, i == 0 || n > 1 ? 3.0 : 0.02);
-        before = here;
+        const LameRadius at = lame_radius(curve, i * kStep);
+        ASSERT_GE(at.r, 11 * std::pow(2, -1.5));  // as for n = 3 between its axes
+        ASSERT_LE(at.r, 40 * std::sqrt(2));
+        ASSERT_NEAR(at.r, before, most);
+        for (const double each : {at.by_angle, at.by_a, at.by_b, at.by_exponent})
+          ASSERT_TRUE(std::isfinite(each)) << n << " at " << i * kStep;
+        ASSERT_FALSE(std::isnan(at.by_angle_twice));
+        before = at.r;
       }
       for (const double axis : {0.3, 0.3 + 2 * kPi / segments})  // where tangents have poles
-        for (const double by : {-1e-9, -1e-16, 0.0, 1e-16, 1e-9})
-          ASSERT_NEAR(radius(curve, axis + by), axis == 0.3 ? 40 : 11, 0.1);
+        for (const double by : {-1e-9, -1e-16, 0.0, 1e-16, 1e-9}) {
+          const LameRadius at = lame_radius(curve, axis + by);
+          ASSERT_NEAR(at.r, axis == 0.3 ? 40 : 11, 0.1);
+          for (const double each : {at.by_angle, at.by_a, at.by_b, at.by_exponent})
+            ASSERT_TRUE(std::isfinite(each)) << n << " beside " << axis;
+          ASSERT_FALSE(std::isnan(at.by_angle_twice));
+        }
     }
+}
+
+// rad of psi to the nearest axis.
+double from_axis(const LameCurve& curve, double angle) {
+  return std::abs(std::remainder(0.25 * curve.segments * (angle - curve.rotation), kPi / 2));
 }
 
 TEST(LameCurve, HasTheDerivativesOfItsRadius) {
   std::mt19937 random(3);
-  for (int i = 0; i < 2000; ++i) {
-    const double n = uniform(random, 0.1, 1), a = uniform(random, 1, 9);
+  constexpr double kStep = 1e-6;
+  int above_one = 0;
+  for (int i = 0; i < 6000; ++i) {
+    const double n = i % 3 == 0 ? uniform(random, 1, 3) : uniform(random, 0.05, 1);
+    const double a = uniform(random, 1, 9);
     const int segments = 3 + static_cast<int>(random() % 6);
     const LameCurve curve =
         curve_of(a, segments == 4 ? uniform(random, 1, 9) : a, n, segments, uniform(random, -3, 3));
-    const double angle = uniform(random, -7, 7), h = 1e-5;
+    const double angle = uniform(random, -7, 7), apart = from_axis(curve, angle);
+    // At an axis a derivative of higher order may be none, on which differences depend.
+    if (apart < 0.01) continue;
+    above_one += n > 1;
     const LameRadius at = lame_radius(curve, angle);
-    const auto moved = [&](double LameCurve::*what, double by) {
-      LameCurve other = curve;
-      other.*what += by;
-      return radius(other, angle);
+    const auto slope = [&](double LameCurve::*what) {
+      LameCurve low = curve, high = curve;
+      low.*what -= kStep;
+      high.*what += kStep;
+      return (radius(high, angle) - radius(low, angle)) / (2 * kStep);
     };
-    const double steep = 1e-4 * at.r / (n * n);  // of the third derivatives
-    EXPECT_NEAR(at.by_angle, (radius(curve, angle + h) - radius(curve, angle - h)) / (2 * h),
-                steep);
+    // Derivatives grow by 1 / n at corners and by 1 / apart at axes, order by order.
+    const double steep = 1 / n + 1 / apart;
+    const double first = 1e-8 * at.r + 1e-12 * at.r * std::pow(steep, 3);
+    const double second = 1e-8 * at.r * steep + 1e-11 * at.r * std::pow(steep, 4);
+    EXPECT_NEAR(at.by_angle,
+                (radius(curve, angle + kStep) - radius(curve, angle - kStep)) / (2 * kStep), first);
     EXPECT_NEAR(
         at.by_angle_twice,
-        (lame_radius(curve, angle + h).by_angle - lame_radius(curve, angle - h).by_angle) / (2 * h),
-        10 * steep / n);
-    EXPECT_NEAR(at.by_a, (moved(&LameCurve::a, h) - moved(&LameCurve::a, -h)) / (2 * h), steep);
-    EXPECT_NEAR(at.by_b, (moved(&LameCurve::b, h) - moved(&LameCurve::b, -h)) / (2 * h), steep);
-    EXPECT_NEAR(at.by_exponent,
-                (moved(&LameCurve::exponent, h) - moved(&LameCurve::exponent, -h)) / (2 * h),
-                steep);
+        (lame_radius(curve, angle + kStep).by_angle - lame_radius(curve, angle - kStep).by_angle) /
+            (2 * kStep),
+        second);
+    EXPECT_NEAR(at.by_a, slope(&LameCurve::a), first);
+    EXPECT_NEAR(at.by_b, slope(&LameCurve::b), first);
+    EXPECT_NEAR(at.by_exponent, slope(&LameCurve::exponent), first);
     EXPECT_NEAR(at.log_by_a + at.log_by_b, 1, 1e-12);
     EXPECT_LE(at.by_exponent, 0);
+  }
+  EXPECT_GT(above_one, 1500);
+}
+
+TEST(LameCurve, OfExponentOneOrLessHasItsDerivativesOnTheAxesToo) {
+  constexpr double kStep = 1e-4;
+  for (const double n : {0.05, 0.3, 0.7, 0.9, 1.0})
+    for (const int segments : {4, 6}) {
+      const LameCurve curve = curve_of(7, 3, n, segments, 0.3);
+      for (int k = 0; k < segments; ++k) {
+        const double axis = 0.3 + 2 * kPi * k / segments, turn = 0.25 * segments;
+        const LameRadius at = lame_radius(curve, axis);
+        EXPECT_NEAR(at.by_angle, 0, 1e-12);
+        EXPECT_EQ(at.by_exponent, 0);
+        // Below 1 that of the secant, to which differences come by the power 2 / n - 2 of the step.
+        if (n < 1) {
+          EXPECT_NEAR(at.by_angle_twice, at.r * turn * turn, 1e-9);
+        }
+        const double bend = (radius(curve, axis + kStep) - 2 * at.r + radius(curve, axis - kStep)) /
+                            (kStep * kStep);
+        const double slow = n < 1 ? 200 * std::pow(kStep, 2 / n - 2) : 0;
+        EXPECT_NEAR(at.by_angle_twice, bend, 1e-4 + slow) << n;
+      }
+    }
+}
+
+// By the power 2 / n - 1 of the angle from an axis the slope of r falls there or grows.
+TEST(LameCurve, FromExponentTwoOnHasNoTangentOnItsAxes) {
+  for (const double n : {1.2, 1.7, 2.0, 2.5, 3.0}) {
+    const LameCurve curve = curve_of(7, 3, n);
+    for (const double axis : {0.0, kPi / 2}) {
+      const double near = lame_radius(curve, axis + 1e-6).by_angle,
+                   nearer = lame_radius(curve, axis + 1e-7).by_angle;
+      EXPECT_LT(near, 0);
+      EXPECT_NEAR(lame_radius(curve, axis - 1e-6).by_angle / near, -1, 1e-3);
+      EXPECT_NEAR(nearer / near, std::pow(0.1, 2 / n - 1), 1e-2) << n;
+      EXPECT_EQ(lame_radius(curve, axis + 1e-12).by_angle < -1, n >= 2) << n;
+    }
   }
 }
 

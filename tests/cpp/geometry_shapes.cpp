@@ -20,25 +20,6 @@ int between(std::mt19937& random, int low, int high) {
 using V = std::vector<Vertex>;
 Curve chain(V vertices) { return Curve(std::move(vertices), true); }
 
-// Every corner rounded with `radius` where its sides are long enough.
-Curve filleted(const std::vector<Vec2>& points, double radius) {
-  V vertices;
-  const std::size_t n = points.size();
-  for (std::size_t i = 0; i < n; ++i) {
-    const Vec2 p = points[i], before = points[(i + n - 1) % n], after = points[(i + 1) % n];
-    const Vec2 u = normalized(p - before), v = normalized(after - p);
-    const double turn = std::atan2(cross(u, v), dot(u, v));
-    const double cut = radius * std::tan(std::abs(turn) / 2);
-    if (cut > 0.45 * std::min(distance(p, before), distance(p, after)) || std::abs(turn) < 1e-3) {
-      vertices.push_back({p});
-      continue;
-    }
-    vertices.push_back({p - cut * u, std::tan(turn / 4)});
-    vertices.push_back({p + cut * v});
-  }
-  return chain(vertices);
-}
-
 Curve gear(std::mt19937& random) {
   const int teeth = between(random, 5, 16);
   const double outer = between(random, 15.0, 40.0), inner = outer * between(random, 0.6, 0.9);
@@ -185,6 +166,40 @@ Region moved(const Region& region, double angle, bool mirrored, double scale, Ve
   for (const Curve& island : region.islands)
     islands.push_back(moved(island, angle, mirrored, scale, shift));
   return make_region(moved(region.outer, angle, mirrored, scale, shift), islands);
+}
+
+Curve filleted(const std::vector<Vec2>& points, double radius) {
+  V vertices;
+  const std::size_t n = points.size();
+  for (std::size_t i = 0; i < n; ++i) {
+    const Vec2 p = points[i], before = points[(i + n - 1) % n], after = points[(i + 1) % n];
+    const Vec2 u = normalized(p - before), v = normalized(after - p);
+    const double turn = std::atan2(cross(u, v), dot(u, v));
+    const double cut = radius * std::tan(std::abs(turn) / 2);
+    if (cut > 0.45 * std::min(distance(p, before), distance(p, after)) || std::abs(turn) < 1e-3) {
+      vertices.push_back({p});
+      continue;
+    }
+    vertices.push_back({p - cut * u, std::tan(turn / 4)});
+    vertices.push_back({p + cut * v});
+  }
+  return chain(vertices);
+}
+
+Curve ellipse(double a, double b) {
+  constexpr int kPieces = 120;
+  const auto place = [&](int i) {
+    const double t = 2 * kPi * i / kPieces;
+    return Vec2{a * std::cos(t), b * std::sin(t)};
+  };
+  const auto heading = [&](int i) {
+    const double t = 2 * kPi * i / kPieces;
+    return angle_of({-a * std::sin(t), b * std::cos(t)});
+  };
+  std::vector<Vertex> vertices;
+  for (int i = 0; i < kPieces; ++i)
+    vertices.push_back({place(i), std::tan(wrap_signed(heading(i + 1) - heading(i)) / 4)});
+  return Curve(std::move(vertices), true);
 }
 
 std::vector<Named> pockets() {

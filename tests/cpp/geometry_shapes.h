@@ -19,6 +19,10 @@ Curve rectangle(double x0, double y0, double x1, double y1);
 Curve circle(Vec2 centre, double radius);
 // A slot with round ends, `length` between the centres of the ends.
 Curve slot(Vec2 centre, double length, double radius);
+// A polygon, every corner rounded with `radius` where its sides are long enough.
+Curve filleted(const std::vector<Vec2>& points, double radius);
+// As arcs, nearly tangent to each other.
+Curve ellipse(double a, double b);
 
 std::vector<Named> pockets();
 // Blobs, polygons, stars, gears, combs, rings, rectilinear shapes, chains of tiny arcs, with

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "geometry/lame_curve.h"
+#include "geometry_shapes.h"
 #include "judged.h"
 #include "strategy/lame_clearing.h"
 #include "strategy/lame_opening.h"
@@ -51,6 +52,38 @@ std::vector<Move> first_cuts(const Toolpath& path) {
   return cuts;
 }
 
+bool tells(const Toolpath& path, const std::string& words) {
+  const auto& notes = path.report.notes;
+  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
+    return note.find(words) != std::string::npos;
+  });
+}
+
+// What is said where the spiral is refused; nothing where it is made.
+std::string refusal(const std::vector<Region>& regions, const ClearingParams& params,
+                    const LameParams& lame = {}) {
+  Progress watch;
+  try {
+    clear_with_lame_spiral(regions, params, lame, watch);
+  } catch (const GeometryError& error) {
+    return error.what();
+  }
+  return {};
+}
+
+Curve box(double x, double y, double width, double height) {
+  return Curve({{{x, y}}, {{x + width, y}}, {{x + width, y + height}}, {{x, y + height}}}, true);
+}
+
+Curve circle(Vec2 centre, double radius, bool clockwise = false) {
+  const Curve curve({{centre + Vec2{radius, 0}, 1}, {centre - Vec2{radius, 0}, 1}}, true);
+  return clockwise ? curve.reversed() : curve;
+}
+
+Region ring(double outer, double inner) {
+  return make_region(circle({}, outer), {circle({}, inner, true)});
+}
+
 class EveryLamePocket : public testing::TestWithParam<std::string> {};
 
 TEST_P(EveryLamePocket, IsClearedWithinTheLimitsAndTheTime) {
@@ -67,6 +100,59 @@ INSTANTIATE_TEST_SUITE_P(Corpus, EveryLamePocket,
                                          "lame_hex_island", "square60", "boss_open",
                                          "square_island"),
                          [](const auto& each) { return each.param; });
+
+std::vector<Vec2> corners(int count, double radius) {
+  std::vector<Vec2> points;
+  for (int i = 0; i < count; ++i) points.push_back(radius * unit(0.2 + 2 * kPi * i / count));
+  return points;
+}
+
+std::vector<Vec2> box_corners(double width, double height) {
+  return {{0, 0}, {width, 0}, {width, height}, {0, height}};
+}
+
+struct Shape {
+  const char* name;
+  Curve outline;
+  int segments;
+};
+
+// For a tool of 6 mm: corners that it enters and corners that it does not.
+std::vector<Shape> other_shapes() {
+  return {{"ellipse", shapes::ellipse(35, 22), 4},
+          {"slot", shapes::slot({5, 5}, 30, 15), 4},
+          {"rectangle", shapes::rectangle(0, 0, 60, 40), 4},
+          {"rectangle_with_tight_corners", shapes::filleted(box_corners(60, 40), 2), 4},
+          {"rectangle_with_wide_corners", shapes::filleted(box_corners(60, 40), 8), 4},
+          {"square_with_tight_corners", shapes::filleted(box_corners(40, 40), 2), 4},
+          {"square_with_wide_corners", shapes::filleted(box_corners(40, 40), 6), 4},
+          {"triangle", shapes::polygon(corners(3, 40)), 3},
+          {"triangle_with_wide_corners", shapes::filleted(corners(3, 40), 6), 3},
+          {"hexagon", shapes::polygon(corners(6, 25)), 6},
+          {"hexagon_with_tight_corners", shapes::filleted(corners(6, 25), 2), 6},
+          {"hexagon_with_wide_corners", shapes::filleted(corners(6, 25), 8), 6},
+          {"octagon", shapes::polygon(corners(8, 30)), 8},
+          {"octagon_with_wide_corners", shapes::filleted(corners(8, 30), 8), 8}};
+}
+
+class EveryOtherLameShape : public testing::TestWithParam<int> {};
+
+TEST_P(EveryOtherLameShape, IsClearedWithinTheLimitsAndTheTime) {
+  const Shape shape = other_shapes()[static_cast<std::size_t>(GetParam())];
+  Case pocket = corpus::load("square60");
+  pocket.region = make_region(shape.outline);
+  const LameToolpath path = spiral(pocket, pocket.params());
+  expect_within_limits(pocket, path, corpus::judge(pocket, path));
+  EXPECT_EQ(path.figures->last.segments, shape.segments);
+  EXPECT_LE(path.report.cutting_time, 1.1 * path.report.ideal_time);
+  EXPECT_GT(path.cleared_share, shape.segments == 3 ? 0.74 : 0.93);
+}
+
+INSTANTIATE_TEST_SUITE_P(Shapes, EveryOtherLameShape,
+                         testing::Range(0, static_cast<int>(other_shapes().size())),
+                         [](const auto& each) {
+                           return other_shapes()[static_cast<std::size_t>(each.param)].name;
+                         });
 
 TEST(LameClearing, IsTheSameForPocketsThatAreTurnedShiftedAndMirrored) {
   const Case original = corpus::load("lame_square35");
@@ -199,6 +285,128 @@ TEST(LameClearing, KeepsWhatIsSet) {
   EXPECT_NE(first_cuts(spiral(pocket, pocket.params(), lame)).size(), cuts.size());
 }
 
+std::vector<Vec2> ends_of(const Toolpath& path) {
+  std::vector<Vec2> ends;
+  for (const Move& move : path.moves) ends.push_back({move.x, move.y});
+  return ends;
+}
+
+using Course = std::vector<double>;
+
+TEST(LameClearing, WithCoursesKeepsTheLimitsOnAnotherPath) {
+  Case rectangle = corpus::load("square60");
+  rectangle.region = make_region(box(0, 0, 60, 40));
+  for (const Case& pocket : {corpus::load("lame_square35"), rectangle}) {
+    const LameToolpath plain = spiral(pocket, pocket.params());
+    for (const auto course : {&LameParams::semi_axis_a_course, &LameParams::semi_axis_b_course,
+                              &LameParams::exponent_course})
+      for (const Course& values : {Course{0, 0.1, 0.4, 1}, Course{0, 0.9, 0.9, 1, 1}}) {
+        LameParams lame;
+        lame.*course = values;
+        const LameToolpath path = spiral(pocket, pocket.params(), lame);
+        expect_within_limits(pocket, path, corpus::judge(pocket, path));
+        EXPECT_NE(ends_of(path), ends_of(plain));
+        EXPECT_NEAR(path.cleared_share, plain.cleared_share, 0.002);  // the same last curve
+      }
+  }
+}
+
+TEST(LameClearing, WithStraightCoursesOfItsSemiAxesIsTheOneWithout) {
+  for (const char* name : {"lame_square35", "lame_square_island"}) {
+    const Case pocket = corpus::load(name);
+    LameParams lame;
+    lame.semi_axis_a_course = {0, 0.5, 1};
+    EXPECT_EQ(ends_of(spiral(pocket, pocket.params(), lame)),
+              ends_of(spiral(pocket, pocket.params())));
+  }
+}
+
+TEST(LameClearing, WithCoursesGoesAroundIslandsAndThroughRingsWithoutACircle) {
+  for (const char* name : {"lame_square_island", "lame_hex_island", "square_island", "boss_open"}) {
+    const Case pocket = corpus::load(name);
+    const LameToolpath plain = spiral(pocket, pocket.params());
+    for (const auto course : {&LameParams::semi_axis_b_course, &LameParams::exponent_course}) {
+      LameParams lame;
+      lame.*course = {0, 0.2, 0.5, 1};
+      const LameToolpath path = spiral(pocket, pocket.params(), lame);
+      expect_within_limits(pocket, path, corpus::judge(pocket, path));
+      EXPECT_NE(ends_of(path), ends_of(plain));
+    }
+  }
+}
+
+// The turn of a rectangle at `turn` rad with courses of its axes that differ, and its mirror image.
+TEST(LameClearing, CoursesHoldForTheSameAxisWhereTheWorkIsMirrored) {
+  for (const double turn : {0.35, -0.35, 0.8, 1.4}) {
+    Case pocket = corpus::load("square60");
+    const Curve upright = box(-25, -15, 50, 30);
+    std::vector<Vertex> vertices = upright.vertices();
+    for (Vertex& v : vertices) v.p = rotated(v.p, turn);
+    pocket.region = make_region(Curve(vertices, true));
+    ClearingParams params = pocket.params();
+    LameParams lame;
+    lame.semi_axis_a_course = {0, 0.1, 0.4, 1};
+    const LameToolpath climb = spiral(pocket, params, lame);
+    params.cut_mode = CutMode::kConventional;
+    const LameToolpath conventional = spiral(pocket, params, lame);
+    EXPECT_NEAR(climb.figures->last.a, conventional.figures->last.a, 0.02) << turn;
+    EXPECT_GT(climb.figures->last.a, climb.figures->last.b) << turn;
+    EXPECT_NEAR(std::sin(climb.figures->last.rotation - turn), 0, 1e-3) << turn;
+    EXPECT_NEAR(std::sin(conventional.figures->last.rotation - turn), 0, 1e-3) << turn;
+    EXPECT_NEAR(climb.report.cutting_time, conventional.report.cutting_time,
+                0.01 * climb.report.cutting_time)
+        << turn;
+    EXPECT_LE(corpus::judge(pocket, conventional).cut_engagement,
+              pocket.engagement_angle + 1 * kDegree);
+  }
+}
+
+TEST(LameClearing, OfOtherThanFourSegmentsHasOneCourseForBothAxes) {
+  const Case pocket = corpus::load("lame_hex50");
+  LameParams a, b, both, two;
+  a.semi_axis_a_course = b.semi_axis_b_course = two.semi_axis_a_course = {0, 0.2, 0.5, 1};
+  both.semi_axis_a_course = both.semi_axis_b_course = a.semi_axis_a_course;
+  two.semi_axis_b_course = {0, 0.8, 1};
+  const std::vector<Vec2> ends = ends_of(spiral(pocket, pocket.params(), a));
+  EXPECT_EQ(ends, ends_of(spiral(pocket, pocket.params(), b)));
+  EXPECT_EQ(ends, ends_of(spiral(pocket, pocket.params(), both)));
+  EXPECT_NE(refusal({pocket.region}, pocket.params(), two).find("four segments"),
+            std::string::npos);
+}
+
+TEST(LameClearing, NamesTheCoursesThatLeadNowhereOrChangeNothing) {
+  const Case island = corpus::load("lame_square_island"), pocket = corpus::load("lame_square35");
+  LameParams lame;
+  lame.semi_axis_a_course = lame.semi_axis_b_course = {0, 0.5, 1, 1};
+  EXPECT_NE(refusal({island.region}, island.params(), lame).find("With these courses"),
+            std::string::npos);
+  lame.semi_axis_a_course = lame.semi_axis_b_course = Course(kMostCourse, 1);  // all at once
+  lame.semi_axis_a_course[0] = lame.semi_axis_b_course[0] = 0;
+  EXPECT_NE(refusal({pocket.region}, pocket.params(), lame).find("more even"), std::string::npos);
+  lame = {};
+  lame.exponent_course = {0, 0.2, 1};
+  EXPECT_FALSE(tells(spiral(pocket, pocket.params(), lame), "ExponentCourse"));
+  lame.exponent_end = 1;
+  EXPECT_TRUE(tells(spiral(pocket, pocket.params(), lame), "ExponentCourse changes nothing"));
+}
+
+TEST(LameClearing, TellsOfTurnsThatASetExponentOrCourseMakesTooTight) {
+  const Case pocket = corpus::load("square60");
+  ClearingParams params = pocket.params();
+  params.minimum_radius = 0.9;
+  const auto told = [&](const LameParams& lame) {
+    return tells(spiral(pocket, params, lame), "more tightly than MinimumRadius, down to");
+  };
+  LameParams lame;
+  EXPECT_FALSE(told(lame));
+  lame.exponent_end = 0.05;
+  EXPECT_FALSE(told(lame));
+  lame.exponent_course = {0, 1, 1};
+  EXPECT_TRUE(told(lame));
+  lame.exponent_end = 0.3;
+  EXPECT_FALSE(told(lame));
+}
+
 TEST(LameClearing, ASmallerPitchMakesMoreTurnsAndALargerOneIsToldOf) {
   const Case pocket = corpus::load("lame_hex50");
   const LameToolpath fitted = spiral(pocket, pocket.params());
@@ -226,38 +434,6 @@ TEST(LameClearing, BeginsInAHole) {
       expect_within_limits(pocket, path, corpus::judge(pocket, path));
       EXPECT_LE(path.report.cutting_time, 1.2 * path.report.ideal_time);
     }
-}
-
-bool tells(const Toolpath& path, const std::string& words) {
-  const auto& notes = path.report.notes;
-  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
-}
-
-// What is said where the spiral is refused; nothing where it is made.
-std::string refusal(const std::vector<Region>& regions, const ClearingParams& params,
-                    const LameParams& lame = {}) {
-  Progress watch;
-  try {
-    clear_with_lame_spiral(regions, params, lame, watch);
-  } catch (const GeometryError& error) {
-    return error.what();
-  }
-  return {};
-}
-
-Curve box(double x, double y, double width, double height) {
-  return Curve({{{x, y}}, {{x + width, y}}, {{x + width, y + height}}, {{x, y + height}}}, true);
-}
-
-Curve circle(Vec2 centre, double radius, bool clockwise = false) {
-  const Curve curve({{centre + Vec2{radius, 0}, 1}, {centre - Vec2{radius, 0}, 1}}, true);
-  return clockwise ? curve.reversed() : curve;
-}
-
-Region ring(double outer, double inner) {
-  return make_region(circle({}, outer), {circle({}, inner, true)});
 }
 
 TEST(LameClearing, BeginsWithAHelixInPlaceOfARampAndSaysSo) {
@@ -529,6 +705,11 @@ TEST(LameClearing, RefusesParametersOutOfRange) {
   refused([](LameParams& p) { p.rotation = INFINITY; });
   refused([](LameParams& p) { p.pitch = 0; });
   refused([](LameParams& p) { p.centre = Vec2{NAN, 0}; });
+  for (const auto course : {&LameParams::semi_axis_a_course, &LameParams::semi_axis_b_course,
+                            &LameParams::exponent_course})
+    for (const Course& values : {Course{1}, Course{0.1, 1}, Course{0, 0.9}, Course{0, 0.6, 0.5, 1},
+                                 Course{0, NAN, 1}, Course{0, 1.5, 1}, Course(kMostCourse + 1)})
+      refused([&](LameParams& p) { p.*course = values; });
   refused([](LameParams& p) {
     p.segments = 6;
     p.semi_axis_a = 10;

@@ -1,11 +1,15 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <random>
 #include <stdexcept>
+#include <utility>
+#include <vector>
 
 #include "geometry/boundary_index.h"
 #include "geometry/region.h"
+#include "geometry_shapes.h"
 #include "strategy/lame_fit.h"
 
 namespace evenload {
@@ -26,15 +30,6 @@ Curve rectangle(double length, double width, double turn = 0, Vec2 centre = {}) 
   std::vector<Vertex> vertices;
   for (const Vec2 p : {Vec2{-1, -1}, Vec2{1, -1}, Vec2{1, 1}, Vec2{-1, 1}})
     vertices.push_back({centre + rotated({p.x * length / 2, p.y * width / 2}, turn)});
-  return Curve(std::move(vertices), true);
-}
-
-Curve ellipse(double a, double b) {
-  std::vector<Vertex> vertices;
-  for (int i = 0; i < 720; ++i) {
-    const double t = 2 * kPi * i / 720;
-    vertices.push_back({{a * std::cos(t), b * std::sin(t)}});
-  }
   return Curve(std::move(vertices), true);
 }
 
@@ -69,13 +64,63 @@ TEST(LameFit, FindsTheKnownBestCurvesOfPolygons) {
 TEST(LameFit, OfAnEllipseIsTheEllipse) {
   LameFitTask task;
   task.margin = 0;
-  const std::optional<LameCurve> curve = fit_lame_curve(ellipse(30, 20), task);
+  const std::optional<LameCurve> curve = fit_lame_curve(shapes::ellipse(30, 20), task);
   ASSERT_TRUE(curve);
   EXPECT_EQ(curve->segments, 4);
   EXPECT_NEAR(std::max(curve->a, curve->b), 30, 0.02);
   EXPECT_NEAR(std::min(curve->a, curve->b), 20, 0.02);
   EXPECT_NEAR(curve->exponent, 1, 0.01);
   EXPECT_NEAR(norm(curve->centre), 0, 0.01);
+}
+
+std::vector<Vec2> corners_of(const Curve& outline) {
+  std::vector<Vec2> points;
+  for (const Vertex& v : outline.vertices()) points.push_back(v.p);
+  return points;
+}
+
+// Its segments, and mm^2 inside it over those inside the outline.
+std::pair<int, double> fitted_to(const Curve& outline, double least_radius) {
+  LameFitTask task;
+  task.least_radius = least_radius;
+  const std::optional<LameCurve> curve = fit_lame_curve(outline, task);
+  EXPECT_TRUE(curve);
+  EXPECT_GE(kept(*curve, outline, LameSide::kInside), 0);
+  EXPECT_GE(least_curvature_radius(*curve), 0.999 * least_radius);
+  return {curve->segments, lame_area(*curve) / outline.signed_area()};
+}
+
+TEST(LameFit, FindsTheShapeOfOutlinesWithRoundedCorners) {
+  for (const double radius : {2.0, 5.0, 8.0}) {
+    const auto best = [&](const Curve& sharp) {
+      return fitted_to(shapes::filleted(corners_of(sharp), radius), 0.01);
+    };
+    const std::vector<std::pair<Curve, int>> sharp = {{rectangle(60, 40, 0.3), 4},
+                                                      {rectangle(40, 40, 0.3), 4},
+                                                      {polygon(6, 30, 0.3), 6},
+                                                      {polygon(8, 30, 0.3), 8}};
+    for (const auto& [outline, segments] : sharp) {
+      EXPECT_EQ(best(outline).first, segments) << radius;
+      EXPECT_GT(best(outline).second, 0.96) << radius;
+    }
+    const Curve triangle = polygon(3, 40, 0.3);
+    EXPECT_EQ(best(triangle).first, 3) << radius;
+    EXPECT_GT(best(triangle).second, 0.77) << radius;
+  }
+}
+
+TEST(LameFit, OfASlotTouchesItsSidesAndNearlyItsEnds) {
+  const Curve slot = shapes::slot({5, 3}, 30, 15);
+  LameFitTask task;
+  task.margin = 0;
+  const std::optional<LameCurve> curve = fit_lame_curve(slot, task);
+  ASSERT_TRUE(curve);
+  EXPECT_EQ(curve->segments, 4);
+  EXPECT_NEAR(std::max(curve->a, curve->b), 29.2, 0.8);
+  EXPECT_NEAR(std::min(curve->a, curve->b), 15, 0.1);
+  EXPECT_NEAR(distance(curve->centre, {5, 3}), 0, 0.02);
+  EXPECT_GE(kept(*curve, slot, LameSide::kInside), 0);
+  EXPECT_GT(lame_area(*curve), 0.93 * slot.signed_area());
 }
 
 TEST(LameFit, KeepsItsSideAndItsMargin) {

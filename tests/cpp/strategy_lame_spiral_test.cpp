@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <vector>
 
 #include "cutting/engagement.h"
 #include "strategy/lame_pitch.h"
@@ -78,6 +80,68 @@ TEST(LameSpiral, HeadsWhereItGoes) {
       EXPECT_LE(norm(normalized(along) - spiral.place(turned).direction), 1e-5) << turned;
     }
   }
+}
+
+TEST(LameSpiral, WithStraightCoursesIsTheOneWithout) {
+  const LameGrowth plain = growth_to({{3, 1}, 20, 12, 0.3, 4, 0.2});
+  LameGrowth straight = plain;
+  for (const auto course : {&LameCourses::a, &LameCourses::b, &LameCourses::exponent})
+    straight.stages[0].courses.*course = course_through({0, 0.25, 0.5, 0.75, 1});
+  const MonotoneSpline share({0, 10, 40}, {0, 0.4, 1});
+  const LameSpiral one{plain, share, 1, false, 40}, other{straight, share, 1, false, 40};
+  for (double turned = 0; turned <= 40; turned += 0.37) {
+    EXPECT_LE(distance(one.place(turned).p, other.place(turned).p), 1e-12);
+    EXPECT_LE(norm(one.place(turned).direction - other.place(turned).direction), 1e-12);
+  }
+  for (const double share_of : {-0.1, 0.0, 0.3, 1.0}) {
+    EXPECT_NEAR(straight.change(share_of, 0.1), plain.change(share_of, 0.1), 1e-12);
+    EXPECT_NEAR(straight.step_of(share_of, 1.3), plain.step_of(share_of, 1.3), 1e-9);
+  }
+}
+
+TEST(LameSpiral, FollowsItsCourses) {
+  LameGrowth growth = growth_to(curve_of(22.7, 12.7, 0.4));
+  growth.stages[0].courses = {course_through({0, 0.1, 0.4, 1}), course_through({0, 0.7, 1}),
+                              course_through({0, 0, 1})};
+  EXPECT_EQ(growth.courses().pieces(), 3U);
+  EXPECT_NEAR(growth.at(1.0 / 3).a, 2.7 + 0.1 * 20, 1e-12);
+  EXPECT_NEAR(growth.at(2.0 / 3).a, 2.7 + 0.4 * 20, 1e-12);
+  EXPECT_NEAR(growth.at(0.5).b, 2.7 + 0.7 * 10, 1e-12);
+  EXPECT_EQ(growth.at(0.3).exponent, 1);
+  EXPECT_NEAR(growth.at(1).exponent, 0.4, 1e-12);
+  EXPECT_NEAR(growth.at(-0.1).a, 0.7, 1e-12);  // continued backwards, evenly
+  // The larger change of the two, and the step that makes it.
+  EXPECT_NEAR(growth.change(2.0 / 3, 1.0 / 3), 6, 1e-12);
+  EXPECT_NEAR(growth.change(0.5, 0.5), 7, 1e-12);
+  for (const double share : {0.0, 0.2, 0.5, 1.0})
+    for (const double mm : {0.01, 1.5, 40.0})
+      EXPECT_NEAR(growth.change(share, growth.step_of(share, mm)), mm, 1e-9) << share;
+  EXPECT_FALSE(course_through({}));
+}
+
+// Courses of each kind, steep ones and ones that rest among them.
+std::vector<LameCourses> some_courses() {
+  const LameCourse late = course_through({0, 0.1, 0.4, 1}), early = course_through({0, 0.8, 1}),
+                   resting = course_through({0, 0, 0.6, 0.6, 1, 1});
+  return {{late, {}, {}},    {{}, late, {}},       {{}, {}, late},         {{}, {}, resting},
+          {late, early, {}}, {resting, {}, early}, {resting, resting, {}}, {early, late, resting}};
+}
+
+TEST(LameSpiral, WithCoursesHeadsWhereItGoesAndBecomesTangentArcs) {
+  for (const LameCourses& courses : some_courses())
+    for (const bool clockwise : {false, true}) {
+      LameGrowth growth = growth_to({{3, 1}, 20, 12, 0.3, 4, 0.2});
+      growth.stages[0].courses = courses;
+      const LameSpiral spiral{growth, MonotoneSpline({0, 10, 60}, {0, 0.3, 1}), 1, clockwise, 60};
+      for (double turned = 0.05; turned < 59.9; turned += 0.37) {
+        const Vec2 along = spiral.place(turned + 1e-6).p - spiral.place(turned - 1e-6).p;
+        EXPECT_LE(norm(normalized(along) - spiral.place(turned).direction), 1e-5) << turned;
+      }
+      if (clockwise) continue;
+      const LameArcs arcs = arcs_of(spiral, 0.004);
+      EXPECT_LE(off(spiral, arcs.moves), 1.1 * 0.004);
+      EXPECT_LE(worst_corner(arcs.moves), 1e-6);
+    }
 }
 
 TEST(LameSpiral, BecomesTangentArcsWithinTheTolerance) {
@@ -181,6 +245,43 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
         EXPECT_NEAR(norm(p), lame_radius(last, angle_of(p)).r, 0.006);
       }
     }
+}
+
+TEST(LamePitch, WithAnyCourseKeepsTheEngagementAndTheWish) {
+  for (const LameCurve& last : {curve_of(14.5, 14.5, 0.25), curve_of(28, 16, 0.4)})
+    for (const LameCourses& courses : some_courses())
+      for (const std::optional<double> pitch : {std::optional<double>(), std::optional(0.5)}) {
+        TurnTask task;
+        task.maximum_feed = 1000;
+        task.pitch = pitch;
+        ClearedGround ground({{-60, -60}, {60, 60}}, 3, nullptr);
+        ground.add_disc({}, 5.7);
+        LameGrowth growth = growth_to(last);
+        growth.stages[0].courses = courses;
+        const std::optional<PlannedGrowth> planned = best_growth({growth}, task);
+        ASSERT_TRUE(planned);
+        const LameTurns turns = turns_of(*planned, task, 0, 0.004, ground);
+        EXPECT_LE(turns.engagement, task.engagement + kTurnTolerance);
+        EXPECT_LE(worst_corner(turns.moves), 1e-6);
+        EXPECT_LE(turns.largest_pitch, pitch.value_or(40) + 1e-9);
+        for (double turned = 2 * kPi; pitch && turned <= turns.spiral.end - 0.2; turned += 0.1) {
+          const double share = turns.spiral.share.value(turned);
+          const double before = turns.spiral.share.value(turned - 2 * kPi);
+          EXPECT_LE(growth.change(share, share - before), 1.01 * *pitch) << turned;
+        }
+        // It ends nearly on its last curve, all courses run through.
+        const Vec2 end = turns.moves.back().b;
+        EXPECT_NEAR(norm(end), lame_radius(last, angle_of(end)).r, 0.1);
+      }
+}
+
+TEST(LamePitch, TriesNoOtherRunThanASetCourseOfTheExponent) {
+  TurnTask task;
+  task.maximum_feed = 1000;
+  LameGrowth growth = growth_to(curve_of(30, 30, 0.2));
+  EXPECT_EQ(best_growth({growth}, task)->growth.stages[0].run, 2.5);
+  growth.stages[0].courses.exponent = course_through({0, 1});
+  EXPECT_EQ(best_growth({growth}, task)->growth.stages[0].run, 1);
 }
 
 TEST(LamePitch, CountsBlocksInTheTime) {

@@ -127,6 +127,12 @@ def other_panel(doc, job, model, floor, command):
         seen["own_after_edit"], seen["set"] = list(op.OwnValues), op.ExponentEnd
         page.again.click()
         seen["own_after_again"] = list(op.OwnValues)
+        course = page.widgets["ExponentCourse"]
+        seen["courses"] = [(course.text(), list(op.ExponentCourse))]
+        for text in ("0; 0,25; 1", "0, 0.5, 1", "0; much", ""):
+            course.setText(text)
+            course.editingFinished.emit()
+            seen["courses"].append((course.text(), list(op.ExponentCourse)))
     panel_buttons().button(QtGui.QDialogButtonBox.Cancel).click()
     later(500)
     return seen

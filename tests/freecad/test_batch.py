@@ -133,7 +133,10 @@ def test_parameters_take_numbers_units_choices_and_points(folder):
     "kind, own",
     [
         ("trochoid", {"Pattern": "Circular", "SlotWidth": 8}),
-        ("lame_spiral", {"Segments": 4, "ExponentEnd": 0.6, "Rest": "Leave"}),
+        (
+            "lame_spiral",
+            {"Segments": 4, "ExponentEnd": 0.6, "Rest": "Leave", "ExponentCourse": [0, 0.25, 1]},
+        ),
     ],
 )
 def test_the_other_operations_take_their_own_parameters(folder, kind, own):

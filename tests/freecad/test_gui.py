@@ -78,6 +78,16 @@ def test_what_is_edited_in_the_panel_is_fitted_no_more_until_it_is_asked_for(ses
     assert seen["own_after_again"] == []
 
 
+def test_a_course_is_edited_as_a_row_of_numbers(session):
+    assert session["others"]["EvenLoad_LameSpiral"]["courses"] == [
+        ["", []],
+        ["0; 0.25; 1", [0, 0.25, 1]],
+        ["0; 0.5; 1", [0, 0.5, 1]],
+        ["0; 0.5; 1", [0, 0.5, 1]],  # what is no number is not taken
+        ["", []],
+    ]
+
+
 def test_the_panel_sets_properties_and_computes(session):
     assert session["side_step_property"] == pytest.approx(3)
     assert session["side_step_widget"] == pytest.approx(3)

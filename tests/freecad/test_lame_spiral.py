@@ -129,6 +129,49 @@ def test_values_out_of_range_are_refused_by_name(pocket, name, value):
     assert name in pocket.refused(spiral(pocket, **{name: value}))
 
 
+COURSES = ("SemiAxisACourse", "SemiAxisBCourse", "ExponentCourse")
+
+
+@pytest.mark.parametrize("name", COURSES)
+def test_a_course_makes_another_path_until_it_is_empty_again(pocket, name):
+    op = spiral(pocket, FeedControl=EVEN)
+    assert getattr(op, name) == []
+    even = pocket.done(op).Path.toGCode()
+    setattr(op, name, [0, 0.1, 0.4, 1])
+    assert pocket.done(op).Path.toGCode() != even
+    assert op.MaxEngagement.Value < 61 and op.OwnValues == []
+    assert getattr(op, name) == [0, 0.1, 0.4, 1]  # it is no result
+    setattr(op, name, [])
+    assert pocket.done(op).Path.toGCode() == even
+
+
+@pytest.mark.parametrize("name", COURSES)
+def test_a_course_that_falls_or_does_not_lead_to_the_end_is_refused_by_name(pocket, name):
+    for values in ([0.0, 0.5], [0.0, 0.6, 0.5, 1.0], [1.0]):
+        assert pocket.refused(spiral(pocket, **{name: values})).startswith(name + " must be")
+
+
+def test_courses_survive_saving_and_can_be_undone(pocket, tmp_path):
+    doc = pocket.doc
+    op = pocket.done(spiral(pocket, ExponentCourse=[0, 0.1, 1]))
+    before, name = op.Path.toGCode(), op.Name
+    doc.UndoMode = 1
+    doc.openTransaction("Course")
+    op.ExponentCourse = [0, 0.9, 1]
+    op.SemiAxisACourse = [0, 0.2, 1]
+    doc.commitTransaction()
+    assert pocket.done(op).Path.toGCode() != before
+    doc.undo()
+    assert op.ExponentCourse == [0, 0.1, 1] and op.SemiAxisACourse == []
+    assert pocket.done(op).Path.toGCode() == before
+    with reopened(doc, tmp_path / "saved.FCStd") as doc:
+        op = doc.getObject(name)
+        assert op.ExponentCourse == [0, 0.1, 1] and op.SemiAxisACourse == []
+        op.touch()
+        doc.recompute()
+        assert op.isValid() and op.Path.toGCode() == before
+
+
 def test_conventional_milling_turns_the_other_way(pocket):
     sweeps = {}
     for mode in ("Climb", "Conventional"):

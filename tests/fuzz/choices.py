@@ -1,6 +1,6 @@
 """What users may choose beside the pocket, for a random share of the cases: cut mode, feed control,
-entry, stock to leave, open edges, rest machining, radii, LinkLift, NarrowPassages, no arcs. And how
-such cases are cleared and judged.
+entry, stock to leave, open edges, rest machining, radii, LinkLift, NarrowPassages, no arcs, courses
+of Lamé spirals. And how such cases are cleared and judged.
 
 In a case, "choices" holds parameters of `clear_pocket`, "open_edges" the pieces of the outline that
 are edges of the stock, by the number of the vertex where each begins, "rest_of" the diameter of an
@@ -26,6 +26,9 @@ STOCK_TO_LEAVE = (0.05, 0.6)  # mm
 LINK_LIFT = (0.1, 1.0)  # mm
 CHORD = 2e-4  # mm: at the radius of the tool 1.3 degrees
 LARGER = (7.0, 16.0)  # mm: the tool before
+COURSES = ("semi_axis_a_course", "semi_axis_b_course", "exponent_course")
+MOST_PIECES = 6  # of a course
+RESTING = 0.2  # of its pieces
 ON_HULL = 1e-9  # mm
 REDUCED_FEED = "Cut at reduced feed"
 NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
@@ -79,8 +82,18 @@ def choose(pick, case):
             chosen.pop("entry", None)
     if before == "rest" and not case.get("open") and "operation" not in case:
         case["rest_of"] = round(pick.uniform(*LARGER), 1)
+    if case.get("operation") == "lame_spiral":
+        chosen.update({name: a_course(pick) for name in COURSES if now()})
     if chosen:
         case["choices"] = chosen
+
+
+def a_course(pick):
+    """Values from 0 to 1 that never fall."""
+    pieces = pick.randint(2, MOST_PIECES)
+    steps = [0 if pick.random() < RESTING else pick.random() for _ in range(pieces - 1)] + [1]
+    course = [round(sum(steps[:i]) / sum(steps), 3) for i in range(pieces)]
+    return [*course, 1]
 
 
 def outline(case):

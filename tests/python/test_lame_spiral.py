@@ -54,6 +54,16 @@ def test_what_is_set_is_kept_and_the_rest_left():
 def test_none_is_as_good_as_nothing():
     unset = {"segments": None, "semi_axis_a": None, "rotation": None, "centre": None, "pitch": None}
     assert clear(**unset).moves == clear().moves
+    unset = {"semi_axis_a_course": [], "semi_axis_b_course": None, "exponent_course": ()}
+    assert clear(**unset).moves == clear().moves
+
+
+@pytest.mark.parametrize("name", ["semi_axis_a_course", "semi_axis_b_course", "exponent_course"])
+def test_a_course_makes_another_path_within_the_limit(name):
+    path = clear(**{name: [0, 0.1, 0.4, 1]}, feed_control="constant removal rate")
+    assert path.moves != clear(feed_control="constant removal rate").moves
+    assert path.report.termination == "complete"
+    assert path.report.max_engagement < math.radians(61)
 
 
 def test_several_levels_repeat_the_spiral():
@@ -67,6 +77,9 @@ def test_several_levels_repeat_the_spiral():
         ({"exponent_end": 2.0}, "ExponentEnd must lie between 0.05 and 1"),
         ({"rest": "keep"}, "rest must be one of"),
         ({"semi_axis_a": 30.0}, "keeps clear of the walls"),
+        ({"semi_axis_a_course": [0]}, "SemiAxisACourse must be 2 to 20 values"),
+        ({"semi_axis_b_course": [0, 0.7, 0.6, 1]}, "SemiAxisBCourse .* never fall"),
+        ({"exponent_course": [0.1, 1]}, "ExponentCourse .* begin with 0, end with 1"),
     ],
 )
 def test_what_cannot_be_is_refused_with_a_remedy(given, sentence):

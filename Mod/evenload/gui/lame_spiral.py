@@ -18,6 +18,9 @@ class OperationPage(panel.OperationPage):
                 "Rotation",
                 "Pitch",
                 "Centre",
+                "SemiAxisACourse",
+                "SemiAxisBCourse",
+                "ExponentCourse",
                 "Rest",
             ),
         ),
@@ -33,6 +36,9 @@ class OperationPage(panel.OperationPage):
         "Rotation": "Rotation",
         "Pitch": "Pitch",
         "Centre": "Centre",
+        "SemiAxisACourse": "Course of A",
+        "SemiAxisBCourse": "Course of B",
+        "ExponentCourse": "Course of exponent",
         "Rest": "Rest",
     }
 

@@ -59,8 +59,10 @@ LABELS = {
 FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
 MILLIMETRES = "App::PropertyLength"
+VALUES = "App::PropertyFloatList"
 DECIMALS = 4  # of numbers without a unit
 MOST = 100  # of what is counted
+EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
 
 def with_more(title, names):
@@ -68,6 +70,17 @@ def with_more(title, names):
     return tuple(
         (other, (*settled, *names) if other == title else settled) for other, settled in GROUPS
     )
+
+
+def values_in(text):
+    """The numbers in a text: between semicolons, where commas may be decimal ones, or else between
+    commas or blanks. None where it holds anything else.
+    """
+    words = text.replace(",", ".").split(";") if ";" in text else text.replace(",", " ").split()
+    try:
+        return [float(word) for word in words if word.strip()]
+    except ValueError:
+        return None
 
 
 def create(operation):
@@ -211,6 +224,10 @@ class OperationPage(_gui.op.TaskPanelPage):
             widget.setMaximum(10.0)
             widget.setSuffix(" mm")
             return widget
+        if kind == VALUES:
+            widget = QtGui.QLineEdit()
+            widget.setMinimumWidth(NARROWEST)
+            return widget
         if kind == "App::PropertyInteger":
             widget = QtGui.QSpinBox()
             widget.setMaximum(MOST)
@@ -263,7 +280,7 @@ class OperationPage(_gui.op.TaskPanelPage):
         self.form.toolController.activated.connect(lambda _: self._tool_chosen())
         self.form.coolantController.activated.connect(lambda _: self._coolant_chosen())
         for name, widget in self.widgets.items():
-            if name in self.boxes or isinstance(widget, QtGui.QAbstractSpinBox):
+            if name in self.boxes or isinstance(widget, EDITED):
                 widget.editingFinished.connect(lambda name=name: self._take(name))
             elif name in self.points:
                 for box in self.points[name]:
@@ -305,13 +322,19 @@ class OperationPage(_gui.op.TaskPanelPage):
                 value = widget.itemData(widget.currentIndex())
             elif isinstance(widget, QtGui.QAbstractSpinBox):
                 value = widget.value()
+            elif isinstance(widget, QtGui.QLineEdit):
+                value = values_in(widget.text())
             else:
                 value = widget.isChecked()
             before = getattr(obj, name)
             before = getattr(before, "Value", before)
             # What is shown of a number is rounded.
             changed = (round(before, DECIMALS) if isinstance(before, float) else before) != value
-            if changed:
+            if value is None:
+                FreeCAD.Console.PrintError(
+                    "%s takes numbers, as 0; 0.1; 0.4; 1.\n" % self.labels[name]
+                )
+            elif changed:
                 setattr(obj, name, value)
         if changed:
             self._show_settings(obj)
@@ -331,6 +354,8 @@ class OperationPage(_gui.op.TaskPanelPage):
                     widget.setCurrentIndex(widget.findData(value))
                 elif isinstance(widget, QtGui.QAbstractSpinBox):
                     widget.setValue(getattr(value, "Value", value))
+                elif isinstance(widget, QtGui.QLineEdit):
+                    widget.setText("; ".join("%.12g" % each for each in value))
                 else:
                     widget.setChecked(value)
                 widget.blockSignals(blocked)

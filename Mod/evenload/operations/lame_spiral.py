@@ -19,6 +19,12 @@ FITTED = {
     "Pitch": "pitch",
 }
 CENTRE = "Centre"
+# Courses from the first turn to the last; where one is empty, the core has its own.
+COURSES = {
+    "SemiAxisACourse": "semi_axis_a_course",
+    "SemiAxisBCourse": "semi_axis_b_course",
+    "ExponentCourse": "exponent_course",
+}
 
 
 class LameSpiral(base.Operation):
@@ -91,6 +97,28 @@ class LameSpiral(base.Operation):
             GROUP,
         ),
         Setting(
+            "SemiAxisACourse",
+            "App::PropertyFloatList",
+            [],
+            "How the first semi-axis comes from the first turn to the last: 2 to 20 shares of its "
+            "change, from 0 to 1, at even steps, as 0; 0.1; 0.4; 1; evenly where it is empty",
+            GROUP,
+        ),
+        Setting(
+            "SemiAxisBCourse",
+            "App::PropertyFloatList",
+            [],
+            "The same of the second semi-axis",
+            GROUP,
+        ),
+        Setting(
+            "ExponentCourse",
+            "App::PropertyFloatList",
+            [],
+            "The same of the exponent; evenly or late, as is quicker, where it is empty",
+            GROUP,
+        ),
+        Setting(
             "Rest",
             "App::PropertyEnumeration",
             ["Clear", "Leave"],
@@ -117,8 +145,9 @@ class LameSpiral(base.Operation):
             wishes["rotation"] = math.radians(wishes["rotation"])
         if CENTRE in obj.OwnValues:
             wishes["centre"] = (obj.Centre.x, obj.Centre.y)
+        courses = {keyword: list(getattr(obj, name)) for name, keyword in COURSES.items()}
         toolpath = core.clear_with_lame_spiral(
-            regions, rest=obj.Rest.lower(), **wishes, **parameters
+            regions, rest=obj.Rest.lower(), **wishes, **courses, **parameters
         )
         spiral = toolpath.figures
         if spiral is None:  # Report tells why; what was fitted before stays
