@@ -7,7 +7,6 @@
 
 #include "geometry/bi_arc.h"
 #include "strategy/move_checks.h"
-#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -22,8 +21,6 @@ constexpr double kMostPosted = 5e-3;
 constexpr double kMostTurn = kPi;
 // rad: a way off the border and back that turns by less, all in all, is none.
 constexpr double kDetourTurn = 0.01;
-// So many times as long as before, at least, a move is that stays tiny.
-constexpr double kLonger = 1.5;
 
 // True when every look along `way` is within `smoothing` mm of one of `others`.
 bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others,
@@ -36,20 +33,6 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others
         return false;
     }
   return true;
-}
-
-bool has_corners(const Segment& move) {
-  return move.is_arc() && becomes_corners(move.radius, move.sweep);
-}
-
-// Whether a bi-arc may come in place of `a` and `b`: without tiny moves, or in place of a move that
-// would be posted with corners with longer ones that are not.
-bool are_long_enough(const Segment& first, const Segment& second, const Segment& a,
-                     const Segment& b) {
-  const double shorter = std::min(first.length(), second.length());
-  if (shorter >= kShortest) return true;
-  return (has_corners(a) || has_corners(b)) && !has_corners(first) && !has_corners(second) &&
-         shorter > kLonger * std::min(a.length(), b.length());
 }
 
 // What can come in place of `a` and `b`; empty where nothing can.
@@ -72,7 +55,7 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
     if (norm(one.tangent(1) - to.direction) < posted && serves({one})) return {one};
   }
   const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
-  if (!two || !are_long_enough(two->first, two->second, a, b)) return {};
+  if (!two || std::min(two->first.length(), two->second.length()) < kShortest) return {};
   const std::vector<Segment> way{two->first, two->second};
   return serves(way) ? way : std::vector<Segment>{};
 }
