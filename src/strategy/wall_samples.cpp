@@ -227,10 +227,8 @@ std::vector<PassStart> WallSamples::starts() const {
   return result.empty() ? earliest(starts(edges_)) : result;
 }
 
-// Those that have none of an earlier stage nearby.
-std::vector<PassStart> WallSamples::earliest(std::vector<PassStart> starts) const {
-  std::stable_sort(starts.begin(), starts.end(),
-                   [](const PassStart& a, const PassStart& b) { return a.stage < b.stage; });
+// Of starts in the order of their stages those that have none of an earlier stage nearby.
+std::vector<PassStart> WallSamples::earliest(const std::vector<PassStart>& starts) const {
   std::vector<PassStart> result;
   for (const PassStart& start : starts) {
     const auto comes_first = [&](const PassStart& other) {

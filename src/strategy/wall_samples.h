@@ -70,7 +70,7 @@ class WallSamples {
   void take_samples(double spacing);
   void order_by_stage();
   std::vector<PassStart> starts(const std::set<std::size_t>& from) const;
-  std::vector<PassStart> earliest(std::vector<PassStart> starts) const;
+  std::vector<PassStart> earliest(const std::vector<PassStart>& starts) const;
   const Sample* last_clear_before(std::size_t index) const;
   std::size_t neighbour(std::size_t index, std::size_t back) const;
   void look(Sample& sample);

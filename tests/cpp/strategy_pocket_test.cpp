@@ -8,6 +8,7 @@
 
 #include "corpus.h"
 #include "geometry_shapes.h"
+#include "judged.h"
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
@@ -101,6 +102,12 @@ TEST(PocketTest, AHoleTooTightToStartFromIsNotUsedWhereTheEntryIsAutomatic) {
   }));
   params.entry = EntryKind::kPredrilledHole;
   EXPECT_THROW(clear_pocket(regions, params, progress), GeometryError);
+}
+
+TEST(PocketTest, AGapThatWidensInwardsIsClearedWithoutBitsOfItsBorder) {
+  const corpus::Case pocket = corpus::load("gap_that_widens_inwards");
+  // One for each bit in the two corners at its end.
+  EXPECT_LE(corpus::clear(pocket, pocket.params()).report.retracts, 7);
 }
 
 }  // namespace

@@ -227,7 +227,6 @@ const std::set<std::string> kLeftOut{
     "too_small",  // the tool does not fit
     // Where two walls leave next to no width, the tool turns at less than 0.1 mm: no wider arc has
     // room.
-    "gear_gap_met_head_on",  // a wedge of some degrees
     "slot62",
     // Pieces of some micrometres of the outline's corners, which rounding turns by some degrees.
     "tiny_edges",

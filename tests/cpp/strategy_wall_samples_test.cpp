@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <random>
 #include <vector>
 
@@ -53,7 +54,17 @@ class ScannedWalls {
 
   std::vector<PassStart> starts() const {
     const std::vector<PassStart> in_turn = starts(true);
-    return in_turn.empty() ? starts(false) : in_turn;
+    if (!in_turn.empty()) return in_turn;
+    // Stage by stage: those near one of an earlier stage that stays do not.
+    std::vector<PassStart> all = starts(false), result;
+    for (std::size_t stage = 0; stage < stages_.size(); ++stage)
+      std::copy_if(all.begin(), all.end(), std::back_inserter(result), [&](const PassStart& start) {
+        return start.stage == stage &&
+               std::all_of(result.begin(), result.end(), [&](const PassStart& kept) {
+                 return kept.stage == stage || distance(kept.pose.p, start.pose.p) >= radius_;
+               });
+      });
+    return result;
   }
 
   bool is_clear(std::size_t index) const { return marks_[index].clear; }
