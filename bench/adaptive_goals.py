@@ -48,6 +48,7 @@ GOALS = (
     ("star: cut within 3 degrees", "star.%sband3", ">=", 0.70, 0.85),
     ("removal rate, largest", "worst.%srate_worst", "<=", 1.05, 1.02, "1.015"),
     ("removal rate where F < max", "worst.%srate_least", ">=", 0.85, 0.98),
+    ("share of the length with 0.85", "worst.%srate_held", ">=", 1, 1),
     ("engagement of links, degrees", "worst.%slink_engagement", "<=", 1, 1),
     ("gouge, mm", "worst.%sgouge", "<=", 0.005, 0.005),
     ("area left / cleared", "worst.%srest_share", "<=", 0.0005, 0.0005),
@@ -69,6 +70,7 @@ def table(values):
     """The figures side by side, a line for each case and operation, then those of all cases, and
     what is required and wished beside them; values: {name: value}.
 
+    evenly: with LeastLoad, for an even removal rate instead of few blocks.
     time: over the ideal; linkE: engagement of links in degrees; rate+, rate-: the largest removal
     rate and, where F < MaximumFeed, the least, over the nominal; held: the share of the length with
     such a feed on which it is 0.85 or more; kinks: turns above a degree in material; climb: its
@@ -76,17 +78,18 @@ def table(values):
     """
     yield "%-17s %-8s" % ("case", "path") + "".join("%8s" % title for _, title, _ in COLUMNS)
     for name in (*PUBLIC, *SUMMARIES):
-        for which, maker in (("", "EvenLoad"), ("freecad_", "FreeCAD")):
+        for which, maker in (("", "EvenLoad"), ("even_", "evenly"), ("freecad_", "FreeCAD")):
             line = "%-17s %-8s" % (name, maker)
             for figure, _, form in COLUMNS:
                 value = values.get("adaptive.%s.%s%s" % (name, which, figure))
                 line += " " + ("%7s" % "-" if value is None else form % value)
             yield line
     yield ""
-    yield "%-30s%10s%10s%12s%10s%16s  %s" % (
+    yield "%-30s%10s%10s%10s%12s%10s%16s  %s" % (
         "of all cases",
         "FreeCAD",
         "EvenLoad",
+        "evenly",
         "required",
         "wished",
         "published best",
@@ -98,10 +101,10 @@ def table(values):
 
 
 def goal_line(values, title, key, sign, required, wished, published="-"):
-    """One line: FreeCAD's figure, ours, and how far ours is as it should be."""
-    theirs, value = values.get(key % "freecad_"), values.get(key % "")
+    """One line: FreeCAD's figure, ours, ours with LeastLoad, and how far ours is as it should be."""
+    theirs, value, even = (values.get(key % which) for which in ("freecad_", "", "even_"))
     line = "%-30s" % title
-    for number in (theirs, value):
+    for number in (theirs, value, even):
         line += "%10s" % ("-" if number is None else "%.4g" % number)
     line += "%12s%10s" % ("%s %g" % (sign, required), "%s %g" % (sign, wished))
     line += "%16s" % published

@@ -1,4 +1,4 @@
-# The four feed controls on the star: the time each takes, and what the simulator finds of what it
+# The four feed controls on the star, and a least load: the time each takes, and what the simulator finds of what it
 # holds, as multiples of a straight cut's at the engagement angle and the nominal feed.
 import math
 
@@ -8,12 +8,14 @@ import pocket_case
 from evenload import _core, materials
 from evenload.simulation import HELIX_ANGLE_DEG
 
-CONTROLS = (
-    "constant feed",
-    "constant removal rate",
-    "constant chip thickness",
-    "constant force",
-)
+# By name: the control and its least load.
+CONTROLS = {
+    "constant feed": ("constant feed", 0.0),
+    "constant removal rate": ("constant removal rate", 0.0),
+    "constant removal rate, evenly": ("constant removal rate", 0.9),
+    "constant chip thickness": ("constant chip thickness", 0.0),
+    "constant force": ("constant force", 0.0),
+}
 MATERIAL, SPINDLE_SPEED, TEETH = "Star test piece", 6366, 1
 WINDOW = 0.1  # mm of path over which a removal rate is a mean
 CUT = 3  # kind of a move
@@ -47,10 +49,11 @@ def well_loaded(run, rate, maximum_feed):
 def figures():
     case = pocket_case.load("star")
     force, chip, rate = straight_cut(case)
-    for control in CONTROLS:
+    for name, (control, least_load) in CONTROLS.items():
         path = pocket_case.path_of(
             case,
             feed_control=control,
+            least_load=least_load,
             force_coefficients=coefficients(),
             teeth=TEETH,
             tool_helix_angle=math.radians(HELIX_ANGLE_DEG),
@@ -61,7 +64,7 @@ def figures():
             **pocket_case.scene(case),
             cutting={"material": MATERIAL, "spindle_speed": SPINDLE_SPEED},
         )
-        prefix = "feed.star.%s." % control.replace(" ", "_")
+        prefix = "feed.star.%s." % name.replace(",", "").replace(" ", "_")
         cuts = run.kind == CUT
         yield prefix + "time", path.report.cutting_time, "s"
         yield prefix + "peak_force_ratio", run.force_peak_max / force, ""

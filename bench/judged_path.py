@@ -10,6 +10,7 @@ RAPID, LINK, ENTRY, CUT = range(4)
 WINDOW = 0.1  # mm: of means
 BAND = 3.0  # degrees about the angle
 HELD = 0.85  # of the nominal removal rate
+MOST_LINKED, CLOSE_STEP = 1.0, 0.02  # degrees; mm between looks, where links seem to exceed them
 
 
 def links_at_depth(moves, link_feed):
@@ -52,6 +53,10 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
     """{figure: (value, unit)} of moves; ideal_time in s, None for what was cleared in this path."""
     scene = pocket_case.scene(case)
     run = evenload.simulate(moves, **scene, infer_kinds=infer_kinds)
+    linked = run.link_engagement_deg
+    if linked > MOST_LINKED:  # a first look may see what the cut before it is about to clear
+        closer = evenload.simulate(moves, **scene, infer_kinds=infer_kinds, step=CLOSE_STEP)
+        linked = closer.link_engagement_deg
     width = 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
     nominal = width * case["axial_depth"] * case["feed"]
     if ideal_time is None:
@@ -65,7 +70,7 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
     return {
         "time_ratio": (run.time_total_s / ideal_time, ""),
         "over": (run.max_engagement_deg - case["engagement_deg"], "deg"),
-        "link_engagement": (run.link_engagement_deg, "deg"),
+        "link_engagement": (linked, "deg"),
         "band3": (float(run.length[near].sum() / run.length[cuts].sum()), ""),
         "rate_worst": (run.removal_rate_peak / nominal, ""),
         "rate_least": (least, ""),

@@ -17,6 +17,8 @@ constexpr double kChangePrice = 0.0005;
 // mm: no feed changes within a move nearer to its ends than this; what is rounded to a post's
 // 0.001 mm turns shorter arcs by more than a degree.
 constexpr double kShortestPart = 0.1;
+// mm: the same, and the least length of a piece, where a least load is asked for.
+constexpr double kShortestEven = 0.02;
 // s
 constexpr double kRounding = 1e-9;
 constexpr double kSameFeed = 1e-9;  // share of a feed
@@ -24,14 +26,23 @@ constexpr double kSameFeed = 1e-9;  // share of a feed
 constexpr double kLittle = 0.25;
 // Share of the nominal load: samples beside each other that differ more stand at a jump.
 constexpr double kJump = 1;
+// s/mm: what a piece costs more in which the load falls below the least that is asked for; so much
+// that blocks are spent wherever they mend it.
+constexpr double kUnevenPrice = 10;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
 
+// Whether a part of a move this long can be posted as what it is.
+bool can_be_part(const Segment& move, double length, double shortest) {
+  return length >= shortest &&
+         !(move.is_arc() && becomes_corners(move.radius, length / move.radius));
+}
+
 // Whether the feed may change after each of the samples [first, last): where a move ends, and so
-// far from its ends that no tiny move and no tight turn is split off.
+// far from its ends that no move below `shortest` mm and no tight turn is split off.
 std::vector<char> places_for_change(const std::vector<PlanarRun>& runs,
                                     const std::vector<LoadSample>& profile, std::size_t first,
-                                    std::size_t last) {
+                                    std::size_t last, double shortest) {
   std::vector<char> allowed(last - first, 1);
   for (std::size_t begin = first; begin < last;) {
     std::size_t end = begin;
@@ -40,18 +51,22 @@ std::vector<char> places_for_change(const std::vector<PlanarRun>& runs,
       left += profile[end].length;
     const std::size_t last_of_move = end - 1;
     const Segment& move = runs[profile[begin].run].moves[profile[begin].move].segment;
-    const auto can_be = [&](double length) {
-      return length >= kShortestPart &&
-             !(move.is_arc() && becomes_corners(move.radius, length / move.radius));
-    };
     for (std::size_t k = begin; k < last_of_move; ++k) {
       done += profile[k].length;
       left -= profile[k].length;
-      allowed[k - first] = can_be(done) && can_be(left);
+      allowed[k - first] = can_be_part(move, done, shortest) && can_be_part(move, left, shortest);
     }
     begin = end;
   }
   return allowed;
+}
+
+// s: what a piece costs besides its block, its samples' shares from `least_share` to `share`.
+double cost_of_piece(double length, double share, double least_share, const FeedParams& params) {
+  // s/mm: under a load of share 1, and at the highest feed.
+  const double per_share = 60 / params.feed, least_time = 60 / params.maximum_feed;
+  const bool is_uneven = share * per_share > least_time && least_share < params.least_load * share;
+  return length * (std::max(share * per_share, least_time) + (is_uneven ? kUnevenPrice : 0));
 }
 
 // The best division of samples [first, last) into pieces of one feed. `load` is theirs.
@@ -61,7 +76,13 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
   const std::size_t n = last - first;
   std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
   std::vector<std::size_t> from(n + 1, 0);
-  const std::vector<char> may_change = places_for_change(runs, profile, first, last);
+  const bool is_even = params.least_load > 0;
+  const auto move_at = [&](std::size_t i) { return profile[first + i].move; };
+  const auto segment_at = [&](std::size_t i) -> const Segment& {
+    return runs[profile[first + i].run].moves[move_at(i)].segment;
+  };
+  const std::vector<char> may_change =
+      places_for_change(runs, profile, first, last, is_even ? kShortestEven : kShortestPart);
   std::vector<double> allowed(n);
   for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(load.share(i, i + 1, 0), params);
   // The least time up to a sample, were every sample a piece of its own.
@@ -69,8 +90,7 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
   for (std::size_t i = 0; i < n; ++i)
     least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
   cost[0] = 0;
-  // s/mm: under a load of share 1, and at the highest feed.
-  const double per_share = 60 / params.feed, least_time = 60 / params.maximum_feed;
+  const double shortest = is_even ? kShortestEven : params.steps.shortest;
   // What the places where the piece may begin cost beyond that least time: those that are the least
   // from themselves on, in order.
   std::deque<std::size_t> cheapest;
@@ -82,18 +102,21 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
     if (cheapest.front() + kLongestPiece < j) cheapest.pop_front();
     if (!may_change[j - 1]) continue;
     const double spent = beyond_least(cheapest.front());
-    double share = 0, length = 0;
-    const bool move_ends = j == n || profile[first + j].move != profile[first + j - 1].move;
+    double share = 0, length = 0, least_share = std::numeric_limits<double>::infinity();
+    const bool move_ends = j == n || move_at(j) != move_at(j - 1);
     const double price = move_ends ? kChangePrice : params.steps.price;
     for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
       share = load.share(i, j, share);
       length += profile[first + i].length;
-      const bool move_begins = i == 0 || profile[first + i].move != profile[first + i - 1].move;
-      if (length < params.steps.shortest && !(move_begins && move_ends)) continue;
-      const double time = length * std::max(share * per_share, least_time);
+      const bool move_begins = i == 0 || move_at(i) != move_at(i - 1);
+      least_share = std::min(least_share, profile[first + i].share);
+      if (length < shortest && !(move_begins && move_ends)) continue;
+      const bool is_within = !move_begins && !move_ends && move_at(i) == move_at(j - 1);
+      if (is_within && !can_be_part(segment_at(i), length, shortest)) continue;
+      const double own = cost_of_piece(length, share, least_share, params);
       // What a piece loses grows with its length, but for means, next to always.
-      if (least[i] + spent + time + price >= cost[j] + kRounding) break;
-      const double total = cost[i] + time + price;
+      if (least[i] + spent + own + price >= cost[j] + kRounding) break;
+      const double total = cost[i] + own + price;
       if (total < cost[j]) {
         cost[j] = total;
         feed[j] = allowed_feed(share, params);

@@ -23,7 +23,12 @@ struct FeedParams {
   double link_feed = 1500;    // mm/min
   FeedSteps steps;
   double mean_length = 0;  // mm: the load is held as a mean over so much of the path; 0: everywhere
+  // 0 to kMostLeastLoad: within a piece below `maximum_feed` no load is a smaller share of the
+  // largest, as far as moves can be divided; pieces may then be as short as that asks for.
+  double least_load = 0;
 };
+
+inline constexpr double kMostLeastLoad = 0.95;
 
 // Every cut at `feed`, every link at `link_feed`.
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);

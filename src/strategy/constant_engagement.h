@@ -36,6 +36,7 @@ struct ClearingParams {
   double plunge_feed = 255;     // mm/min, > 0: entries descend with it
   double link_feed = 1500;      // mm/min, > 0
   double maximum_feed = 510;    // mm/min, >= feed: cap of the feed control
+  double least_load = 0;        // 0 to kMostLeastLoad, of the nominal, where slower than the cap
   double rapid_feed = 5000;     // mm/min, > 0: only for the report's times
   FeedSteps feed_steps;         // of the feed control
   double roll_radius = 0.9;     // mm, > 0: a wish

@@ -114,12 +114,14 @@ bool has_many_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& p
 }
 
 // set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
-// that can be in next to the same time.
+// that can be in next to the same time and no least load asks for them.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              FeedParams params, const ClearingParams& clearing) {
   const std::vector<PlanarRun> whole = region;
   std::vector<double> feeds = set_constant_load(region, samples, params);
-  if (!has_many_blocks(region, clearing) || has_many_blocks(whole, clearing)) return feeds;
+  if (params.least_load > 0 || !has_many_blocks(region, clearing) ||
+      has_many_blocks(whole, clearing))
+    return feeds;
   const double most = (1 + kMostSlower) * time_of(region);
   double cheap = params.steps.price, dear = kDearest;
   for (int i = 0; i <= kPrices; ++i) {
@@ -157,11 +159,14 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
       samples.back().run -= first;
     }
     FeedParams own{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
+    own.least_load = params.least_load;
     const bool is_repeated = repeats(region);
     if (is_repeated) {
       own.steps = kSlotFeedSteps;
-      // In longer parts means gain little, and forces peak a fifth higher.
-      if (params.feed_control == FeedControl::kConstantRemovalRate) own.mean_length = kMeanLength;
+      // In longer parts means gain little, and forces peak a fifth higher; with a least load the
+      // whole mean must be near the worst sample anyway.
+      if (params.feed_control == FeedControl::kConstantRemovalRate && params.least_load <= 0)
+        own.mean_length = kMeanLength;
     }
     const std::vector<double> found = is_repeated ? set_constant_load(region, samples, own)
                                                   : set_load(region, samples, own, params);

@@ -59,6 +59,8 @@ void check(const ClearingParams& p) {
   require(p.link_feed > 0, "The link feed must be positive.");
   require(p.rapid_feed > 0, "The rapid feed must be positive.");
   require(p.maximum_feed >= p.feed, "The maximum feed must not be below the feed.");
+  require(p.least_load >= 0 && p.least_load <= kMostLeastLoad,
+          "The least load must lie between 0 and 0.95 of the nominal one.");
   require(p.roll_radius > 0, "The roll radius must be positive.");
   require(p.minimum_radius > 0, "The minimum radius must be positive.");
   require(p.helix_angle > 0 && p.helix_angle < kPi / 2,

@@ -280,6 +280,51 @@ TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
   }
 }
 
+// Of the length that is cut below the maximum feed, how much has at least this share of the nominal
+// load.
+double evenly_loaded(const std::vector<LoadSample>& profile, const std::vector<PlanarRun>& runs,
+                     const std::vector<double>& feeds, const FeedParams& params, double share) {
+  double whole = 0, even = 0;
+  for (std::size_t i = 0; i < profile.size(); ++i) {
+    const LoadSample& sample = profile[i];
+    if (runs[sample.run].moves[sample.move].kind != MoveKind::kCut) continue;
+    if (feeds[i] >= params.maximum_feed * (1 - 1e-9)) continue;
+    whole += sample.length;
+    if (sample.share * feeds[i] >= share * params.feed * (1 - 1e-9)) even += sample.length;
+  }
+  return even / whole;
+}
+
+TEST(FeedControl, HoldsALeastLoadWhereverMovesCanBeDivided) {
+  std::mt19937 random(11);
+  for (int round = 0; round < 10; ++round) {
+    const std::vector<PlanarRun> before = random_runs(random);
+    const std::vector<LoadSample> profile = random_profile(random, before);
+    FeedParams params;
+    std::vector<PlanarRun> coarse = before;
+    const double usual =
+        evenly_loaded(profile, before, set_constant_load(coarse, profile, params), params, 0.9);
+    const auto pieces = [](const std::vector<PlanarRun>& runs) {
+      std::size_t count = 0;
+      for (const PlanarRun& run : runs) count += run.moves.size();
+      return count;
+    };
+    std::size_t fewest = pieces(coarse);
+    double slowest = seconds(coarse);
+    for (const double least : {0.5, 0.7, 0.9}) {
+      params.least_load = least;
+      std::vector<PlanarRun> runs = before;
+      const std::vector<double> feeds = set_constant_load(runs, profile, params);
+      EXPECT_GE(evenly_loaded(profile, before, feeds, params, least), 0.97) << least;
+      EXPECT_GE(pieces(runs), fewest);
+      EXPECT_LE(seconds(runs), slowest * 1.001);
+      fewest = pieces(runs);
+      slowest = seconds(runs);
+    }
+    EXPECT_LT(usual, 0.9);
+  }
+}
+
 TEST(FeedControl, SplitsNoTinyPieceOffAMove) {
   std::mt19937 random(4);
   int split = 0;

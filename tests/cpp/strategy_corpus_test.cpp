@@ -306,6 +306,7 @@ TEST(Clearing, RefusesEveryParameterOutOfRange) {
       {"plunge_feed", &ClearingParams::plunge_feed, {0, -1, nan}},
       {"link_feed", &ClearingParams::link_feed, {0, -1, nan}},
       {"maximum_feed", &ClearingParams::maximum_feed, {0, -1, 254, nan}},
+      {"least_load", &ClearingParams::least_load, {-0.1, 0.96, nan}},
       {"rapid_feed", &ClearingParams::rapid_feed, {0, -1, nan}},
       {"roll_radius", &ClearingParams::roll_radius, {0, -1, nan}},
       {"minimum_radius", &ClearingParams::minimum_radius, {0, -1, nan}},

@@ -44,6 +44,7 @@ def change(bench, op, **properties):
         ({"FinalDepth": -31}, ["31 mm", "cutting length of 30 mm", "longer tool"]),
         ({"LinkFeed": 0}, ["LinkFeed is 0 mm/min", "positive"]),
         ({"MaximumFeed": "100 mm/min"}, ["MaximumFeed is 100 mm/min", "255 mm/min"]),
+        ({"LeastLoad": 1.0}, ["LeastLoad is 1", "between 0 and 0.95"]),
         ({"RollRadius": 0}, ["RollRadius is 0 mm", "positive"]),
         ({"MinimumRadius": 0}, ["MinimumRadius is 0 mm", "positive"]),
         ({"HelixDiameter": 0}, ["HelixDiameter is 0 mm", "positive"]),

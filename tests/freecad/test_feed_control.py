@@ -114,6 +114,23 @@ def test_every_control_is_capped_by_the_maximum_feed(cleared, control):
     assert max(feeds_of(op) - {1500.0}) <= FEED + 1e-6
 
 
+def test_a_least_load_is_held_below_the_maximum_feed_at_the_cost_of_blocks(cleared):
+    """But for the last tenth of a millimetre of tight turns, which cannot be divided."""
+    shares, blocks, times = [], [], []
+    for least in (0.0, 0.9):
+        _, op = cleared(FeedControl="Constant removal rate", LeastLoad=least)
+        run = evenload.simulation.of(op, resolution=FINE)
+        nominal = FEED * RADIUS * (1 - math.cos(math.radians(THETA))) * DEPTH
+        slow = (run.kind == CUT) & (run.feed < 999) & (run.length > 0)
+        slow &= numpy.roll(slow, 1)
+        rate = 0.5 * (run.removal_rate + numpy.roll(run.removal_rate, 1)) / nominal
+        shares.append(run.length[slow & (rate >= 0.85)].sum() / run.length[slow].sum())
+        blocks.append(len(op.Path.Commands))
+        times.append(op.CuttingTime)
+    assert shares[0] < 0.95 < 0.99 < shares[1]
+    assert blocks[0] < blocks[1] and times[1] < times[0]
+
+
 # ---- what the report says ----
 
 

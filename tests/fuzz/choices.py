@@ -24,6 +24,7 @@ HOLES = (6.6, 10.0)  # mm
 RADII = (0.2, 2.0)  # mm
 STOCK_TO_LEAVE = (0.05, 0.6)  # mm
 LINK_LIFT = (0.1, 1.0)  # mm
+LEAST_LOAD = (0.3, 0.95)
 CHORD = 2e-4  # mm: at the radius of the tool 1.3 degrees
 LARGER = (7.0, 16.0)  # mm: the tool before
 COURSES = ("semi_axis_a_course", "semi_axis_b_course", "exponent_course")
@@ -84,6 +85,8 @@ def choose(pick, case):
         case["rest_of"] = round(pick.uniform(*LARGER), 1)
     if case.get("operation") == "lame_spiral":
         chosen.update({name: a_course(pick) for name in COURSES if now()})
+    if chosen.get("feed_control") != "constant feed" and now():
+        chosen["least_load"] = round(pick.uniform(*LEAST_LOAD), 2)
     if chosen:
         case["choices"] = chosen
 

@@ -93,7 +93,7 @@ def test_each_second_case_has_choices_and_all_of_them_come_up():
     assert not any("choices" in case for number, case in cases if number % 2 == 0)
     chosen = set().union(*(case.get("choices", {}) for _, case in cases))
     assert chosen >= {"cut_mode", "feed_control", "entry", "stock_to_leave", "minimum_radius"}
-    assert chosen >= {"link_lift", "narrow_passages", "arcs"}
+    assert chosen >= {"link_lift", "narrow_passages", "arcs", "least_load"}
     for key in ("hole", "open_edges", "rest_of"):
         assert any(key in case for _, case in cases)
 

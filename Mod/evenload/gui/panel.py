@@ -25,7 +25,7 @@ GROUPS = (
             "OrderBy",
         ),
     ),
-    ("Feeds", ("FeedControl", "MaximumFeed", "Material", "LinkFeed", "LinkLift")),
+    ("Feeds", ("FeedControl", "MaximumFeed", "LeastLoad", "Material", "LinkFeed", "LinkLift")),
     (
         "Entry",
         ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
@@ -42,6 +42,7 @@ LABELS = {
     "OrderBy": "Order by",
     "FeedControl": "Feed control",
     "MaximumFeed": "Maximum feed",
+    "LeastLoad": "Least load",
     "Material": "Material",
     "LinkFeed": "Link feed",
     "LinkLift": "Link lift",
@@ -368,6 +369,7 @@ class OperationPage(_gui.op.TaskPanelPage):
             ("HelixAngle", descent),
             ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
             ("MaximumFeed", obj.FeedControl != "Constant feed"),
+            ("LeastLoad", obj.FeedControl != "Constant feed"),
             ("Material", obj.FeedControl == settings.CONSTANT_FORCE),
         ):
             self.widgets[name].setEnabled(enabled)

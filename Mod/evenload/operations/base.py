@@ -338,6 +338,7 @@ class Operation(host.operation_base()):
             "plunge_feed": data.plunge_feed,
             "link_feed": 60 * obj.LinkFeed.Value,
             "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
+            "least_load": obj.LeastLoad,
             "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
             "roll_radius": obj.RollRadius.Value,
             "minimum_radius": obj.MinimumRadius.Value,

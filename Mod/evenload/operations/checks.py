@@ -3,6 +3,8 @@
 from evenload import host
 from evenload.operations.settings import POSITIVE
 
+MOST_LEAST_LOAD = 0.95
+
 
 def settings(obj, tool, data):
     """Raises ValueError for settings that cannot be used; returns the levels' heights."""
@@ -30,6 +32,11 @@ def settings(obj, tool, data):
         raise ValueError(
             "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
             "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
+        )
+    if not 0 <= obj.LeastLoad <= MOST_LEAST_LOAD:
+        raise ValueError(
+            "LeastLoad is %g: it must lie between 0 and %g, shares of the nominal load."
+            % (obj.LeastLoad, MOST_LEAST_LOAD)
         )
     return _levels(obj, tool)
 
