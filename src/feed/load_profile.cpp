@@ -99,7 +99,7 @@ class MoveProfile {
     for (int k = 0; k < n; ++k) {
       const double t0 = static_cast<double>(k) / n, t1 = static_cast<double>(k + 1) / n;
       const Load after = load_at(t1);
-      cover(t0, before, t1, after);
+      cover(t0, before, t1, after, k == 0);
       before = after;
     }
     return before;
@@ -123,16 +123,22 @@ class MoveProfile {
     return load;
   }
 
-  void cover(double t0, const Load& at0, double t1, const Load& at1) {
+  // `begins`: whether the piece begins the move. There the path's curvature jumps, and the load
+  // bends: it may rise and be down again before the middle.
+  void cover(double t0, const Load& at0, double t1, const Load& at1, bool begins) {
     const double t = 0.5 * (t0 + t1), piece = (t1 - t0) * length_;
     const Load middle = load_at(t);
     const double radius = ground_.tool_radius();
     const bool flat = alike(at0, middle, radius) && alike(middle, at1, radius);
     const bool straight =
         (smooth_ || piece <= kCoarseLook) && alike(mean(at0, at1), middle, radius);
-    if (!flat && !straight && piece > std::min(kFinestLook, 0.2 * length_)) {
-      cover(t0, at0, t, middle);
-      cover(t, middle, t1, at1);
+    const auto bends = [&] {
+      return begins && piece > kCoarseLook &&
+             !alike(load_at(0.5 * (t0 + t)), between(at0, middle, at1, 0.25), radius);
+    };
+    if (piece > std::min(kFinestLook, 0.2 * length_) && ((!flat && !straight) || bends())) {
+      cover(t0, at0, t, middle, begins);
+      cover(t, middle, t1, at1, false);
       return;
     }
     const double steps = std::max({std::abs(at1.engagement - at0.engagement) / kLikeEngagement,
