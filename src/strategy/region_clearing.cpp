@@ -60,6 +60,7 @@ class RegionClearing {
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         ground_(ground_of(task, radius_)),
+        slivers_(radius_),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
         samples_(stages_, ground_) {
@@ -301,6 +302,7 @@ class RegionClearing {
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));
+    slivers_.expect(pass.moves, way, ground_);
     // What the wider turns left is met by the next turn of a pass that comes back to them.
     if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);
     for (const Segment& move : pass.moves) ground_.add(move);
@@ -339,6 +341,7 @@ class RegionClearing {
   // nothing.
   bool take(Pass pass, double turn_radius) {
     look_again(pass.moves);
+    slivers_.cut(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
     add_moves(MoveKind::kCut, pass.moves);
@@ -357,7 +360,7 @@ class RegionClearing {
     if (distance(here_.p, to.p) < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6)
       return true;
     const std::vector<Segment> link =
-        quicker_link({ground_, before}, around_, here_, to, link_turn(), params_);
+        quicker_link({ground_, before, &slivers_}, around_, here_, to, link_turn(), params_);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
@@ -485,7 +488,7 @@ class RegionClearing {
     for (const Candidate& candidate : candidates) {
       if (candidate.least >= least) break;
       double cost = 0;
-      quicker_link({ground_, ground_.size()}, around_, here_, candidate.start->pose, link_turn(),
+      quicker_link({ground_, ground_.size(), &slivers_}, around_, here_, candidate.start->pose, link_turn(),
                    params_, &cost);
       cost += candidate.extra;
       if (cost >= least) continue;
@@ -537,6 +540,7 @@ class RegionClearing {
   Area exact_, around_;
   mutable std::optional<Circle> widest_;
   ClearedGround ground_;
+  LeftBehind slivers_;
   std::vector<Stage> stages_;
   PassChoice choice_;
   WallSamples samples_;
