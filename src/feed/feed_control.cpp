@@ -61,13 +61,25 @@ std::vector<char> places_for_change(const std::vector<PlanarRun>& runs,
   return allowed;
 }
 
-// s: what a piece costs besides its block, its samples' shares from `least_share` to `share`.
-double cost_of_piece(double length, double share, double least_share, const FeedParams& params) {
-  // s/mm: under a load of share 1, and at the highest feed.
-  const double per_share = 60 / params.feed, least_time = 60 / params.maximum_feed;
-  const bool is_uneven = share * per_share > least_time && least_share < params.least_load * share;
-  return length * (std::max(share * per_share, least_time) + (is_uneven ? kUnevenPrice : 0));
-}
+// What pieces cost besides their blocks.
+class PieceCost {
+ public:
+  explicit PieceCost(const FeedParams& params)
+      : per_share_(60 / params.feed),
+        least_time_(60 / params.maximum_feed),
+        least_load_(params.least_load) {}
+
+  // s: of `length` mm with shares from `least_share` to `share`.
+  double operator()(double length, double share, double least_share) const {
+    const double time = share * per_share_;
+    if (time <= least_time_) return length * least_time_;
+    return length * (least_share < least_load_ * share ? time + kUnevenPrice : time);
+  }
+
+ private:
+  double per_share_, least_time_;  // s/mm: under a load of share 1, and at the highest feed
+  double least_load_;
+};
 
 // The best division of samples [first, last) into pieces of one feed. `load` is theirs.
 std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
@@ -91,6 +103,7 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
     least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
   cost[0] = 0;
   const double shortest = is_even ? kShortestEven : params.steps.shortest;
+  const PieceCost cost_of(params);
   // What the places where the piece may begin cost beyond that least time: those that are the least
   // from themselves on, in order.
   std::deque<std::size_t> cheapest;
@@ -111,17 +124,16 @@ std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
       const bool move_begins = i == 0 || move_at(i) != move_at(i - 1);
       least_share = std::min(least_share, profile[first + i].share);
       if (length < shortest && !(move_begins && move_ends)) continue;
-      const bool is_within = !move_begins && !move_ends && move_at(i) == move_at(j - 1);
-      if (is_within && !can_be_part(segment_at(i), length, shortest)) continue;
-      const double own = cost_of_piece(length, share, least_share, params);
+      const double own = cost_of(length, share, least_share);
       // What a piece loses grows with its length, but for means, next to always.
       if (least[i] + spent + own + price >= cost[j] + kRounding) break;
       const double total = cost[i] + own + price;
-      if (total < cost[j]) {
-        cost[j] = total;
-        feed[j] = allowed_feed(share, params);
-        from[j] = i;
-      }
+      if (total >= cost[j]) continue;
+      const bool is_within = !move_begins && !move_ends && move_at(i) == move_at(j - 1);
+      if (is_within && !can_be_part(segment_at(i), length, shortest)) continue;
+      cost[j] = total;
+      feed[j] = allowed_feed(share, params);
+      from[j] = i;
     }
   }
   std::vector<FeedPiece> pieces;

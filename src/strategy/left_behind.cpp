@@ -25,20 +25,36 @@ bool has_arc_about(const std::vector<Segment>& moves, Vec2 centre) {
   });
 }
 
-}  // namespace
+// Where the tool reaches on a way.
+class Reach {
+ public:
+  Reach(const std::vector<Segment>& moves, double tool_radius)
+      : moves_(moves), deep_(tool_radius - kThinnest) {
+    for (const Segment& move : moves) boxes_.push_back(grown(move.bounds(), deep_));
+  }
 
-bool LeftBehind::is_met(Vec2 point, const std::vector<Segment>& moves) const {
-  const double deep = radius_ - kThinnest;
-  return std::any_of(moves.begin(), moves.end(), [&](const Segment& move) {
-    const Bounds box = grown(move.bounds(), deep);
-    return point.x > box.low.x && point.x < box.high.x && point.y > box.low.y &&
-           point.y < box.high.y && move.distance_to(point) < deep;
-  });
-}
+  bool holds(Vec2 p) const {
+    for (std::size_t i = 0; i < moves_.size(); ++i) {
+      const Bounds& box = boxes_[i];
+      const bool is_near =
+          p.x > box.low.x && p.x < box.high.x && p.y > box.low.y && p.y < box.high.y;
+      if (is_near && moves_[i].distance_to(p) < deep_) return true;
+    }
+    return false;
+  }
+
+ private:
+  const std::vector<Segment>& moves_;
+  double deep_;  // mm
+  std::vector<Bounds> boxes_;
+};
+
+}  // namespace
 
 void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<Segment>& posted,
                         const ClearedGround& ground) {
   ahead_.clear();
+  const Reach reach(planned, radius_);
   for (const Segment& turn : posted) {
     if (!turn.is_arc() || has_arc_about(planned, turn.centre)) continue;
     Sliver sliver;
@@ -46,24 +62,26 @@ void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<S
     for (int i = 0; i <= n; ++i) {
       const Vec2 at = turn.point(static_cast<double>(i) / n);
       const Vec2 point = at + radius_ / turn.radius * (at - turn.centre);
-      if (is_met(point, planned) && !ground.is_cleared_point(point)) sliver.push_back(point);
+      if (reach.holds(point) && !ground.is_cleared_point(point)) sliver.push_back(point);
     }
     if (sliver.size() >= kContact) ahead_.push_back(std::move(sliver));
   }
 }
 
 void LeftBehind::cut(const std::vector<Segment>& moves) {
+  const Reach reach(moves, radius_);
   for (Sliver& sliver : slivers_)
-    std::erase_if(sliver, [&](Vec2 point) { return is_met(point, moves); });
+    std::erase_if(sliver, [&](Vec2 point) { return reach.holds(point); });
   std::erase_if(slivers_, [](const Sliver& sliver) { return sliver.size() < kContact; });
   std::move(ahead_.begin(), ahead_.end(), std::back_inserter(slivers_));
   ahead_.clear();
 }
 
 bool LeftBehind::is_met_along(const std::vector<Segment>& moves) const {
+  const Reach reach(moves, radius_);
   return std::any_of(slivers_.begin(), slivers_.end(), [&](const Sliver& sliver) {
-    const auto met = std::count_if(sliver.begin(), sliver.end(),
-                                   [&](Vec2 point) { return is_met(point, moves); });
+    const auto met =
+        std::count_if(sliver.begin(), sliver.end(), [&](Vec2 point) { return reach.holds(point); });
     return static_cast<std::size_t>(met) >= kContact;
   });
 }

@@ -26,7 +26,6 @@ class LeftBehind {
  private:
   // Points of a sliver's side towards the tool, side by side.
   using Sliver = std::vector<Vec2>;
-  bool is_met(Vec2 point, const std::vector<Segment>& moves) const;
 
   double radius_;
   std::vector<Sliver> slivers_, ahead_;

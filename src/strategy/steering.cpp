@@ -25,6 +25,8 @@ constexpr double kProgress = 0.01;
 
 constexpr double kRollOutStep = 3 * kDegree;  // between two looks along a turn made at once
 constexpr int kPeakLooks = 3;                 // for a peak between two looks along such a turn
+// Shares of the step on which contact begins: further looks, for a peak where a front is met head-on.
+constexpr double kHeadOnShares[] = {0.05, 0.2, 0.5};
 constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
 constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 // mm: material thinner than this is not seen; what has been cut must not be found again by
@@ -128,6 +130,16 @@ double Steering::met_before(double length) const {
   return has_cut() && met_.back().until > travelled_ - length - kHere ? met_.back().total : 0;
 }
 
+// True where all of the last `length` mm of the path met material.
+bool Steering::was_met_for(double length) const {
+  double from = travelled_;
+  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from - kHere; ++met) {
+    from = met->until - met->length;
+    if (travelled_ - from >= length) return true;
+  }
+  return false;
+}
+
 // Says that the last `length` mm of the path met `total` rad of material.
 void Steering::note_contact(double total, double length) {
   if (total > kInContact) met_.push_back({travelled_, length, met_before(length), total});
@@ -187,6 +199,8 @@ double Steering::peak_of_left_turn(const Pose& from, TurnPart part, double* angl
   int falling = 0;
   for (double turned = kTurnStep; turned < kPi; turned += kTurnStep) {
     const double value = look(turned);
+    if (last <= kInContact && value > kInContact)  // met head-on a front is there at once
+      for (const double share : kHeadOnShares) look(turned - (1 - share) * kTurnStep);
     met.push_back(value);
     falling = value < last ? falling + 1 : 0;
     last = value;

@@ -133,6 +133,7 @@ class Steering {
   void give_up();
   void roll_out();
   void overload();
+  std::optional<double> peak_before(const Segment& wall, const WallLook& last) const;
   std::optional<double> cusp_between(const Segment& wall, const WallLook& first,
                                      const WallLook& second) const;
   bool near_corner(double step) const;
@@ -141,6 +142,7 @@ class Steering {
   WallPlace run_up(const WallPlace& start) const;
   double reach_of(const Segment& move) const;
   double met_before(double length) const;
+  bool was_met_for(double length) const;
   void note_contact(double total, double length);
   double contact_until(const Segment& move) const;
   void make_step(const Segment& move, double total);

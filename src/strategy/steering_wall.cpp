@@ -21,6 +21,10 @@ constexpr double kMostOnLeft = 0.1;   // along a wall with more material on the 
 constexpr double kRunUpStep = 0.025;  // mm: between two looks on the way back to a start
 // Of the limit for that mean: rounded G-code meets more in a corner.
 constexpr double kCornerShare = 0.7;
+// Looks between two where contact begins; rad: where a peak comes as near to the limit its place is
+// found exactly.
+constexpr int kHeadOnLooks = 4;
+constexpr double kNearLimit = 5 * kDegree;
 constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
 
 }  // namespace
@@ -72,6 +76,12 @@ void Steering::step_on_wall() {
         end = contact_at(t1);
       }
   }
+  if (turn_ > 0 && step > fine && end.total > kInContact && !was_met_for(kWallStep * radius_))
+    if (const std::optional<double> peak = peak_before(wall, {t1, end})) {
+      t1 = *peak;
+      step = (t1 - wall_.t) * length;
+      end = contact_at(t1);
+    }
   // What the step meets on its way may be what it met where it begins; and more where contact
   // begins, of a front that is met head-on.
   const double before = met_before(0);
@@ -144,6 +154,34 @@ std::optional<double> Steering::cusp_between(const Segment& wall, const WallLook
   }
   const bool is_peak = before.contact.total > second.contact.total && before.t > first.t;
   return is_peak ? std::optional(before.t) : std::nullopt;
+}
+
+// Contact begins on the way to `last`, or has just begun. With a front that is met head-on it is
+// there at once, and less from there on: the place, if more is met there than at `last`.
+std::optional<double> Steering::peak_before(const Segment& wall, const WallLook& last) const {
+  const auto total_at = [&](double t) {
+    return contact({wall.point(t), angle_of(wall.tangent(t))}).total;
+  };
+  std::optional<double> peak;
+  double most = last.contact.total, apart = (last.t - wall_.t) / kHeadOnLooks;
+  for (int i = 1; i < kHeadOnLooks; ++i) {
+    const double t = wall_.t + i * apart, total = total_at(t);
+    if (total <= most) continue;
+    most = total;
+    peak = t;
+  }
+  if (!peak || most < theta_ - kNearLimit) return peak;
+  while (apart * wall.length() > kFinestWallStep * radius_) {
+    apart *= 0.5;
+    const double middle = *peak;
+    for (const double t : {middle - apart, middle + apart}) {
+      const double total = total_at(t);
+      if (total <= most) continue;
+      most = total;
+      peak = t;
+    }
+  }
+  return peak;
 }
 
 // True where the wall turns sharply within kMeanLength mm of the step of `step` mm.

@@ -275,7 +275,16 @@ TEST(Steering, KeepsTheLimitAndKnowsItsContactAmongRandomFronts) {
   EXPECT_GT(passes, kRandomFronts / 2);
 }
 
-// What a few lines beside a wall have left there, met head-on.
+// What a few lines beside a wall, y = 0, have left there between x = 12 and 19.
+void leave_fronts_beside_wall(ClearedGround& ground, std::mt19937& random) {
+  clear_rectangle(ground, -3, -3, 15, 33);
+  clear_rectangle(ground, 14, -3, 43, 33);
+  for (int k = 0; k < 6; ++k) {
+    const Vec2 a{uniform(random, 12, 17), uniform(random, 0, 0.5)};
+    ground.add(Segment::line(a, a + Vec2{uniform(random, 0, 2), uniform(random, 0, 0.3)}));
+  }
+}
+
 TEST(Steering, KeepsTheMeanAlongTheExactBorderWhereFrontsAreMetHeadOn) {
   const Region centres = make_region(rectangle(0, 0, 40, 30));
   Stage exact;
@@ -284,12 +293,7 @@ TEST(Steering, KeepsTheMeanAlongTheExactBorderWhereFrontsAreMetHeadOn) {
   int passes = 0;
   for (int i = 0; i < 2 * kRandomFronts; ++i) {
     ClearedGround ground({{-5, -5}, {45, 35}}, kRadius, nullptr);
-    clear_rectangle(ground, -3, -3, 15, 33);
-    clear_rectangle(ground, 14, -3, 43, 33);
-    for (int k = 0; k < 6; ++k) {
-      const Vec2 a{uniform(random, 12, 17), uniform(random, 0, 0.5)};
-      ground.add(Segment::line(a, a + Vec2{uniform(random, 0, 2), uniform(random, 0, 0.3)}));
-    }
+    leave_fronts_beside_wall(ground, random);
     const double theta = uniform(random, 15, 60) * kDegree, from = 12 - uniform(random, 0, 0.4);
     SCOPED_TRACE(testing::Message() << i << ": " << theta / kDegree << " degrees, from " << from);
     const std::size_t before = ground.size();
@@ -301,6 +305,31 @@ TEST(Steering, KeepsTheMeanAlongTheExactBorderWhereFrontsAreMetHeadOn) {
     EXPECT_LE(worst_mean(looks_along(ground, pass, before, 0.005), 0.1), theta + 1 * kDegree);
   }
   EXPECT_GT(passes, kRandomFronts / 2);
+}
+
+TEST(Steering, KeepsTheLimitAlongAWallWhereFrontsAreMetHeadOn) {
+  const Region centres = make_region(rectangle(0, 0, 40, 30));
+  std::mt19937 random(12);
+  int passes = 0;
+  for (int i = 0; i < 4 * kRandomFronts; ++i) {
+    ClearedGround ground({{-5, -5}, {45, 35}}, kRadius, nullptr);
+    leave_fronts_beside_wall(ground, random);
+    const double theta = uniform(random, 15, 60) * kDegree, turn = uniform(random, 0.2, 1.5);
+    const double from = 12 - uniform(random, 0, 0.4);
+    SCOPED_TRACE(testing::Message() << i << ": " << theta / kDegree << ", turn " << turn);
+    Stage stage;
+    stage.turn_radius = turn;
+    stage.centres = Area({centres});
+    stage.turns = Area(offset({centres}, -turn));
+    const std::size_t before = ground.size();
+    Steering steering(ground, stage, theta);
+    const BoundaryIndex::Hit hit = stage.centres.nearest({from, 0});
+    const Pass pass = steering.from_wall({hit.curve, hit.segment, hit.t});
+    if (pass.empty()) continue;
+    ++passes;
+    EXPECT_LE(worst_mean(looks_along(ground, pass, before, 0.01), 0.1), theta + 1.2 * kDegree);
+  }
+  EXPECT_GT(passes, kRandomFronts);
 }
 
 TEST(Steering, MakesNoPassWhereThereIsNoMaterial) {
