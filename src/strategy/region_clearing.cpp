@@ -457,7 +457,9 @@ class RegionClearing {
     const Circle circle = largest_circle(room, kEntryTolerance);
     const bool reached =
         touched_too ? ground_.is_clear(circle.centre) : ground_.is_cleared_point(circle.centre);
-    if (circle.radius < kNarrowestRoom * radius_ || reached) return false;
+    // Where nothing is cut yet there is no other way to begin, however narrow the room is.
+    const bool is_narrow = !result_.runs.empty() && circle.radius < kNarrowestRoom * radius_;
+    if (is_narrow || reached) return false;
     const std::optional<Pose> start = descend_in(circle);
     if (!start) return false;
     look_again(result_.runs.back().descent);
