@@ -86,6 +86,25 @@ Pass PassChoice::from_pose(const Pose& start, double* turn_radius) {
   return {};
 }
 
+Pass PassChoice::from_entry(const Pose& start, double* turn_radius) {
+  Pass widest;  // of those that end in the material
+  double radius_of_widest = 0;
+  for (std::size_t k = widest_stage_at(start); k < stages_.size(); ++k) {
+    if (stages_[k].turn_radius <= 0) break;
+    Pass pass = steering_at(k).from_pose(start);
+    if (pass.empty()) continue;
+    *turn_radius = stages_[k].turn_radius;
+    if (pass.idle_after > 0) return pass;
+    take_back(ground_, pass);
+    if (!widest.empty()) continue;
+    widest = std::move(pass);
+    radius_of_widest = stages_[k].turn_radius;
+  }
+  *turn_radius = radius_of_widest;
+  for (const Segment& move : widest.moves) ground_.add(move);
+  return widest;
+}
+
 // mm^2 per mm of cutting at the nominal feed: what a pass removes, by the time that it takes.
 double PassChoice::worth(const Pass& pass) const {
   const double full = pass.cut_area / side_step(params_.engagement_angle, radius_);

@@ -32,6 +32,10 @@ class PassChoice {
   //
   // From a free pose, with the widest turn that can be made there.
   Pass from_pose(const Pose& start, double* turn_radius);
+  // The same where the tool came down, with the widest turn whose pass leads out of the material
+  // again. Beside a ramp's slot a wide turn may end at once in the middle of a front, and in a
+  // narrow room no other pass would find a start then. Where none leads out, with the widest turn.
+  Pass from_entry(const Pose& start, double* turn_radius);
   // Along a wall: in a corner the pass that is worth most, elsewhere the one with the widest turn,
   // no wider than its stage's, that can enter there.
   Pass from_wall(const PassStart& start, double* turn_radius);

@@ -160,6 +160,16 @@ class RegionClearing {
     samples_.update(low, high);
   }
 
+  void look_again(const Descent& descent) {
+    Bounds box{descent.at, descent.at};
+    if (descent.kind == DescentKind::kHelix) {
+      const Vec2 opposite = 2 * descent.centre - descent.at;
+      box = joined(box, {opposite, opposite});
+    }
+    for (const Vec2 p : descent.ramp_by) box = joined(box, {p, p});
+    samples_.update(box.low, box.high);
+  }
+
   static ClearedGround ground_of(const RegionTask& task, double radius) {
     if (task.opened && !task.opening.runs.empty()) return *task.opened;
     return {grown(bounds_of({task.centres}), radius), radius,
@@ -211,11 +221,13 @@ class RegionClearing {
       enter_from_before();
       return;
     }
-    Descent descent;
-    const Pose start = choose_entry(widest(), descent);
+    const std::optional<Pose> start = descend_in(widest());
+    if (!start)
+      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(widest().centre),
+                          "The tool has no room to descend in this pocket: drill a hole first and "
+                          "choose the entry 'Predrilled hole', or take a smaller tool.");
     samples_.update(everywhere.low, everywhere.high);
-    begin_run(descent);
-    cut_from(start);
+    cut_from(*start);
   }
 
   // Where a wall leads from ground that was cut before into the material.
@@ -263,28 +275,26 @@ class RegionClearing {
     }
   }
 
-  // Helix, or ramp where none fits. Returns the pose from which the spiral starts.
-  Pose choose_entry(const Circle& room, Descent& descent) {
+  // By a helix, or a ramp where none fits. Returns the pose from which the first pass, a spiral,
+  // starts; nothing where there is not even room for a ramp.
+  std::optional<Pose> descend_in(const Circle& room) {
     std::optional<Entry> entry = descend_within(exact_, room, params_);
-    if (!entry)
-      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(room.centre),
-                          "The tool has no room to descend in this pocket: drill a hole first and "
-                          "choose the entry 'Predrilled hole', or take a smaller tool.");
+    if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
     // Who asks for a helix shall have the one that was asked for, where it fits.
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
                              is_shrunk(entry->descent, params_);
     if (may_stretch && !task_.round_helix) stretch_helix(*entry, exact_, params_);
-    descent = entry->descent;
-    add_descent(descent, ground_);
+    add_descent(entry->descent, ground_);
+    begin_run(entry->descent);
     return entry->start;
   }
 
-  // A pass from the free pose where the tool stands, with the widest turn that can be made there.
+  // A pass from the free pose where the tool came down.
   bool cut_from(const Pose& start) {
     double turn_radius = 0;
-    Pass pass = choice_.from_pose(start, &turn_radius);
+    Pass pass = choice_.from_entry(start, &turn_radius);
     if (pass.empty()) return false;
     pass.moves = smooth(pass);
     return take(std::move(pass), turn_radius);
@@ -450,12 +460,13 @@ class RegionClearing {
     const Circle circle = largest_circle(room, kEntryTolerance);
     const bool reached =
         touched_too ? ground_.is_clear(circle.centre) : ground_.is_cleared_point(circle.centre);
-    if (circle.radius < kNarrowestRoom * radius_ || reached) return false;
-    Descent descent;
-    const Pose start = choose_entry(circle, descent);
-    begin_run(descent);
-    samples_.update(descent.at, descent.at);
-    cut_from(start);
+    // Where nothing is cut yet there is no other way to begin, however narrow the room is.
+    const bool is_narrow = !result_.runs.empty() && circle.radius < kNarrowestRoom * radius_;
+    if (is_narrow || reached) return false;
+    const std::optional<Pose> start = descend_in(circle);
+    if (!start) return false;
+    look_again(result_.runs.back().descent);
+    cut_from(*start);
     return true;
   }
 

@@ -136,6 +136,25 @@ TEST(RestMachining, OfAFullPocketIsClearingItByAHelix) {
   EXPECT_LE(run(path, stock, 6, pocket.part).figures.rest.area, 0.01);
 }
 
+// Here nothing leads in from beside, and the tool's centre has some hundredths of a millimetre.
+TEST(RestMachining, ComesDownByARampInARoomHardlyWiderThanTheTool) {
+  for (const double width : {6.03, 6.08, 6.11}) {
+    SCOPED_TRACE(width);
+    const Region room = square(0, 0, 6.4, width);
+    DexelStock stock({{square(-10, -10, 20, 20), 0}}, -3, kResolution);
+    const std::vector<std::vector<Region>> stands{reachable_ground({room}, 6, 0)};
+    Progress progress;
+    const Toolpath path = clear_rest({room}, stands, params_for(6), progress);
+    EXPECT_EQ(path.report.termination, Termination::kComplete);
+    EXPECT_GT(count(path, MoveKind::kEntry), 0);
+    const Prism part{make_region(square(-10, -10, 20, 20).outer, {room.outer}), 0};
+    const LoadFigures found = run(path, stock, 6, {part}).figures;
+    EXPECT_LE(found.rest.area, 0.01);
+    EXPECT_LE(found.gouge.value, 0.002);
+    EXPECT_TRUE(found.incidents.empty());
+  }
+}
+
 TEST(RestMachining, TakesAPostThatTouchesNoWall) {
   const Pocket pocket(false);
   // All is clear but a post that is narrower than the tool, and a wider one.

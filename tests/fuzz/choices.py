@@ -197,9 +197,14 @@ def pieces(shape):
     return [piece for piece in getattr(shape, "geoms", [shape]) if piece.area > LEAST_PIECE]
 
 
+def slotted_passages(notes):
+    """How many passages were cut as wide as the tool; each has a note."""
+    return sum(note.startswith(REDUCED_FEED) for note in notes)
+
+
 def is_slotted(notes):
     """True where passages were cut as wide as the tool, which is neither climb nor conventional."""
-    return any(note.startswith(REDUCED_FEED) for note in notes)
+    return slotted_passages(notes) > 0
 
 
 def limits_for(case, notes, limits):
@@ -214,4 +219,7 @@ def limits_for(case, notes, limits):
         without.add("over")
     if any(NO_HOLE in note for note in notes):
         without.add("rest")
-    return {name: limit for name, limit in limits.items() if name not in without}
+    kept = {name: limit for name, limit in limits.items() if name not in without}
+    if "entry" in kept:  # the room behind each such passage has an entry of its own
+        kept["entry"] *= 1 + slotted_passages(notes)
+    return kept

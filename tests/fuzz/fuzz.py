@@ -37,7 +37,7 @@ LIMITS = {
     "rate": 1.05,  # removal rate over the nominal
     "rapid": 0.0,  # mm of rapids in material
     "plunge": 0.0,  # mm of plunges in material
-    "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region
+    "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region; see limits_for
 }
 # The same for the operations that clear certain shapes only.
 STRICTER = {"over": 1.0}

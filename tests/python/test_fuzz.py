@@ -143,6 +143,14 @@ def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
     assert faults({"climb": 0.9}, notes=["Turned more tightly."])
 
 
+def test_rooms_joined_by_passages_at_a_reduced_feed_may_have_an_entry_each():
+    note = "Cut at reduced feed: the passage near (1, 2), 6.01 mm wide at its narrowest."
+    assert choices.limits_for({}, [], {"entry": 2.0}) == {"entry": 2.0}
+    assert choices.limits_for({}, [note] * 3, {"entry": 2.0}) == {"entry": 8.0}
+    assert faults({"entry": 2.01})
+    assert not faults({"entry": 2.01}, notes=[note])
+
+
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
     _, case = first_cases(1)[0]
     assert "wrong" in fuzz.judge({**case, "feed": -1.0}, False)
