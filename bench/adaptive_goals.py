@@ -101,7 +101,7 @@ def table(values):
 
 
 def goal_line(values, title, key, sign, required, wished, published="-"):
-    """One line: FreeCAD's figure, ours, ours with LeastLoad, and how far ours is as it should be."""
+    """One line: FreeCAD's figure, ours, ours with LeastLoad, how far ours is as it should be."""
     theirs, value, even = (values.get(key % which) for which in ("freecad_", "", "even_"))
     line = "%-30s" % title
     for number in (theirs, value, even):

@@ -18,7 +18,6 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "freecad"
 from models import case_model, corpus_case, floors_of  # noqa: E402
 
 SPINDLE_SPEED = 6366  # rev/min
-LEAST_LOAD = 0.9  # at which the simulator, which sees means of 0.02 mm, finds 0.85
 
 
 def ours(job, controller, case):
@@ -37,7 +36,7 @@ def ours(job, controller, case):
 def even(job, controller, case):
     """Ours, with feeds in steps as fine as the removal rate needs."""
     op = ours(job, controller, case)
-    op.LeastLoad = LEAST_LOAD
+    op.LeastLoad = judged_path.LEAST_LOAD
     return op
 
 

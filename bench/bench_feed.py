@@ -1,5 +1,6 @@
-# The four feed controls on the star, and a least load: the time each takes, and what the simulator finds of what it
-# holds, as multiples of a straight cut's at the engagement angle and the nominal feed.
+# The four feed controls on the star, and a least load: the time each takes, and what the simulator
+# finds of what it holds, as multiples of a straight cut's at the engagement angle and the nominal
+# feed.
 import math
 
 import evenload
@@ -7,12 +8,13 @@ import numpy
 import pocket_case
 from evenload import _core, materials
 from evenload.simulation import HELIX_ANGLE_DEG
+from judged_path import LEAST_LOAD
 
 # By name: the control and its least load.
 CONTROLS = {
     "constant feed": ("constant feed", 0.0),
     "constant removal rate": ("constant removal rate", 0.0),
-    "constant removal rate, evenly": ("constant removal rate", 0.9),
+    "constant removal rate, evenly": ("constant removal rate", LEAST_LOAD),
     "constant chip thickness": ("constant chip thickness", 0.0),
     "constant force": ("constant force", 0.0),
 }

@@ -10,6 +10,7 @@ RAPID, LINK, ENTRY, CUT = range(4)
 WINDOW = 0.1  # mm: of means
 BAND = 3.0  # degrees about the angle
 HELD = 0.85  # of the nominal removal rate
+LEAST_LOAD = 0.9  # at which the simulator, which sees means of 0.02 mm, finds HELD everywhere
 MOST_LINKED, CLOSE_STEP = 1.0, 0.02  # degrees; mm between looks, where links seem to exceed them
 
 

@@ -23,11 +23,11 @@ constexpr double kSpareRatio = 0.5;
 // lines with corners between them; only one arc that leads all round the corner stays an arc.
 const double kSteeredTurn = std::sqrt(kLeastSpan / std::sin(0.2));
 // There stages follow each other so closely that such an arc, along the wall of the next, meets no
-// more than this share of the engagement angle; where they would have to follow more closely than
-// kFinestRatio, passes would be many: steered ones it is.
+// more than this share of the engagement angle; in corners in which they would have to follow more
+// closely than kFinestRatio, passes would be many: steered ones it is.
 constexpr double kHeldShare = 0.95;
 constexpr double kFinestRatio = 0.986;
-constexpr double kRatioStep = 1e-3;  // to which that is found
+constexpr double kRatioStep = 1e-3;  // to which they are found, and rad
 constexpr int kCornerLooks = 24;     // along a turn
 
 // The walls are opened by this much more than the turn radius, so that a pass in the narrowest
@@ -45,15 +45,17 @@ double deepest_rest(const Region& exact, const Area& stage) {
   return deepest;
 }
 
-// rad: half the angle of the sharpest corner that the tool turns into.
-double sharpest_corner(const Region& region) {
+// rad: half the angle of the sharpest corner that the tool turns into, of those no sharper than
+// twice `sharp`.
+double sharpest_corner(const Region& region, double sharp) {
   double least = kPi / 2;
   for (const Curve& curve : region.curves()) {
     const std::vector<Segment> pieces = curve.segments();
     for (std::size_t i = 0; i < pieces.size(); ++i) {
       const Segment& next = pieces[(i + 1) % pieces.size()];
       const double turn = wrap_signed(angle_of(next.tangent(0)) - angle_of(pieces[i].tangent(1)));
-      least = std::min(least, 0.5 * (kPi - turn));
+      const double half = 0.5 * (kPi - turn);
+      if (half >= sharp) least = std::min(least, half);
     }
   }
   return least;
@@ -75,17 +77,25 @@ double met_in_corner(double ratio, double half) {
   return most;
 }
 
-// How far apart the turn radii of two stages may be, as a ratio, for a pass along the wall of the
-// second to keep to kHeldShare of `engagement` in the sharpest corner; 0 where it would have to be
-// above kFinestRatio.
-double held_ratio(const Region& region, double engagement) {
-  const double half = sharpest_corner(region);
-  double low = 0, high = 1;
+// Where `is_low` changes from true to false, within kRatioStep.
+template <typename IsLow>
+double change_between(double low, double high, IsLow is_low) {
   while (high - low > kRatioStep) {
     const double middle = 0.5 * (low + high);
-    (met_in_corner(middle, half) > kHeldShare * engagement ? low : high) = middle;
+    (is_low(middle) ? low : high) = middle;
   }
-  return high > kFinestRatio ? 0 : high;
+  return high;
+}
+
+// How far apart the turn radii of two stages may be, as a ratio, for passes along the walls of the
+// second to keep to kHeldShare of `engagement` in all corners but those so sharp that it would have
+// to be above kFinestRatio.
+double held_ratio(const Region& region, double engagement) {
+  const double most = kHeldShare * engagement;
+  const double sharp = change_between(
+      0, kPi / 2, [&](double half) { return met_in_corner(kFinestRatio, half) > most; });
+  const double half = sharpest_corner(region, sharp);
+  return change_between(0, 1, [&](double ratio) { return met_in_corner(ratio, half) > most; });
 }
 
 }  // namespace
