@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cutting/engagement.h"
+#include "strategy/corner_wall.h"
 #include "strategy/links.h"
 #include "toolpath/small_arc.h"
 
@@ -61,11 +62,13 @@ PassChoice::PassChoice(ClearedGround& ground, const std::vector<Stage>& stages,
       since_tried_(kTryEvery) {}
 
 // Right turns shrink with the stage's left turns.
-Steering PassChoice::steering_at(std::size_t k) {
-  const double share = std::min(1.0, stages_[k].turn_radius / limits_.widest);
-  return Steering(ground_, stages_[k], params_.engagement_angle,
+Steering PassChoice::steering_on(const Stage& stage) {
+  const double share = std::min(1.0, stage.turn_radius / limits_.widest);
+  return Steering(ground_, stage, params_.engagement_angle,
                   std::max(params_.minimum_radius * share, limits_.tightest));
 }
+
+Steering PassChoice::steering_at(std::size_t k) { return steering_on(stages_[k]); }
 
 std::size_t PassChoice::widest_stage_at(const Pose& pose) const {
   for (std::size_t k = 0; k < stages_.size(); ++k) {
@@ -183,7 +186,22 @@ Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   return best;
 }
 
+// Where the stage's own wall cannot be followed within the limit by turns that posts can write: as
+// far towards it as one that leads round the corner by one arc gets.
+Pass PassChoice::between_stages(const PassStart& start, double* turn_radius) {
+  if (stages_[start.stage].turn_radius <= 0) return {};
+  const std::optional<CornerWall> wall =
+      corner_wall(stages_[start.stage], start.place, ground_, params_.engagement_angle);
+  if (!wall) return {};
+  *turn_radius = wall->stage.turn_radius;
+  return steering_on(wall->stage).along_wall(wall->start);
+}
+
 Pass PassChoice::from_wall(const PassStart& start, double* turn_radius) {
+  if (stages_[start.stage].turn_radius < tightest_in_corner(params_.engagement_angle)) {
+    Pass pass = between_stages(start, turn_radius);
+    if (!pass.empty()) return pass;
+  }
   if (start.corner) {
     Pass pass = best_corner_pass(start, turn_radius);
     if (!pass.empty()) return pass;

@@ -41,11 +41,13 @@ class PassChoice {
   Pass from_wall(const PassStart& start, double* turn_radius);
 
  private:
+  Steering steering_on(const Stage& stage);
   Steering steering_at(std::size_t k);
   std::size_t widest_stage_at(const Pose& pose) const;
   double worth(const Pass& pass) const;
   Pass best_corner_pass(const PassStart& start, double* turn_radius);
   Pass latest_wall_pass(const PassStart& start, double* turn_radius);
+  Pass between_stages(const PassStart& start, double* turn_radius);
 
   ClearedGround& ground_;
   const std::vector<Stage>& stages_;

@@ -27,12 +27,9 @@ const double kSteeredTurn = std::sqrt(kLeastSpan / std::sin(0.2));
 // closely than kFinestRatio, passes would be many: steered ones it is.
 constexpr double kHeldShare = 0.95;
 constexpr double kFinestRatio = 0.986;
-constexpr double kRatioStep = 1e-3;  // to which they are found, and rad
-constexpr int kCornerLooks = 24;     // along a turn
-
-// The walls are opened by this much more than the turn radius, so that a pass in the narrowest
-// channel of its stage still has room between its roll-in and its roll-out.
-constexpr double kOpeningRatio = 1.25;
+constexpr double kRatioStep = 1e-3;  // rad, to which such corners are told apart
+constexpr double kExactRatio = 1e-5;
+constexpr int kCornerLooks = 24;  // along a turn
 
 // mm: how far the exact border lies beyond the border of a stage, in corners or along the walls of
 // necks that the stage does not enter.
@@ -77,10 +74,10 @@ double met_in_corner(double ratio, double half) {
   return most;
 }
 
-// Where `is_low` changes from true to false, within kRatioStep.
+// Where `is_low` changes from true to false, within `exact`.
 template <typename IsLow>
-double change_between(double low, double high, IsLow is_low) {
-  while (high - low > kRatioStep) {
+double change_between(double low, double high, double exact, IsLow is_low) {
+  while (high - low > exact) {
     const double middle = 0.5 * (low + high);
     (is_low(middle) ? low : high) = middle;
   }
@@ -90,22 +87,28 @@ double change_between(double low, double high, IsLow is_low) {
 // How far apart the turn radii of two stages may be, as a ratio, for passes along the walls of the
 // second to keep to kHeldShare of `engagement` in all corners but those so sharp that it would have
 // to be above kFinestRatio.
-double held_ratio(const Region& region, double engagement) {
+double held_ratio_of(const Region& region, double engagement) {
   const double most = kHeldShare * engagement;
-  const double sharp = change_between(
-      0, kPi / 2, [&](double half) { return met_in_corner(kFinestRatio, half) > most; });
-  const double half = sharpest_corner(region, sharp);
-  return change_between(0, 1, [&](double ratio) { return met_in_corner(ratio, half) > most; });
+  const double sharp = change_between(0, kPi / 2, kRatioStep, [&](double half) {
+    return met_in_corner(kFinestRatio, half) > most;
+  });
+  return held_ratio(sharpest_corner(region, sharp), engagement);
 }
 
 }  // namespace
+
+double held_ratio(double half, double engagement) {
+  const double most = kHeldShare * engagement;
+  return change_between(0, 1, kExactRatio,
+                        [&](double ratio) { return met_in_corner(ratio, half) > most; });
+}
 
 std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits) {
   EVENLOAD_ASSERT(limits.tightest > 0 && limits.tightest <= limits.widest);
   std::vector<Stage> stages;
   const Area exact_area({centres});
   bool spare = false;
-  const double held = held_ratio(centres, limits.engagement);
+  const double held = held_ratio_of(centres, limits.engagement);
   const auto next = [&](double turn) {
     const double ratio = spare ? kSpareRatio : kStageRatio;
     return turn * (ratio * turn < kSteeredTurn ? std::max(ratio, held) : ratio);

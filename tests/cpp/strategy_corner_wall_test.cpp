@@ -1,0 +1,102 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <optional>
+#include <vector>
+
+#include "geometry_shapes.h"
+#include "strategy/corner_wall.h"
+
+namespace evenload {
+namespace {
+
+constexpr double kDegree = kPi / 180, kRadius = 3, kTheta = 30 * kDegree;
+
+// The places of the tool's centre: a wedge with its tip at the origin, which opens to the right.
+Region wedge(double angle) {
+  return make_region(shapes::polygon({{0, 0}, {10, 0}, 10 * unit(angle)}));
+}
+
+Stage stage_of(const Region& centres, double turn) {
+  Stage stage;
+  stage.turn_radius = turn;
+  stage.rooms = offset(offset({centres}, -kOpeningRatio * turn), kOpeningRatio * turn);
+  stage.centres = Area(stage.rooms);
+  stage.turns = Area(offset(stage.rooms, -turn));
+  return stage;
+}
+
+// Cleared along both walls, and round the corner by an arc of `radius`.
+ClearedGround ground_up_to(double radius, double angle) {
+  ClearedGround ground({{-4, -4}, {14, 14}}, kRadius, nullptr);
+  const Stage cleared = stage_of(wedge(angle), radius / kOpeningRatio);
+  for (const Segment& piece : cleared.centres.curves().front().segments()) ground.add(piece);
+  return ground;
+}
+
+// On the wall that leads to the corner, `before` mm from it.
+WallPlace on_wall(const Stage& stage, double before, double angle) {
+  const BoundaryIndex::Hit hit = stage.centres.nearest(before * unit(angle));
+  return {hit.curve, hit.segment, hit.t};
+}
+
+double arc_of(const CornerWall& wall) { return kOpeningRatio * wall.stage.turn_radius; }
+
+TEST(CornerWall, IsAsMuchTighterThanWhatIsClearedAsKeepsToTheEngagement) {
+  for (const double degrees : {6.0, 10.0, 20.0, 40.0, 90.0}) {
+    SCOPED_TRACE(degrees);
+    const double angle = degrees * kDegree, cleared = 0.1;
+    const Stage stage = stage_of(wedge(angle), 0.93 * cleared / kOpeningRatio);
+    ClearedGround ground = ground_up_to(cleared, angle);
+    const double before = 1.02 * cleared / std::tan(0.5 * angle);
+    const auto wall = corner_wall(stage, on_wall(stage, before, angle), ground, kTheta);
+    if (degrees > 45) {  // the stage's own wall will do
+      EXPECT_FALSE(wall);
+      continue;
+    }
+    ASSERT_TRUE(wall);
+    EXPECT_NEAR(arc_of(*wall), held_ratio(0.5 * angle, kTheta) * cleared, 1e-4 * cleared);
+    const std::size_t known = ground.size();
+    Steering steering(ground, wall->stage, kTheta);
+    const Pass pass = steering.along_wall(wall->start);
+    ASSERT_FALSE(pass.empty());
+    EXPECT_GT(ground.size(), known);
+    EXPECT_GT(pass.cut_area, 0);
+    // One arc all round the corner.
+    int arcs = 0;
+    for (const Segment& move : pass.moves) arcs += move.is_arc();
+    EXPECT_EQ(arcs, 1);
+  }
+}
+
+TEST(CornerWall, LeadsToTheTipInPassesThatAllKeepToTheEngagement) {
+  const double angle = 8 * kDegree;
+  const Stage stage = stage_of(wedge(angle), 0.04);
+  ClearedGround ground = ground_up_to(0.1, angle);
+  double before = 0.1, radius = 0.1;
+  int passes = 0;
+  while (const auto wall = corner_wall(
+             stage, on_wall(stage, 1.02 * radius / std::tan(0.5 * angle), angle), ground, kTheta)) {
+    radius = arc_of(*wall);
+    EXPECT_LT(radius, before);
+    before = radius;
+    Steering steering(ground, wall->stage, kTheta);
+    ASSERT_FALSE(steering.along_wall(wall->start).empty());
+    ++passes;
+  }
+  EXPECT_LT(held_ratio(0.5 * angle, kTheta) * radius, kOpeningRatio * stage.turn_radius);
+  EXPECT_GT(passes, 20);
+}
+
+TEST(CornerWall, IsNoneWhereNothingOrTooLittleIsCleared) {
+  const double angle = 10 * kDegree;
+  const Stage stage = stage_of(wedge(angle), 0.02);
+  const WallPlace place = on_wall(stage, 2, angle);
+  const ClearedGround untouched({{-4, -4}, {14, 14}}, kRadius, nullptr);
+  EXPECT_FALSE(corner_wall(stage, place, untouched, kTheta));
+  EXPECT_FALSE(corner_wall(stage, place, ground_up_to(0.1, angle), kTheta));  // begins far off
+  EXPECT_FALSE(corner_wall(stage, place, ground_up_to(0.02, angle), kTheta));
+}
+
+}  // namespace
+}  // namespace evenload
