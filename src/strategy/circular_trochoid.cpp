@@ -22,6 +22,8 @@ constexpr double kBeyondRoom = 1.15;
 constexpr double kMostBeyond = 0.45 * kPi;  // rad
 // rad
 constexpr double kMostTurn = kPi;
+// mm: rounded, shorter lines would turn aside by up to half a degree.
+constexpr double kShortestAdvance = 0.02;
 
 // Where a loop is after a turn by `angle` from the right wall, its centre `s` mm along the middle.
 Vec2 on_loop(const TrochoidParams& params, double s, double angle) {
@@ -43,6 +45,21 @@ TrochoidPattern circles(const TrochoidParams& params, double step) {
   pattern.step = step;
   pattern.curvature = params.curvature;
   pattern.turn_radius = radius;
+  if (step < kShortestAdvance) {
+    // On the way back instead, which leads to where the next circle meets material.
+    const double beyond = cut - kPi;
+    pattern.cut.push_back(Segment::arc({}, radius, start - beyond, cut + beyond));
+    const Pose next = place_along(params.curvature, step);
+    const auto on_circle = [&](const Pose& at, double angle) {
+      const Vec2 outwards = unit(at.heading + angle);
+      return PlanePoint{at.p + radius * outwards, left_normal(outwards)};
+    };
+    const auto link =
+        bi_arc(on_circle({}, start + cut), on_circle(next, start - beyond), kMostTurn);
+    EVENLOAD_ASSERT(link.has_value());
+    pattern.link = {link->first, link->second};
+    return pattern;
+  }
   const Pose before = place_along(params.curvature, -step);
   // Along the right wall from the circle before, which touched it there.
   const Vec2 from = before.p - radius * left_normal(unit(before.heading));

@@ -35,6 +35,7 @@ constexpr double kLonger = 1e-9;
 constexpr double kShortestStretch = 0.1;
 // mm: to which the stretch of a helix is found.
 constexpr double kStretch = 1e-3;
+constexpr double kSameTurns = 1e-6;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
 // Share of the tool's radius from the stock at which the tool comes down outside.
@@ -42,12 +43,19 @@ constexpr double kBeside = 1.02;
 
 // mm from `from` to where the border of `centres` is `room` mm away, `limit` at most.
 double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit, double room = 0) {
-  double length = 0, known = 0;
-  while (length < limit) {
-    const double inside = centres.signed_distance(from + length * direction) - room;
-    if (inside < kAtBorder) return known;
-    known = length + inside;
-    length += std::max(inside, kLook * room);
+  const auto inside = [&](double at) {
+    return centres.signed_distance(from + at * direction) - room;
+  };
+  double known = 0, next = 0, free = inside(0);
+  while (free >= kAtBorder && next < limit) {
+    known = next + free;
+    next = std::min(limit, next + std::max(free, kLook * room));
+    free = inside(next);
+  }
+  if (free >= kAtBorder) return limit;
+  while (next - known > kAtBorder) {
+    const double middle = 0.5 * (known + next);
+    (inside(middle) < kAtBorder ? next : known) = middle;
   }
   return std::min(known, limit);
 }
@@ -103,6 +111,48 @@ bool ramp_round_border(const Area& centres, const ClearingParams& params, Entry&
   return true;
 }
 
+// mm of the way down a helix.
+double slope_of(const ClearingParams& params) {
+  const double depth = params.top - params.levels.front();
+  return (depth + kAboveMaterial) / std::tan(params.helix_angle);
+}
+
+// mm: the greatest stretch up to `longest` with which the way down is a whole number of half turns,
+// none of them flatter than it may be; 0 where that is not worth it.
+double stretch_of_half_turns(double helix_radius, double longest, const ClearingParams& params) {
+  const double slope = slope_of(params), circle = kPi * helix_radius;
+  const double half_turns = std::ceil(slope / (circle + longest) - kSameTurns);
+  const double stretch = slope / half_turns - circle;
+  return stretch < kShortestStretch * helix_radius ? 0 : stretch;
+}
+
+// mm: the stretch with which a helix removes as much in its time as a cut does, or the longest.
+double sought_stretch(double helix_radius, const ClearingParams& params) {
+  const double r = 0.5 * params.tool_diameter;
+  const double depth = params.top - params.levels.front();
+  const double slope = slope_of(params);
+  const double rate = entry_feeds(params).rate;
+  Descent helix;
+  helix.radius = helix_radius;
+  // mm^2: by how much less it clears than a cut does in the same time.
+  const auto lacks = [&](double stretch) {
+    helix.stretch = {0.5 * stretch, 0};
+    const double time = slope / params.plunge_feed + duration(level_turn(helix, depth, params));
+    return rate * time - cleared_area(helix, r);
+  };
+  const double longest =
+      std::max(0.0, (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
+                        (2 * (helix_radius + r)));
+  if (lacks(longest) > 0) return longest;
+  if (lacks(0) <= 0) return 0;
+  double too_short = 0, enough = longest;
+  while (enough - too_short > kStretch) {
+    const double middle = 0.5 * (too_short + enough);
+    (lacks(middle) > 0 ? too_short : enough) = middle;
+  }
+  return enough;
+}
+
 }  // namespace
 
 double widest_helix(const ClearingParams& params) {
@@ -156,29 +206,7 @@ bool is_shrunk(const Descent& helix, const ClearingParams& params) {
 }
 
 double wished_stretch(double helix_radius, const ClearingParams& params) {
-  const double r = 0.5 * params.tool_diameter;
-  const double depth = params.top - params.levels.front();
-  const double slope = (depth + kAboveMaterial) / std::tan(params.helix_angle);
-  const double rate = entry_feeds(params).rate;
-  Descent helix;
-  helix.radius = helix_radius;
-  // mm^2: by how much less it clears than a cut does in the same time.
-  const auto lacks = [&](double stretch) {
-    helix.stretch = {0.5 * stretch, 0};
-    const double time = slope / params.plunge_feed + duration(level_turn(helix, depth, params));
-    return rate * time - cleared_area(helix, r);
-  };
-  const double longest =
-      std::max(0.0, (kMostCleared * 4 * kPi * r * r - kPi * std::pow(helix_radius + r, 2)) /
-                        (2 * (helix_radius + r)));
-  if (lacks(longest) > 0) return longest;
-  if (lacks(0) <= 0) return 0;
-  double too_short = 0, enough = longest;
-  while (enough - too_short > kStretch) {
-    const double middle = 0.5 * (too_short + enough);
-    (lacks(middle) > 0 ? too_short : enough) = middle;
-  }
-  return enough;
+  return stretch_of_half_turns(helix_radius, sought_stretch(helix_radius, params), params);
 }
 
 void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& params) {
@@ -195,14 +223,9 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
   };
   const double angle = direction_of_longest(centres, helix.centre, kPi, both_ways);
   const double ahead = free(angle, wish), behind = free(angle + kPi, wish - ahead);
-  const double longest = ahead + behind;
   const Vec2 u = unit(angle);
-  // A whole number of half turns, none of them flatter than it may be.
-  const double slope =
-      (params.top - params.levels.front() + kAboveMaterial) / std::tan(params.helix_angle);
-  const double circle = kPi * helix.radius;
-  const double stretch = slope / std::ceil(slope / (circle + longest)) - circle;
-  if (stretch < kShortestStretch * helix.radius) return;
+  const double stretch = stretch_of_half_turns(helix.radius, ahead + behind, params);
+  if (stretch <= 0) return;
   helix.centre = helix.centre + (0.5 * stretch - std::min(behind, stretch)) * u;
   helix.stretch = 0.5 * stretch * u;
   helix.at = helix.centre + helix.stretch + helix.radius * u;

@@ -200,8 +200,8 @@ class Abridging {
     std::vector<Vertex> outline{{{0, half_room}}, {{0, -half_room}}};
     for (const Segment& move : pattern.front) outline.push_back({move.a, move.bulge()});
     outline.push_back({pattern.front.back().b});
-    const double first =
-        std::max(-pattern.reach.back, wished_room(half_room) - pattern.reach.ahead);
+    const double first = std::max(-pattern.reach.back,
+                                  wished_room(half_room) - 2 * half_room - pattern.circle_behind);
     return 2 * half_room * first + Curve(std::move(outline), true).signed_area();
   }
 

@@ -33,10 +33,9 @@ constexpr double kMostPassRoom = 0.05;  // of the limit
 constexpr double kLongestJunction = 8;
 // The same: so far beyond the corner inside where two ways meet both walls of a way are there.
 constexpr double kPastCorner = 1.1;
+// The same: a little narrower than expected, a helix needs so much more for as many turns.
+constexpr double kHelixRoom = 0.01;
 constexpr double kSameArea = 1e-6;  // mm^2
-// Share of the tool's radius: where half the room is less passes serve pockets better than
-// patterns.
-constexpr double kServingRoom = 0.05;
 
 ClearingParams for_passes(ClearingParams params) {
   const double limit = params.engagement_angle;
@@ -146,7 +145,7 @@ class SlotClearing {
     const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
     if (!pattern) return;
     if (use == Use::kPockets &&
-        (has_corners(*pattern) || stretch.half_room < kServingRoom * radius_))
+        (has_corners(*pattern) || stretch.half_room < kLeastCircle * radius_))
       return;
     const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
@@ -201,6 +200,10 @@ class SlotClearing {
     std::optional<StartRoom> best;
     const Way* way = nullptr;  // that begins there
     for (std::size_t i = first; i < last; ++i) {
+      if (first_place(ways_[i]) > ways_[i].last()) {
+        is_too_short_ = true;
+        continue;
+      }
       std::optional<StartRoom> room = start_room_of(ways_[i], first_place(ways_[i]));
       if (!room) continue;
       const bool is_better = !best || (room->is_end != best->is_end
@@ -231,10 +234,9 @@ class SlotClearing {
 
   // The first place of a period that leaves room behind its front for a helix as wide as the slot.
   double first_place(const Way& way) const {
-    const double h = way.stretch.half_room;
-    const double helix = helix_radius(params_, {{}, h});
-    const double wish = 2 * h + (task_.hole ? 0 : wished_stretch(helix, params_));
-    return std::max(-way.reach.back, wish - way.reach.ahead);
+    const double h = way.stretch.half_room, helix = helix_radius(params_, {{}, h});
+    const double stretch = task_.hole ? 0 : wished_stretch(helix, params_) + kHelixRoom * h;
+    return std::max(-way.reach.back, stretch - way.circle_behind);
   }
 
   std::optional<StartRoom> start_room_of(const Way& way, double s) const {
@@ -485,7 +487,7 @@ class SlotClearing {
   RegionResult opening_;
   Pose here_;
   std::optional<SlotStretch> longest_stretch_;
-  bool is_too_short_ = false;       // every stretch with a pattern
+  bool is_too_short_ = false;       // a stretch with a pattern, and no other one serves
   std::optional<Vec2> circles_at_;  // of the first way along which circles are repeated
 };
 

@@ -16,8 +16,8 @@ namespace {
 // Share of the side step at the limit that is left beside a wall at most: the scallops of the
 // pattern come on top.
 constexpr double kMostBeside = 0.9;
-// Share of the tool's radius: smaller circles meet too much once posts round them.
-constexpr double kLeastCircle = 0.03;
+// Share of half the room: a helix that clears what lies behind a front is as wide at the most.
+constexpr double kCircleBehind = 0.99;
 // Shares of half the room that are tried, the last the most.
 constexpr double kOfRoom[] = {1.0 / 3, 0.5};
 
@@ -156,6 +156,8 @@ std::optional<SlotPattern> slot_pattern(TrochoidKind kind, const TrochoidParams&
   front.curvature = slot.curvature;
   result->front_ahead = reach_of(front).ahead;
   result->reach = reach_of(result->pattern);
+  result->circle_behind = circles_through(front, kCircleBehind * half_room(slot)).first;
+  result->circle_ahead = circles_through(result->pattern, half_room(slot)).last;
   return result;
 }
 

@@ -16,6 +16,9 @@ namespace evenload {
 
 enum class TrochoidKind { kConstantEngagement, kCircular, kCycloid };
 
+// Share of the tool's radius: circles smaller than that meet too much once posts round them.
+inline constexpr double kLeastCircle = 0.03;
+
 // Nothing where the slot is too narrow for it. Throws as check() does.
 std::optional<TrochoidPattern> make_pattern(TrochoidKind kind, const TrochoidParams& params);
 
@@ -28,7 +31,10 @@ struct SlotPattern {
   std::vector<Segment> front;
   double front_ahead = 0;  // mm along the middle that it reaches, from the pattern's origin
   double beside = 0;       // mm left along each wall
-  double removal = 0;      // mm^2/min, passes along the walls and all
+  // Places of circles as wide as the slot, mm along the middle from the pattern's origin: the
+  // furthest behind the front, and the first that holds all that the cut reaches ahead of it.
+  double circle_behind = 0, circle_ahead = 0;
+  double removal = 0;  // mm^2/min, passes along the walls and all
 };
 
 // Whether posts would write turns of the pattern as lines with corners.

@@ -41,20 +41,14 @@ std::optional<int> first_to_cut(const Way& way, const ClearedGround& ground) {
   const double reach = way.reach.ahead - way.reach.back + 2 * ground.tool_radius();
   const double from = std::max(-way.reach.back - way.stretch.half_room, *edge - reach);
   const double spacing = way.pattern.step / kTriesInStep;
-  // Places that are tried are counted as periods are.
-  std::optional<int> free;
-  for (int i = static_cast<int>(std::floor((way.last() - from) / spacing)); i >= kTriesInStep;
-       --i) {
-    const double s = way.last() - i * spacing;
-    if (s > *edge) break;
-    if (is_clear(cut_at(way, s), ground, kThin * way.pattern.step))
-      free = i;
-    else if (free)
-      break;
-  }
-  if (!free || !has_work(way, ground, way.last() - (*free - kTriesInStep) * spacing))
-    return std::nullopt;
-  return (*free - 1) / kTriesInStep;
+  const double thin = kThin * way.pattern.step;
+  // Places that are tried are counted as periods are, the furthest first.
+  const auto place = [&](int i) { return way.last() - i * spacing; };
+  const int furthest = static_cast<int>(std::ceil((way.last() - *edge) / spacing));
+  int free = std::max(kTriesInStep, furthest);
+  while (place(free) >= from && !is_clear(cut_at(way, place(free)), ground, thin)) ++free;
+  if (place(free) < from || !has_work(way, ground, place(free - kTriesInStep))) return std::nullopt;
+  return (free - 1) / kTriesInStep;
 }
 
 std::optional<double> edge_of_material(const Way& way, const ClearedGround& ground) {

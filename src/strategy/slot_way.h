@@ -18,7 +18,8 @@ struct Way : SlotPattern {
   double taken_out = 0;  // mm, of the stretch
   bool has_next_room = false;
   double whole() const { return stretch.middle.length() + taken_out; }
-  double last() const { return stretch.middle.length() - reach.ahead; }  // place of a period
+  // The last place of a period.
+  double last() const { return stretch.middle.length() - circle_ahead; }
 };
 
 // Share of the tool's radius: between two looks for material along a middle.

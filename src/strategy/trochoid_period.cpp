@@ -43,6 +43,9 @@ constexpr double kLongerJump = 4;
 constexpr double kSmallerStep = 0.9;
 // So many steps are tried at most where the overload is expected, before halving goes on.
 constexpr int kMostInProportion = 8;
+// Along a move for the circles that it touches, which it does beside walls as a rule.
+constexpr int kCircleLooks = 200;
+constexpr double kFar = std::numeric_limits<double>::infinity();
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -53,6 +56,16 @@ double along(double curvature, Vec2 p) {
   if (curvature == 0) return p.x;
   const Vec2 v = p - Vec2{0, 1 / curvature};
   return wrap_signed(angle_of(v) + (curvature > 0 ? kPi / 2 : -kPi / 2)) / curvature;
+}
+
+// mm along the middle to the place whose circle of `radius` mm reaches `p` with its front half, or
+// to the place beside `p` where `p` lies too far aside.
+double circle_place(double curvature, Vec2 p, double radius) {
+  if (curvature == 0) return p.x - std::sqrt(std::max(0.0, radius * radius - p.y * p.y));
+  const double bend = 1 / std::abs(curvature), to_centre = norm(p - Vec2{0, 1 / curvature});
+  const double cosine =
+      (to_centre * to_centre + bend * bend - radius * radius) / (2 * to_centre * bend);
+  return along(curvature, p) - bend * std::acos(std::min(1.0, cosine));
 }
 
 // A step that was tried.
@@ -167,7 +180,6 @@ Region strip_of(const TrochoidParams& params, double back, double ahead) {
 }
 
 PeriodReach reach_of(const TrochoidPattern& pattern) {
-  constexpr double kFar = std::numeric_limits<double>::infinity();
   PeriodReach reach{kFar, -kFar};
   for (const Segment& move : pattern.cut)
     for (int i = 0; i <= kMoveLooks; ++i) {
@@ -176,6 +188,18 @@ PeriodReach reach_of(const TrochoidPattern& pattern) {
       reach.ahead = std::max(reach.ahead, s);
     }
   return reach;
+}
+
+CirclesThrough circles_through(const TrochoidPattern& pattern, double radius) {
+  CirclesThrough through{kFar, -kFar};
+  for (const Segment& move : pattern.cut)
+    for (int i = 0; i <= kCircleLooks; ++i) {
+      const Vec2 p = move.point(static_cast<double>(i) / kCircleLooks);
+      const double place = circle_place(pattern.curvature, p, radius);
+      if (place < along(pattern.curvature, p)) through.first = std::min(through.first, place);
+      through.last = std::max(through.last, place);
+    }
+  return through;
 }
 
 bool turns_at_corners(const std::vector<Segment>& moves) {

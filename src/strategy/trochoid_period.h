@@ -54,6 +54,13 @@ struct PeriodReach {
 };
 PeriodReach reach_of(const TrochoidPattern& pattern);
 
+// The places of circles of `radius` mm along the middle, mm from the pattern's origin: the furthest
+// whose front half lies behind the cut, and the nearest whose front half lies ahead of it.
+struct CirclesThrough {
+  double first = 0, last = 0;
+};
+CirclesThrough circles_through(const TrochoidPattern& pattern, double radius);
+
 // rad: exceeding the limit by less is not worth a shorter step; at small limits in proportion.
 inline constexpr double kPatternOverload = 0.75 * kPi / 180;
 inline constexpr double kFullOverload = kPi / 3;

@@ -82,7 +82,7 @@ TEST(Entry, StretchesAHelixAlongASlotFromItsMiddleAndFromEitherRoundEnd) {
           const Descent& helix = entry->descent;
           ASSERT_GT(norm(helix.stretch), 1);
           // There is a little play between the walls.
-          EXPECT_GT(std::abs(dot(normalized(helix.stretch), unit(angle))), 0.9999);
+          EXPECT_GT(std::abs(dot(normalized(helix.stretch), unit(angle))), 0.9998);
           EXPECT_GT(slot.signed_distance(helix.centre + helix.stretch), helix.radius - 1e-6);
           EXPECT_GT(slot.signed_distance(helix.centre - helix.stretch), helix.radius - 1e-6);
           EXPECT_LT(cleared_area(helix, 3), kMostCleared * kPi * 36 + 1e-6);

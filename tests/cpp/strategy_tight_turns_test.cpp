@@ -225,8 +225,8 @@ TEST_P(APostedPocket, TurnsByMoreThanADegreeAtSharpCornersOnly) {
 // Cases without a path, and those that still turn elsewhere; the moves themselves are tangent.
 const std::set<std::string> kLeftOut{
     "too_small",  // the tool does not fit
-    // Where two walls leave next to no width, the tool turns at less than 0.1 mm: no wider arc has
-    // room.
+    // Between its stretched helix and the first circle the tool turns thrice at less than 0.1 mm: no
+    // wider arc has room.
     "slot62",
     // Pieces of some micrometres of the outline's corners, which rounding turns by some degrees.
     "tiny_edges",

@@ -94,6 +94,48 @@ TEST(TrochoidPattern, IsTangentStaysInTheSlotAndKeepsTheLimitOnceItRepeats) {
         }
 }
 
+TEST(TrochoidPattern, OfTinyCirclesHasNoMoveThatRoundingWouldTurn) {
+  for (const double curvature : {0.0, 0.03, -0.03}) {
+    TrochoidParams params = slot(6.2 / 6, 15, curvature);
+    const auto pattern = circular_pattern(params);
+    ASSERT_TRUE(pattern);
+    EXPECT_LT(pattern->step, 0.02);
+    std::vector<Segment> period = pattern->cut;
+    period.insert(period.end(), pattern->link.begin(), pattern->link.end());
+    period.push_back(placed(pattern->cut.front(), place_along(curvature, pattern->step)));
+    for (std::size_t i = 1; i < period.size(); ++i) {
+      EXPECT_GT(period[i].length(), 0.02);
+      expect_joined(period[i - 1], period[i]);
+    }
+    EXPECT_LE(figures_of(*pattern, params).max_engagement, most_engagement(params) + 1e-6);
+  }
+}
+
+TEST(CirclesThrough, TouchThePatternFromBehindAndHoldIt) {
+  for (const double curvature : {0.0, 0.03, -0.03})
+    for (const double width : {1.25, 1.5, 2.0}) {
+      const TrochoidParams params = slot(width, 60, curvature);
+      const double h = half_room(params);
+      const auto circles = circular_pattern(params), ours = constant_engagement_pattern(params);
+      ASSERT_TRUE(circles && ours);
+      EXPECT_NEAR(circles_through(*circles, h).last, 0, 1e-6);
+      const CirclesThrough through = circles_through(*ours, h);
+      EXPECT_LT(through.first, through.last);
+      const Vec2 first = place_along(curvature, through.first).p,
+                 last = place_along(curvature, through.last).p;
+      double nearest = 1e9, furthest = 0;
+      for (const Segment& move : ours->cut)
+        for (const double t : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+          const Vec2 p = move.point(t);
+          nearest = std::min(nearest, distance(p, first));
+          if (dot(p - last, unit(place_along(curvature, through.last).heading)) > 0)
+            furthest = std::max(furthest, distance(p, last));
+        }
+      EXPECT_GT(nearest, h - 2e-3);
+      EXPECT_LT(furthest, h + 2e-3);
+    }
+}
+
 TEST(TurnsAtCorners, AreArcsThatPostsWriteAsLines) {
   const auto turns = [](double radius, double sweep) {
     return turns_at_corners(
