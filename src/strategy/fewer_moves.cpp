@@ -35,6 +35,8 @@ constexpr int kFewestLooks = 4;
 constexpr double kShortOnBorder = 0.05;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
+// rad: less than this is thin stuff on either side.
+constexpr double kLeastLeaning = kPi / 180;
 // Of unit vectors along moves that are tangent to each other.
 constexpr double kSameDirection = 1e-6;
 // Share of the tool's radius: thinner rests might be left for good, where no wall leads to them and
@@ -144,10 +146,13 @@ class FewerMoves {
       ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
       looked.looks.push_back({{t * length, 2 * bend * t, t * length * bend * t}});
       RowLook& here = looked.looks.back();
+      double left = 0;  // by how much more of it
       for (const AngularInterval& arc : arcs_) {
         here.met += arc.width();
+        left += std::cos(arc.low - heading) - std::cos(arc.high - heading);
         here.width += radius_ * (std::sin(arc.high - heading) - std::sin(arc.low - heading));
       }
+      here.leans_left = left > 0 && here.met > kLeastLeaning;
       if (here.met > most_met) break;
       if (look == kOldLook && i % kBesideEvery == 0 && !arcs_.empty())
         looked.is_beside_nothing =
@@ -174,7 +179,8 @@ class FewerMoves {
       return {begin.along + place.along, begin.turned + place.turned,
               begin.aside + begin.turned * place.along + place.aside};
     };
-    for (const RowLook& look : looked.looks) row.looks.push_back({on(look), look.met, look.width});
+    for (const RowLook& look : looked.looks)
+      row.looks.push_back({on(look), look.met, look.width, look.leans_left});
     const double length = move.length();
     row.joints.push_back(on({length, move.sweep, 0.5 * length * move.sweep}));
   }
@@ -193,6 +199,16 @@ class FewerMoves {
     double most = 0;
     for (const RowLook& look : row.looks) most = std::max(most, look.met);
     return most;
+  }
+
+  static bool leans_left(const Row& row) {
+    return std::any_of(row.looks.begin(), row.looks.end(),
+                       [](const RowLook& look) { return look.leans_left; });
+  }
+
+  // True where a row meets too much, or lies on the wrong side of what is thin.
+  bool is_worse(const Row& made, const Row& old) const {
+    return most_met(made) > limits_.most_met || (leans_left(made) && !leans_left(old));
   }
 
   bool may_be(const std::vector<Segment>& way) const {
@@ -254,7 +270,7 @@ class FewerMoves {
         {limits_.engagement, radius_, limits_.shortest, tightest_in(row.first, row.last)});
     if (way.empty() || !may_be(way)) return;
     const Row made = row_along(way, row.met, limits_.most_met);
-    if (most_met(made) > limits_.most_met) return;
+    if (is_worse(made, row.met)) return;
     const double gain = gain_of(row, unused_area(made, limits_.least_width), way);
     if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
   }
@@ -269,6 +285,7 @@ class FewerMoves {
       const double most = most_met(known);
       if (most > limits_.most_met + kHopeless) return;
       if (most > limits_.most_met) continue;
+      if (leans_left(known) && !leans_left(row.met)) return;
       const double gain = gain_of(row, unused_area(known, limits_.least_width), way);
       if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
       return;

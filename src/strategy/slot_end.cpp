@@ -63,7 +63,9 @@ std::optional<Region> end_room(const Region& region, const Area& centres, const 
                                int last_period) {
   if (way.beside <= 0) return std::nullopt;
   const SlotStretch back = way.stretch.reversed();
-  const double from = back.middle.length() - place_of(way, last_period) - way.reach.back;
+  // Beyond the stretch a round end is narrower, and a front across it would meet it in corners.
+  const double from =
+      std::max(0.0, back.middle.length() - place_of(way, last_period) - way.reach.back);
   std::optional<Region> room = room_behind(region, centres, round_front(back, from));
   return room && is_end(*room, back, from) ? std::move(room) : std::nullopt;
 }

@@ -33,6 +33,8 @@ constexpr double kNearlyOut = 3 * kDegree;    // of engagement
 // rounding.
 constexpr double kThin = 1e-6;
 
+// rad: material that is thinner than a cut is kept by so much on the right of the feed.
+constexpr double kOnRight = 5 * kDegree;
 // rad: less than this is thin stuff on either side.
 constexpr double kLeastLeaning = kDegree;
 
@@ -55,16 +57,20 @@ Steering::Contact Steering::contact(const Pose& at) const {
   ground_.uncovered(at.p, right, right + kPi, scratch_, kThin,
                     here ? ground_.size() - 1 : ground_.size());
   Contact result;
-  double widest = 0, towards_left = 0;
+  double widest = 0, towards_left = 0, beside = 0;
   for (const AngularInterval& piece : scratch_) {
     result.total += piece.width();
     towards_left += piece.width() * (0.5 * (piece.low + piece.high) - at.heading);
     if (piece.width() > widest) {
       widest = piece.width();
       result.steer = piece.high - right;
+      beside = piece.low - right;
       result.edge = at.p + (radius_ - kThin) * unit(piece.high);
     }
   }
+  // Thin material with nothing beside it on the right could have its far end there and lie on the
+  // left, where the limit is beyond a right angle: its middle stays on the right.
+  if (theta_ > kPi / 2) result.steer += std::max(0.0, beside - (kPi - theta_) + kOnRight);
   result.steer = std::max(result.steer, result.total);
   result.leans_left = towards_left > 0 && result.total > kLeastLeaning;
   return result;

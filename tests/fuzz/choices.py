@@ -217,6 +217,8 @@ def limits_for(case, notes, limits):
         without.add("rest")
     if is_slotted(notes):
         without.add("over")
+    if not chosen.get("arcs", True):
+        without.add("kinks")
     if any(NO_HOLE in note for note in notes):
         without.add("rest")
     kept = {name: limit for name, limit in limits.items() if name not in without}

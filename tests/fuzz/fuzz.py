@@ -26,7 +26,14 @@ import shapes
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[2] / "bench"))
 sys.dont_write_bytecode = True
-from path_laws import beyond_rounding, entry_share, wrong_side  # noqa: E402
+from path_laws import (  # noqa: E402
+    CUT,
+    beyond_rounding,
+    entry_share,
+    kinks,
+    sharp_corners,
+    wrong_side,
+)
 
 # Figure -> the most that is allowed.
 LIMITS = {
@@ -38,6 +45,7 @@ LIMITS = {
     "rapid": 0.0,  # mm of rapids in material
     "plunge": 0.0,  # mm of plunges in material
     "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region; see limits_for
+    "kinks": 0,  # turns over a degree between cuts in material, beyond one for each sharp corner
 }
 # The same for the operations that clear certain shapes only.
 STRICTER = {"over": 1.0}
@@ -55,6 +63,9 @@ CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 # mm: less than this may stay on walls: the tool keeps kWallGap off them, and follows lines that were
 # an arc once within kFineShare of the tolerance.
 FILM = 0.003
+TIP = 0.6  # mm of cuts: so much may be made in tips, where fronts on both sides meet
+CIRCLE_LINES, MITRE = 90, 2  # of shapely's offsets: lines in a quarter of a circle, and a kind of join
+SHARP = math.radians(15)
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 # The same, where a mean is above its limit: one look in a sliver of some micrometres counts less.
 CLOSE_STEP, MEANS = 0.01, ("over", "link", "rate")
@@ -76,7 +87,8 @@ def figures_of(case, path, scene, step=STEP):
         "rapid": beyond_rounding(run.rapid_in_material_mm),
         "plunge": beyond_rounding(run.plunge_in_material_mm),
         "entry": entry_share(run, case) / regions,
-        "climb": 1 - wrong_side(run, case.get("choices", {}).get("cut_mode") == "conventional"),
+        "climb": climb_share(case, run),
+        "kinks": kinks(run, path.moves) - max(sharp_corners(case), corners_of_centres(case)),
         "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
     }
 
@@ -89,6 +101,42 @@ def rest_share(case, run):
     walls = [LinearRing(planar.flattened(chain)) for chain in [case["outer"], *case["islands"]]]
     film = FILM * sum(wall.length for wall in walls)
     return max(0.0, run.rest_area - film) / max(run.removed_area + run.rest_area, 1e-9)
+
+
+def climb_share(case, run):
+    """Of the length of cuts, on the side asked for."""
+    wrong = wrong_side(run, case.get("choices", {}).get("cut_mode") == "conventional")
+    length = float(run.length[run.kind == CUT].sum())
+    return 1 - max(0.0, wrong - TIP / max(length, TIP))
+
+
+def corners_of_centres(case):
+    """Where the tool's centre, as near to walls as it may come, turns into a corner: also between
+    islands, where no wall does.
+    """
+    import choices
+    from evenload import planar
+    from shapely.geometry import Polygon
+    from shapely.geometry.polygon import orient
+
+    pocket = Polygon(planar.flattened(case["outer"])).buffer(0)
+    if case.get("open"):
+        pocket = pocket.envelope.buffer(2 * case["tool"], join_style=MITRE)
+    for island in case["islands"]:
+        pocket = pocket.difference(Polygon(planar.flattened(island)).buffer(0))
+    centres = choices.pieces(pocket.buffer(-0.5 * case["tool"], CIRCLE_LINES))
+    outlines = [ring for piece in map(orient, centres) for ring in (piece.exterior, *piece.interiors)]
+    return sum(sharp_left_turns(list(ring.coords)[:-1]) for ring in outlines)
+
+
+def sharp_left_turns(points):
+    """How many: those between the lines of an arc do not count."""
+    count = 0
+    for i, (x, y) in enumerate(points):
+        (x0, y0), (x1, y1) = points[i - 1], points[(i + 1) % len(points)]
+        turn = math.atan2(y1 - y, x1 - x) - math.atan2(y - y0, x - x0)
+        count += math.remainder(turn, 2 * math.pi) > SHARP
+    return count
 
 
 def cut_width(case):
