@@ -6,6 +6,7 @@
 
 #include "cutting/engagement.h"
 #include "strategy/corner_wall.h"
+#include "strategy/gap_pass.h"
 #include "strategy/links.h"
 #include "toolpath/small_arc.h"
 
@@ -25,6 +26,24 @@ constexpr double kTurnShare = 0.5;
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
 constexpr std::size_t kStagesAtOnce = 3;
+
+// Shares of the tool's radius: between two looks back along a gap's wall for a place where the tool
+// is clear, and the furthest of them.
+constexpr double kBackLook = 0.02;
+constexpr double kFurthestBack = 0.3;
+
+// `length` mm before a place of a closed border.
+WallPlace before(const Curve& border, WallPlace place, double length) {
+  for (;;) {
+    const double whole = border.segment(place.segment).length(), done = place.t * whole;
+    if (done >= length || whole <= 0) break;
+    length -= done;
+    place.segment = (place.segment + border.segment_count() - 1) % border.segment_count();
+    place.t = 1;
+  }
+  place.t -= length / border.segment(place.segment).length();
+  return place;
+}
 
 double tightest_in_corner(double engagement) {
   const double span = std::sin(std::min(kTurnShare * engagement, kPi / 2));
@@ -197,9 +216,37 @@ Pass PassChoice::between_stages(const PassStart& start, double* turn_radius) {
   return steering_on(wall->stage).along_wall(wall->start);
 }
 
+// The last place of the exact border before the nearest one to `p` where the tool is clear.
+std::optional<Pose> PassChoice::clear_before(Vec2 p) const {
+  const Area& exact = stages_.back().centres;
+  const BoundaryIndex::Hit hit = exact.nearest(p);
+  const Curve& border = exact.curves()[hit.curve];
+  const double step = kBackLook * radius_;
+  WallPlace place{hit.curve, hit.segment, hit.t};
+  for (double back = 0; back < kFurthestBack * radius_; back += step) {
+    const Segment piece = border.segment(place.segment);
+    const Vec2 at = piece.point(place.t);
+    if (ground_.is_clear(at)) return Pose{at, angle_of(piece.tangent(place.t))};
+    place = before(border, place, step);
+  }
+  return std::nullopt;
+}
+
+// In a gap where passes would turn by several arcs that posts cannot write: along the walls of the
+// start's stage, or where these end in arcs of their own along the exact border.
+Pass PassChoice::across_gap(const PassStart& start, double* turn_radius) {
+  Pass pass = gap_pass(stages_[start.stage].centres, start.pose, ground_, params_.engagement_angle);
+  if (pass.empty())
+    if (const std::optional<Pose> exact = clear_before(start.pose.p))
+      pass = gap_pass(stages_.back().centres, *exact, ground_, params_.engagement_angle);
+  if (!pass.empty()) *turn_radius = pass.moves.back().radius;
+  return pass;
+}
+
 Pass PassChoice::from_wall(const PassStart& start, double* turn_radius) {
   if (stages_[start.stage].turn_radius < tightest_in_corner(params_.engagement_angle)) {
     Pass pass = between_stages(start, turn_radius);
+    if (pass.empty()) pass = across_gap(start, turn_radius);
     if (!pass.empty()) return pass;
   }
   if (start.corner) {

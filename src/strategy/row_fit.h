@@ -17,8 +17,8 @@ struct RowPlace {
 
 // What the tool meets there.
 struct RowLook : RowPlace {
-  double met = 0;    // rad
-  double width = 0;  // mm: area removed per mm of way
+  double met = 0;           // rad
+  double width = 0;         // mm: area removed per mm of way
   bool leans_left = false;  // more of it lies left of the feed than right of it
 };
 

@@ -25,10 +25,11 @@ constexpr double kProgress = 0.01;
 
 constexpr double kRollOutStep = 3 * kDegree;  // between two looks along a turn made at once
 constexpr int kPeakLooks = 3;                 // for a peak between two looks along such a turn
-// Shares of the step on which contact begins: further looks, for a peak where a front is met head-on.
+// Shares of the step on which contact begins: further looks, for a peak where a front is met
+// head-on.
 constexpr double kHeadOnShares[] = {0.05, 0.2, 0.5};
-constexpr double kWayOutStep = 2 * kDegree;   // between two looks on the way out of the material
-constexpr double kNearlyOut = 3 * kDegree;    // of engagement
+constexpr double kWayOutStep = 2 * kDegree;  // between two looks on the way out of the material
+constexpr double kNearlyOut = 3 * kDegree;   // of engagement
 // mm: material thinner than this is not seen; what has been cut must not be found again by
 // rounding.
 constexpr double kThin = 1e-6;

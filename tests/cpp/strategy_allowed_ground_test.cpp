@@ -17,9 +17,7 @@ constexpr double kTool = 6;
 // mm: beyond open edges, of the tool's side.
 constexpr double kRoom = 2.5 * kTool;
 
-Region region_of(const std::vector<Vertex>& vertices) {
-  return make_region(Curve(vertices, true));
-}
+Region region_of(const std::vector<Vertex>& vertices) { return make_region(Curve(vertices, true)); }
 
 // Open above, from (90, 30) to (0, 30), with a wall beneath that meets it at `tip` rad on the left.
 Region open_above(double tip) {
@@ -31,7 +29,8 @@ Region open_above(double tip) {
 }
 
 std::vector<Region> allowed(const Region& region, std::vector<std::string>& notes) {
-  return allowed_ground({region}, kTool, [](Vec2 p) { return p; }, notes);
+  return allowed_ground(
+      {region}, kTool, [](Vec2 p) { return p; }, notes);
 }
 
 bool contains(const std::vector<Region>& ground, Vec2 p) {

@@ -72,12 +72,16 @@ CLOSE_STEP, MEANS = 0.01, ("over", "link", "rate")
 
 
 def figures_of(case, path, scene, step=STEP):
-    """{figure: value}; those of LIMITS, and the time over the ideal as "ratio"."""
+    """{figure: value} of the program that is posted; those of LIMITS, and the time over the ideal
+    as "ratio".
+    """
     import evenload
+    from posted import posted
 
-    run = evenload.simulate(path, **scene, step=step)
+    moves = posted(path.moves)
+    run = evenload.simulate(moves, **scene, step=step)
     nominal = cut_width(case) * case["axial_depth"] * case["feed"]
-    regions = 1 + sum(1 for move in path.moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
+    regions = 1 + sum(1 for move in moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
     return {
         "over": run.max_engagement_deg - case["engagement_deg"],
         "link": run.link_engagement_deg,
@@ -88,7 +92,7 @@ def figures_of(case, path, scene, step=STEP):
         "plunge": beyond_rounding(run.plunge_in_material_mm),
         "entry": entry_share(run, case) / regions,
         "climb": climb_share(case, run),
-        "kinks": kinks(run, path.moves) - max(sharp_corners(case), corners_of_centres(case)),
+        "kinks": kinks(run, moves) - max(sharp_corners(case), corners_of_centres(case)),
         "ratio": run.time_total_s / (60 * run.removed_volume_total / nominal),
     }
 

@@ -1,0 +1,197 @@
+#include "strategy/gap_pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+#include <vector>
+
+#include "strategy/move_checks.h"
+#include "toolpath/small_arc.h"
+
+namespace evenload {
+namespace {
+
+// mm: so near to a wall a place is on it, and a circle touches it.
+constexpr double kOnWall = 1e-4;
+constexpr double kTouches = 1e-7;
+// Of unit vectors: the way and the wall that it follows.
+constexpr double kSameDirection = 1e-3;
+// Shares of the tool's radius: half of the widest gap; the furthest reach along its wall, from a
+// start next to which there is material; between two looks along it; the first reach that is tried,
+// and to which the furthest one that will do is found.
+constexpr double kWidest = 0.1;
+constexpr double kFurthest = 0.5;
+constexpr double kWallLook = 0.02;
+constexpr double kFirstReach = 1e-3;
+constexpr double kExactReach = 1e-4;
+// rad: between two looks along the arc; engaged, less counts as no contact.
+constexpr double kArcLook = 8 * kPi / 180;
+constexpr double kInContact = 0.06 * kPi / 180;
+// A pass that meets no more than this share of the limit gets nowhere.
+constexpr double kLeastMet = 0.5;
+constexpr int kMostShrinking = 50;
+// mm: thinner material is not seen; what may stay on the other wall, between two arcs that touch
+// it.
+constexpr double kThin = 1e-6, kFilm = 3e-4;
+
+// Along a wall, and round to the one that faces it.
+struct Way {
+  std::vector<Segment> wall;
+  Segment arc;
+};
+
+class GapPass {
+ public:
+  GapPass(const Area& centres, const Pose& start, ClearedGround& ground, double engagement)
+      : centres_(centres),
+        ground_(ground),
+        engagement_(engagement),
+        radius_(ground.tool_radius()),
+        start_(centres.nearest(start.p)) {
+    is_on_wall_ = start_.distance < kOnWall && norm(centres.segment_at(start_).tangent(start_.t) -
+                                                    unit(start.heading)) < kSameDirection;
+  }
+
+  Pass made() {
+    if (!is_on_wall_) return {};
+    double low = 0, high = kFirstReach * radius_;
+    while (high < kFurthest * radius_ && is_within(high)) {
+      low = high;
+      high *= 2;
+    }
+    if (low <= 0) return {};
+    while (high - low > kExactReach * radius_) {
+      const double middle = 0.5 * (low + high);
+      (is_within(middle) ? low : high) = middle;
+    }
+    const std::optional<Way> way = way_to(low);
+    return way ? pass_along(*way) : Pass{};
+  }
+
+ private:
+  // The way that leaves the wall after `reach` mm, which is not next to nothing; nothing where it
+  // is no gap, or posts could not write the arc.
+  std::optional<Way> way_to(double reach) const {
+    Way way;
+    const Curve& curve = centres_.curves()[start_.curve];
+    std::size_t i = start_.segment;
+    double from = start_.t, left = reach;
+    for (;;) {
+      const Segment piece = curve.segment(i).part(from, 1);
+      const double length = piece.length();
+      if (!way.wall.empty() && length > kTouches &&
+          !is_tangent(way.wall.back(), piece, kSameDirection))
+        return std::nullopt;
+      if (left <= length) {
+        if (left > kTouches) way.wall.push_back(piece.part(0, left / length));
+        break;
+      }
+      if (length > kTouches) way.wall.push_back(piece);
+      left -= length;
+      from = 0;
+      i = (i + 1) % curve.segment_count();
+    }
+    const std::optional<Segment> arc = arc_across(way.wall.back().b, way.wall.back().tangent(1));
+    if (!arc) return std::nullopt;
+    way.arc = *arc;
+    return way;
+  }
+
+  // The arc from `p` on a wall that is followed along `along` to the wall that faces it there. The
+  // circle that touches the wall in `p` shrinks until nothing is inside of it.
+  std::optional<Segment> arc_across(Vec2 p, Vec2 along) const {
+    const Vec2 normal = left_normal(along);
+    double r = kWidest * radius_;
+    Vec2 touched = p;
+    for (int i = 0; i < kMostShrinking; ++i) {
+      const BoundaryIndex::Hit hit = centres_.nearest(p + r * normal);
+      if (hit.distance > r - kTouches) break;
+      touched = centres_.segment_at(hit).point(hit.t);
+      const double ahead = dot(touched - p, normal);
+      if (ahead <= 0) return std::nullopt;
+      r = squared_norm(touched - p) / (2 * ahead);
+    }
+    if (touched == p || r < kLeastArcRadius + kRadiusMargin) return std::nullopt;
+    const Vec2 centre = p + r * normal;
+    const double begin = angle_of(p - centre);
+    double sweep = wrap_positive(angle_of(touched - centre) - begin);
+    // Where the gap widens the arc is longer than half a turn, and would be written in halves: it
+    // ends short of the wall by next to nothing.
+    if (becomes_corners(r, sweep) && sweep > kPi) sweep = kPi;
+    if (becomes_corners(r, sweep)) return std::nullopt;
+    return Segment::arc(centre, r, begin, sweep);
+  }
+
+  double met_on(const Segment& move, double t, double thin = kThin) {
+    const double heading = angle_of(move.tangent(t));
+    ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, thin);
+    double met = 0;
+    for (const AngularInterval& arc : arcs_) met += arc.width();
+    return met;
+  }
+
+  int looks_along(const Segment& wall) const {
+    return static_cast<int>(std::ceil(wall.length() / (kWallLook * radius_)));
+  }
+  static int looks_along_arc(const Segment& arc) {
+    return static_cast<int>(std::ceil(arc.sweep / kArcLook));
+  }
+
+  // Whether the way that leaves the wall after `reach` mm keeps to the limit, and is out of the
+  // material where it comes to the other wall.
+  bool is_within(double reach) {
+    const std::optional<Way> way = way_to(reach);
+    if (!way || !is_inside(way->arc, centres_, kOnBorder) ||
+        met_on(way->arc, 1, kFilm) > kInContact)
+      return false;
+    const auto keeps = [&](const Segment& move, int looks) {
+      for (int i = 0; i < looks; ++i)
+        if (met_on(move, (i + 0.5) / looks) > engagement_) return false;
+      return true;
+    };
+    return keeps(way->arc, looks_along_arc(way->arc)) &&
+           std::all_of(way->wall.begin(), way->wall.end(),
+                       [&](const Segment& wall) { return keeps(wall, looks_along(wall)); });
+  }
+
+  Pass pass_along(const Way& way) {
+    Pass pass;
+    double travelled = 0, first = -1, last = 0, most = 0;  // mm, rad
+    const auto look_along = [&](const Segment& move, int looks) {
+      const double step = move.length() / std::max(1, looks);
+      for (int i = 0; i < looks; ++i, travelled += step) {
+        const double met = met_on(move, (i + 0.5) / looks);
+        if (met <= kInContact) continue;
+        if (first < 0) first = travelled;
+        last = travelled + step;
+        most = std::max(most, met);
+        pass.cut_area += step * radius_ * (1 - std::cos(met));
+      }
+    };
+    for (const Segment& wall : way.wall) look_along(wall, looks_along(wall));
+    look_along(way.arc, looks_along_arc(way.arc));
+    if (most < kLeastMet * engagement_) return {};
+    pass.moves = way.wall;
+    pass.moves.push_back(way.arc);
+    pass.idle_before = first;
+    pass.idle_after = travelled - last;
+    pass.cut_length = last - first;
+    for (const Segment& move : pass.moves) ground_.add(move);
+    return pass;
+  }
+
+  const Area& centres_;
+  ClearedGround& ground_;
+  double engagement_, radius_;
+  BoundaryIndex::Hit start_;
+  bool is_on_wall_ = false;
+  std::vector<AngularInterval> arcs_;
+};
+
+}  // namespace
+
+Pass gap_pass(const Area& centres, const Pose& start, ClearedGround& ground, double engagement) {
+  return GapPass(centres, start, ground, engagement).made();
+}
+
+}  // namespace evenload

@@ -1,0 +1,21 @@
+// Passes across gaps: where two walls are too near to each other to steer between them, the tool
+// follows one of them, turns about by one arc that touches both, and is at the other.
+//
+// Free steps would turn there in several arcs of some hundredths of a mm each, which posts write as
+// lines. One arc of more than a quarter turn they can write however tight it is. Our own.
+#pragma once
+
+#include <optional>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/area.h"
+#include "strategy/steering.h"
+
+namespace evenload {
+
+// The pass from `start`, a place on a wall of `centres` where the tool is clear, that gets as far
+// into the gap ahead as `engagement` rad allows; its moves are added to the ground. Empty where
+// there is no gap, where posts could not write the arc, or next to nothing can be taken.
+Pass gap_pass(const Area& centres, const Pose& start, ClearedGround& ground, double engagement);
+
+}  // namespace evenload
