@@ -64,8 +64,9 @@ CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 # an arc once within kFineShare of the tolerance.
 FILM = 0.003
 TIP = 0.6  # mm of cuts: so much may be made in tips, where fronts on both sides meet
-CIRCLE_LINES, MITRE = 90, 2  # of shapely's offsets: lines in a quarter of a circle, and a kind of join
-SHARP = math.radians(15)
+# Of shapely's offsets: lines in a quarter of a circle, and a kind of join.
+CIRCLE_LINES, MITRE = 90, 2
+SHARP = math.radians(15)  # the lines of an arc turn by less
 STEP = 0.05  # mm of path between two looks, or means over 0.1 mm hang on one place
 # The same, where a mean is above its limit: one look in a sliver of some micrometres counts less.
 CLOSE_STEP, MEANS = 0.01, ("over", "link", "rate")
@@ -129,8 +130,11 @@ def corners_of_centres(case):
     for island in case["islands"]:
         pocket = pocket.difference(Polygon(planar.flattened(island)).buffer(0))
     centres = choices.pieces(pocket.buffer(-0.5 * case["tool"], CIRCLE_LINES))
-    outlines = [ring for piece in map(orient, centres) for ring in (piece.exterior, *piece.interiors)]
-    return sum(sharp_left_turns(list(ring.coords)[:-1]) for ring in outlines)
+    return sum(
+        sharp_left_turns(list(ring.coords)[:-1])
+        for piece in map(orient, centres)
+        for ring in (piece.exterior, *piece.interiors)
+    )
 
 
 def sharp_left_turns(points):

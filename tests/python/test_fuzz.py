@@ -1,10 +1,12 @@
 """The fuzz driver: its cases, and that it sees what is wrong."""
 
 import json
+import math
 import random
 import sys
 from pathlib import Path
 
+import numpy
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
@@ -12,6 +14,7 @@ sys.path[:0] = [str(ROOT / "tests" / "fuzz"), str(ROOT / "bench")]
 import choices  # noqa: E402
 import fuzz  # noqa: E402
 import kinds  # noqa: E402
+import posted  # noqa: E402
 import shapes  # noqa: E402
 
 FINE = {**{name: 0.0 for name in fuzz.LIMITS}, "climb": 1.0, "ratio": 1.1}
@@ -149,6 +152,46 @@ def test_rooms_joined_by_passages_at_a_reduced_feed_may_have_an_entry_each():
     assert choices.limits_for({}, [note] * 3, {"entry": 2.0}) == {"entry": 8.0}
     assert faults({"entry": 2.01})
     assert not faults({"entry": 2.01}, notes=[note])
+
+
+def test_corners_of_the_centres_are_counted_where_walls_have_them_and_between_islands():
+    square = with_choices()
+    assert fuzz.corners_of_centres({**square, "islands": []}) == 4
+    assert fuzz.corners_of_centres(square) == 4  # a round island has none
+    near = [[29.0, 20.0, 1.0], [27.0, 20.0, 1.0]]  # two discs' borders cross in two corners
+    assert fuzz.corners_of_centres({**square, "islands": [*square["islands"], near]}) == 6
+    rounded = [[10.0, 0.0, 0.0], [30.0, 0.0, 1.0], [30.0, 20.0, 0.0], [10.0, 20.0, 1.0]]
+    assert fuzz.corners_of_centres({**square, "outer": rounded, "islands": []}) == 0
+    # Without walls around it: the border that is assumed far away has its own four.
+    assert fuzz.corners_of_centres({**square, "islands": [], "open": True}) == 4
+
+
+def test_what_is_posted_is_judged():
+    tight = (3, 0.05, 0.05, -1.0, math.pi / 2, 0.0, 0.05, 100.0)
+    wide = (3, 5.05, 5.05, -1.0, math.pi / 2, 0.05, 5.05, 100.0)
+    start = [(0, 0.0, 0.0, 5.0, 0.0, 0.0, 0.0, 0.0), (2, 0.0, 0.0, -1.0, 0.0, 0.0, 0.0, 50.0)]
+    moves = posted.posted([*start, tight, wide])
+    assert [move[0] for move in moves[-2:]] == [3, 3]
+    assert moves[-1][1:4] == pytest.approx(wide[1:4], abs=1e-4)
+    assert moves[-1][4] == pytest.approx(math.pi / 2, abs=1e-3)
+    lines = [move for move in moves if move[0] == 3 and move[4] == 0]
+    assert len(lines) > 1 and lines[-1][1:4] == pytest.approx(tight[1:4], abs=1e-4)
+    assert {move[7] for move in moves if move[0] == 3} == {100.0}
+
+
+def test_a_tip_may_be_cut_on_the_wrong_side_but_no_more():
+    class Run:  # a straight cut of 10 mm, `wrong` mm of it on the left
+        def __init__(self, wrong):
+            self.length = numpy.array([10.0 - wrong, wrong])
+            self.kind = numpy.array([fuzz.CUT] * 2)
+            self.engagement_deg = numpy.array([30.0, 30.0])
+            self.first_arc = numpy.array([0, 1, 2])
+            self.arcs = numpy.array([[-90.0, -60.0], [60.0, 90.0]])
+
+    assert fuzz.climb_share({}, Run(0.5)) == 1
+    assert fuzz.climb_share({}, Run(1.6)) == pytest.approx(0.9)
+    conventional = {"choices": {"cut_mode": "conventional"}}
+    assert fuzz.climb_share(conventional, Run(1.6)) == pytest.approx(0.22)
 
 
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
