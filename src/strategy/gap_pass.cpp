@@ -24,6 +24,9 @@ constexpr double kFurthest = 0.5;
 constexpr double kWallLook = 0.02;
 constexpr double kFirstReach = 1e-3;
 constexpr double kExactReach = 1e-4;
+// rad: between the directions of the walls where an arc touches them; beyond it is no gap but a
+// corner, which stages of tighter turns clear in fewer passes.
+constexpr double kMostTaper = 0.7;
 // rad: between two looks along the arc; engaged, less counts as no contact.
 constexpr double kArcLook = 8 * kPi / 180;
 constexpr double kInContact = 0.06 * kPi / 180;
@@ -115,6 +118,7 @@ class GapPass {
     const Vec2 centre = p + r * normal;
     const double begin = angle_of(p - centre);
     double sweep = wrap_positive(angle_of(touched - centre) - begin);
+    if (std::abs(sweep - kPi) > kMostTaper) return std::nullopt;
     // Where the gap widens the arc is longer than half a turn, and would be written in halves: it
     // ends short of the wall by next to nothing.
     if (becomes_corners(r, sweep) && sweep > kPi) sweep = kPi;
