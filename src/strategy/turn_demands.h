@@ -1,0 +1,56 @@
+// What moves in place of a tight turn must fulfil.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "geometry/curve.h"
+#include "strategy/area.h"
+
+namespace evenload {
+
+struct TurnDemands {
+  const Area& centres;    // inside which they stay
+  const Area& exact;      // turns along whose border they must not replace
+  double widening;        // mm: how far from them the old moves may be
+  double least_turn;      // rad: of the turns that are replaced
+  ClearedGround* ground;  // before the moves; null where nothing is cut
+  double engagement;      // rad, the most that is met
+};
+
+// A place of a row of moves, as the share `t` of one of them.
+struct MoveCut {
+  std::size_t move = 0;
+  double t = 0;
+};
+
+// Of unit vectors along moves that are tangent to each other.
+inline constexpr double kSameTurnDirection = 1e-5;
+
+// An arc of which a posted program makes corners.
+bool is_tight(const Segment& move);
+
+// What stays of a move is long enough to be posted as it is, and no tight turn itself.
+bool can_stay(const Segment& move, double from, double to);
+
+// True for an arc that turns by `least_turn` or more and lies off the border of `exact`.
+bool may_give_way(const Segment& move, const TurnDemands& demands);
+
+// The moves from one place to the other, the first and the last as parts.
+std::vector<Segment> parts_between(const std::vector<Segment>& moves, const MoveCut& from,
+                                   const MoveCut& to);
+
+// The moves with `way` in place of what lies between.
+std::vector<Segment> replaced(const std::vector<Segment>& moves, const MoveCut& from,
+                              const MoveCut& to, const std::vector<Segment>& way);
+
+// True where no look along the old moves is further than `widening` mm from the new ones.
+bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old, double widening);
+
+// True where the mean over kMeanLength mm of `way`, made after `before`, is above the limit. The
+// ground is left as it was; without one nothing is met.
+bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
+                    const TurnDemands& demands);
+
+}  // namespace evenload
