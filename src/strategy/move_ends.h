@@ -13,6 +13,9 @@ Segment joined(const Segment& a, const Segment& b);
 // All moves that go on along one line or circle as one.
 std::vector<Segment> joined(const std::vector<Segment>& moves);
 
+// The move that begins `length` mm before `move`, on its line or circle, and ends with it.
+Segment begun_before(const Segment& move, double length);
+
 // Take `length` mm from the way's beginning, or its end, but never its last move. Condition: not
 // empty.
 void drop_first(std::vector<Segment>& moves, double length);

@@ -47,6 +47,9 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
+// mm: a pass that begins with a shorter move, which posts would turn by a degree or more, begins
+// earlier by so much.
+constexpr double kShortestStart = 0.03;
 // A pass that removes less than this share of the tool's radius squared is little progress.
 constexpr double kLeastCut = 1e-4;
 
@@ -326,16 +329,31 @@ class RegionClearing {
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
-    const Pose start{shorter.front().a, angle_of(shorter.front().tangent(0))};
-    if (link_to(start, before)) {
+    for (std::vector<Segment>* moves : {&shorter, &way}) lengthen_start(*moves, before);
+    const Pose nearest = start_of(shorter), start = start_of(way);
+    if (link_to(nearest, before)) {
       way = std::move(shorter);
-    } else if (!link_to(pass.start(), before)) {
+    } else if (!link_to(start, before)) {
       take_back(ground_, pass);  // the tool comes down before the pass is cut
-      if (!come_down_at(pass.start())) return false;
+      if (!come_down_at(start)) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
     pass.moves = std::move(way);
     return take(std::move(pass), turn_radius);
+  }
+
+  static Pose start_of(const std::vector<Segment>& way) {
+    return {way.front().a, angle_of(way.front().tangent(0))};
+  }
+
+  // A first move too short to be posted in its direction begins earlier, over ground that was clear
+  // before the move numbered `before`, where there is room.
+  void lengthen_start(std::vector<Segment>& way, std::size_t before) const {
+    Segment& first = way.front();
+    if (first.length() >= kShortestStart) return;
+    const Segment longer = begun_before(first, kShortestStart);
+    const Segment lead = longer.part(0, kShortestStart / longer.length());
+    if (is_free({ground_, before, &slivers_}, exact_, {lead}, kShortestStart)) first = longer;
   }
 
   // Where the tightest turn of a pass ends.

@@ -31,7 +31,7 @@ constexpr double kSameReach = 1e-10;
 
 // rad: corners of a wall that turn by less are followed as they are; a pass widens them by next to
 // nothing.
-constexpr double kSharpCorner = 1;
+constexpr double kSharpCorner = 0.2;
 
 // A place `reach` mm before the end of the moves [0, n), or after the start of the moves from n on.
 std::optional<MoveCut> cut_before(const std::vector<Segment>& moves, std::size_t n, double reach) {

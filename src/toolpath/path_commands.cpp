@@ -21,6 +21,10 @@ constexpr double kGrid = 1e-4;
 constexpr int kHeightDecimals = 6;
 // mm: shorter ones are left out, posts would repeat a position.
 constexpr double kShortestLine = 0.0005;
+// mm, rad: a move with a shorter chord between two that turn by less from the one to the other is made
+// a part of the next one. On its own it would be turned by degrees when its ends are rounded.
+constexpr double kTinyMove = 0.003;
+constexpr double kUnseenCorner = 0.0175;
 // mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds
 // them, which would make full circles of them; inch posts round to 0.0001 in, and their roundings
 // at both ends add up to 0.0036 mm.
@@ -188,6 +192,42 @@ class Writer {
   bool known_;
 };
 
+// Direction of travel, where a move from `start` begins or ends.
+Vec2 direction_at(const Position& start, const Move& move, bool at_end) {
+  if (move.sweep == 0) return {move.x - start.x, move.y - start.y};
+  const Vec2 out = at_end ? Vec2{move.x - move.cx, move.y - move.cy}
+                          : Vec2{start.x - move.cx, start.y - move.cy};
+  return move.sweep > 0 ? Vec2{-out.y, out.x} : Vec2{out.y, -out.x};
+}
+
+Position end_of(const Move& move) { return {move.x, move.y, move.z}; }
+
+// Whether the move numbered `number` is a tiny one in the middle of a smooth level way, which the
+// next, an arc, can begin with.
+bool is_tiny(const std::vector<Move>& moves, std::size_t number,
+             const std::optional<Position>& start) {
+  if (number < 1 || number + 1 >= moves.size() || (number == 1 && !start)) return false;
+  const Move &before = moves[number - 1], &move = moves[number], &next = moves[number + 1];
+  const Position from = number == 1 ? *start : end_of(moves[number - 2]);
+  const bool is_alike = move.kind != MoveKind::kRapid && before.kind == move.kind &&
+                        next.kind == move.kind && from.z == move.z && before.z == move.z &&
+                        next.z == move.z;
+  if (!is_alike || next.sweep == 0 || std::abs(move.sweep) > kUnseenCorner) return false;
+  const double chord = std::hypot(move.x - before.x, move.y - before.y);
+  const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
+  if (chord > std::min(kTinyMove, 0.5 * kUnseenCorner * radius)) return false;
+  const Vec2 in = direction_at(from, before, true), out = direction_at(end_of(move), next, false);
+  const double turn = std::atan2(cross(in, out), dot(in, out));
+  return std::abs(turn) < 0.75 * kUnseenCorner && std::abs(next.sweep) * radius > kTinyMove;
+}
+
+// The arc `next` with what lies between it and `from` as its beginning.
+Move with_beginning(Move next, const Move& from, const Move& tiny) {
+  const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
+  next.sweep += std::copysign(std::hypot(tiny.x - from.x, tiny.y - from.y) / radius, next.sweep);
+  return next;
+}
+
 void check(const Move& move, std::size_t number, bool place_known) {
   const std::string name = "Move " + std::to_string(number) + " of the toolpath ";
   if (!std::isfinite(move.x + move.y + move.z + move.sweep + move.cx + move.cy + move.feed))
@@ -226,8 +266,13 @@ std::vector<PathCommand> path_commands(const std::vector<Move>& moves,
     --count;
   Writer writer(start);
   for (std::size_t number = 0; number < count; ++number) {
-    const Move& move = moves[number];
+    Move move = moves[number];
     check(move, number, writer.knows_place());
+    if (number + 1 < count && is_tiny(moves, number, start)) {
+      check(moves[number + 1], number + 1, writer.knows_place());
+      move = with_beginning(moves[number + 1], moves[number - 1], move);
+      ++number;
+    }
     if (move.kind == MoveKind::kRapid)
       writer.rapid(move);
     else if (move.sweep != 0)
