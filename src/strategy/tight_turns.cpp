@@ -17,6 +17,11 @@ namespace {
 // tool meets it.
 constexpr double kThickest = 0.004;
 constexpr double kArcShare = 0.04;
+// rad: such an arc may be as long as this however small the angle is; links may meet no more.
+constexpr double kLeastArc = 0.9 * kPi / 180;
+// mm: what the first turn of a pass may leave, where no pass runs along: beside an entry, or on the
+// wall that the pass leaves.
+constexpr double kThickestAtStart = 0.0015;
 // mm along the path: where the first new arc that is tried begins before the old ones, and by how
 // much further each next one does.
 constexpr double kFirstReach = 0.002;
@@ -113,7 +118,7 @@ class Widening {
     if (std::abs(half) >= 0.5 * kPi) return {};
     const Segment arc = Segment::from_bulge(a, b, std::tan(half / 2));
     if (is_tight(arc) || norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
-    too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_.widening);
+    too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
     if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);
     too_far_ = meets_too_much(kept, {arc}, demands_);
@@ -151,7 +156,11 @@ std::vector<Segment> with_wider(const std::vector<Segment>& moves, std::size_t f
   if (wider.empty() && last < moves.size() && may_give_way(moves[last], demands) &&
       is_tangent(moves[last - 1], moves[last], kSameTurnDirection))
     wider = Widening(moves, first, last + 1, demands).widened();
-  if (wider.empty() && demands.ground) wider = with_wider_bi_arc(moves, first, last, demands);
+  if (wider.empty() && demands.ground) {
+    TurnDemands bi_arc_demands = demands;
+    if (first == 0) bi_arc_demands.widening = std::max(demands.widening, kThickestAtStart);
+    wider = with_wider_bi_arc(moves, first, last, bi_arc_demands);
+  }
   return wider;
 }
 
@@ -178,19 +187,20 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const TurnDemand
 }  // namespace
 
 double most_widening(double engagement, double tool_radius, double tolerance) {
-  const double arc = kArcShare * engagement;
+  const double arc = std::max(kArcShare * engagement, kLeastArc);
   return std::min({tolerance, kThickest, 0.5 * tool_radius * arc * arc});
 }
 
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement,
                                          double widening) {
-  return widened(moves, {centres, centres, widening, 0, &ground, engagement});
+  return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement});
 }
 
 std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact) {
   const Area inside(regions);
-  const TurnDemands demands{inside, exact, kFurthestReach, kSharpCorner, nullptr, 0};
+  const TurnDemands demands{inside,  exact, kFurthestReach, kFurthestReach, kSharpCorner,
+                            nullptr, 0};
   const auto without = [&](const Curve& curve) {
     const std::vector<Segment> pieces = curve.segments();
     if (std::none_of(pieces.begin(), pieces.end(), is_tight)) return curve;

@@ -53,12 +53,18 @@ std::vector<Segment> replaced(const std::vector<Segment>& moves, const MoveCut& 
   return result;
 }
 
-bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old, double widening) {
+bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
+             const TurnDemands& demands) {
+  const auto is_near_to = [&](const Segment& move, Vec2 p) {
+    const double t = move.nearest(p);
+    const Vec2 off = p - move.point(t);
+    const bool is_left = cross(move.tangent(t), off) > 0;
+    return norm(off) <= (is_left ? demands.deepening : demands.widening);
+  };
   return std::all_of(old.begin(), old.end(), [&](const Segment& move) {
     for (int i = 0; i <= kMoveLooks; ++i) {
       const Vec2 p = move.point(static_cast<double>(i) / kMoveLooks);
-      if (std::none_of(way.begin(), way.end(),
-                       [&](const Segment& s) { return s.distance_to(p) <= widening; }))
+      if (std::none_of(way.begin(), way.end(), [&](const Segment& s) { return is_near_to(s, p); }))
         return false;
     }
     return true;

@@ -13,7 +13,8 @@ namespace evenload {
 struct TurnDemands {
   const Area& centres;    // inside which they stay
   const Area& exact;      // turns along whose border they must not replace
-  double widening;        // mm: how far from them the old moves may be
+  double widening;        // mm: how far the old moves may be to the right of them
+  double deepening;       // mm: and to the left
   double least_turn;      // rad: of the turns that are replaced
   ClearedGround* ground;  // before the moves; null where nothing is cut
   double engagement;      // rad, the most that is met
@@ -45,8 +46,9 @@ std::vector<Segment> parts_between(const std::vector<Segment>& moves, const Move
 std::vector<Segment> replaced(const std::vector<Segment>& moves, const MoveCut& from,
                               const MoveCut& to, const std::vector<Segment>& way);
 
-// True where no look along the old moves is further than `widening` mm from the new ones.
-bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old, double widening);
+// True where every look along the old moves is as near to the new ones as is demanded.
+bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
+             const TurnDemands& demands);
 
 // True where the mean over kMeanLength mm of `way`, made after `before`, is above the limit. The
 // ground is left as it was; without one nothing is met.

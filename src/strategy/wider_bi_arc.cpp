@@ -57,9 +57,8 @@ std::vector<Place> places_after(const std::vector<Segment>& moves, std::size_t l
     const Segment& move = moves[i];
     for (const double share : kShares)
       if (can_stay(move, share, 1))
-        places.push_back({{i, share},
-                          {move.point(share), move.tangent(share)},
-                          reach + share * move.length()});
+        places.push_back(
+            {{i, share}, {move.point(share), move.tangent(share)}, reach + share * move.length()});
     reach += move.length();
     if (reach > kFurthest) break;
   }
@@ -90,7 +89,7 @@ std::vector<Segment> with_wider_bi_arc(const std::vector<Segment>& moves, std::s
       const std::optional<BiArc> two = bi_arc(pair.from->at, pair.to->at, kMostArc, ratio);
       if (!two || !can_stay(two->first, 0, 1) || !can_stay(two->second, 0, 1)) continue;
       const std::vector<Segment> way{two->first, two->second};
-      const bool fits = is_near(way, old, demands.widening) &&
+      const bool fits = is_near(way, old, demands) &&
                         std::all_of(way.begin(), way.end(), [&](const Segment& arc) {
                           return is_inside(arc, demands.centres, kOnBorder);
                         });

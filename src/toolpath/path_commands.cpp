@@ -21,8 +21,8 @@ constexpr double kGrid = 1e-4;
 constexpr int kHeightDecimals = 6;
 // mm: shorter ones are left out, posts would repeat a position.
 constexpr double kShortestLine = 0.0005;
-// mm, rad: a move with a shorter chord between two that turn by less from the one to the other is made
-// a part of the next one. On its own it would be turned by degrees when its ends are rounded.
+// mm, rad: a move with a shorter chord between two that turn by less from the one to the other is
+// made a part of the next one. On its own it would be turned by degrees when its ends are rounded.
 constexpr double kTinyMove = 0.003;
 constexpr double kUnseenCorner = 0.0175;
 // mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds
