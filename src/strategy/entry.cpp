@@ -15,6 +15,10 @@ namespace {
 
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
 constexpr double kNarrowestHelix = 0.02;
+// A room whose border is no longer than this share of the tool's radius is cleared by going round
+// it. Passes behind a helix there would turn in pieces of hundredths of a mm, which are posted with
+// corners.
+constexpr double kTinyBorder = 0.5;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
@@ -97,17 +101,19 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
   return length(best) * unit(best);
 }
 
-// A ramp along the border of `centres`, where that is no longer than the longest ramp to and fro:
-// no room is so narrow, but for its corners, and nothing is left of it. False where it is longer.
-bool ramp_round_border(const Area& centres, const ClearingParams& params, Entry& entry) {
+// A ramp along the border of `centres`, where that is no longer than `longest` mm: no room is so
+// narrow, but for its corners, and nothing is left of it. False where it is longer.
+bool ramp_round_border(const Area& centres, double longest, Entry& entry) {
   if (centres.curves().size() != 1) return false;
-  const std::vector<Vec2> border = centres.curves().front().flattened(kRampChord);
-  Descent& ramp = entry.descent;
+  const Curve& curve = centres.curves().front();
+  if (curve.length() > longest) return false;
+  const std::vector<Vec2> border = curve.flattened(kRampChord);
+  Descent ramp;
+  ramp.kind = DescentKind::kRamp;
   ramp.at = border.front();
   ramp.ramp_by.assign(border.begin() + 1, border.end());
-  const double length = ramp_length(ramp);
-  if (length > 2 * kLongestRamp * params.tool_diameter || length < 2 * kShortestRamp) return false;
-  entry.start = {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)};
+  if (ramp_length(ramp) < 2 * kShortestRamp) return false;
+  entry = {ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}};
   return true;
 }
 
@@ -180,7 +186,10 @@ double helix_radius(const ClearingParams& params, const Circle& room) {
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params) {
   Entry entry;
-  const bool helix_fits = kHelixRoom * room.radius >= kNarrowestHelix * 0.5 * params.tool_diameter;
+  const double r = 0.5 * params.tool_diameter;
+  if (params.entry != EntryKind::kHelix && ramp_round_border(centres, kTinyBorder * r, entry))
+    return entry;
+  const bool helix_fits = kHelixRoom * room.radius >= kNarrowestHelix * r;
   if (helix_fits && params.entry != EntryKind::kRamp) {
     entry.descent.kind = DescentKind::kHelix;
     entry.descent.centre = room.centre;
@@ -189,10 +198,12 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
     entry.start = {entry.descent.at, kPi / 2};
     return entry;
   }
+  // The longest ramp to and fro is as long as such a border may be.
+  const double longest = kLongestRamp * params.tool_diameter;
+  if (!helix_fits && ramp_round_border(centres, 2 * longest, entry)) return entry;
   entry.descent.kind = DescentKind::kRamp;
-  if (!helix_fits && ramp_round_border(centres, params, entry)) return entry;
   // The ramp begins and ends where there is most room, so that the tool can turn there.
-  const Vec2 line = longest_line(centres, room.centre, kLongestRamp * params.tool_diameter);
+  const Vec2 line = longest_line(centres, room.centre, longest);
   if (norm(line) < kShortestRamp) return std::nullopt;
   entry.descent.at = room.centre;
   entry.descent.ramp_by = {room.centre + line};
