@@ -15,9 +15,9 @@ constexpr double kFurthest = 0.4;
 // Shares of a neighbour that are tried in its place, besides all of it.
 constexpr std::array<double, 4> kShares{0.15, 0.3, 0.5, 0.75};
 // How many times as far along the first tangent as along the last the joints lie that are tried.
-constexpr std::array<double, 5> kRatios{1, 0.5, 2, 0.25, 4};
+constexpr std::array<double, 11> kRatios{1, 0.7, 1.4, 0.5, 2, 0.3, 3, 0.15, 7, 0.07, 14};
 // rad: of either arc.
-constexpr double kMostArc = 0.9 * kPi;
+constexpr double kMostArc = kPi;
 // Pairs whose engagement is looked at, which takes far longer than all else.
 constexpr int kMostLooks = 6;
 
