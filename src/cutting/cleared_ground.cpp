@@ -18,8 +18,12 @@ constexpr double kWindow = 0.8;
 // Cells are not made finer than this many in all, so that memory stays bounded for large, sparse
 // work.
 constexpr double kMaximumCells = 6e6;
-// Moves: shorter lists are not worth thinning.
+// Moves: shorter lists are not worth thinning; nor are those that have not grown so many times.
 constexpr std::int32_t kLongList = 32;
+constexpr double kLongGrowth = 2;
+// The same of moves that stay.
+constexpr std::int32_t kSettledList = 24;
+constexpr double kSettledGrowth = 1.3;
 // rad: what rounding may move the end of a window by.
 constexpr double kWindowMargin = 1e-9;
 
@@ -167,7 +171,7 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
       cell.covered_by = id;
     } else {
       list(cell, id);
-      if (is_long(cell)) thin(cell, centre);
+      if (is_long(cell, kLongList, kLongGrowth)) thin(cell, centre);
     }
   });
 }
@@ -179,11 +183,13 @@ void ClearedGround::list(Cell& cell, std::int32_t move) {
   cell.newest = static_cast<std::int32_t>(entries_.size()) - 1;
 }
 
-bool ClearedGround::is_long(const Cell& cell) const {
+// Whether a list has `least` moves or more, and `growth` times as many as when it was thinned last.
+bool ClearedGround::is_long(const Cell& cell, std::int32_t least, double growth) const {
+  if (cell.newest < 0) return false;
   const std::int32_t length = entries_[static_cast<std::size_t>(cell.newest)].length;
-  if (length < kLongList) return false;
+  if (length < least) return false;
   return cell.thinning < 0 ||
-         length >= 2 * thinnings_[static_cast<std::size_t>(cell.thinning)].length;
+         length >= growth * thinnings_[static_cast<std::size_t>(cell.thinning)].length;
 }
 
 void ClearedGround::thin(Cell& cell, Vec2 centre) {
@@ -207,8 +213,18 @@ void ClearedGround::thin(Cell& cell, Vec2 centre) {
   for (auto k = kept.rbegin(); k != kept.rend(); ++k) list(cell, k->move);
 }
 
+void ClearedGround::settle(std::size_t first) {
+  for (std::size_t i = first; i < moves_.size(); ++i) {
+    const SweptMove swept = moves_[i];
+    visit_cells(swept, [&](Cell& cell, Vec2 centre) {
+      if (cell.covered_by < 0 && is_long(cell, kSettledList, kSettledGrowth)) thin(cell, centre);
+    });
+  }
+  settled_ = moves_.size();
+}
+
 void ClearedGround::remove_last() {
-  EVENLOAD_ASSERT(!moves_.empty());
+  EVENLOAD_ASSERT(moves_.size() > settled_);
   const SweptMove swept = moves_.back();
   moves_.pop_back();
   const auto id = static_cast<std::int32_t>(moves_.size());

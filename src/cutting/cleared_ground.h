@@ -40,8 +40,11 @@ class ClearedGround {
   void add(const Segment& move) { add(move, tool_radius_); }
   void add(const Segment& move, double swept_radius);
   void add_disc(Vec2 centre, double radius) { add(Segment::line(centre, centre), radius); }
-  // Takes back the newest move.
+  // Takes back the newest move. Condition: it was added since the last settle().
   void remove_last();
+  // The moves made so far stay: long lists about those from `first` on are thinned for good. Moves
+  // that are only tried then need not thin them over and over.
+  void settle(std::size_t first);
   std::size_t size() const { return moves_.size(); }
 
   // The arcs of the tool's circle about `p` within [low, high] (high - low <= 2 pi) that touch
@@ -112,7 +115,7 @@ class ClearedGround {
   int windows_in(double angle, double radius) const;
   const Cell& cell_at(Vec2 x) const;
   void list(Cell& cell, std::int32_t move);
-  bool is_long(const Cell& cell) const;
+  bool is_long(const Cell& cell, std::int32_t least, double growth) const;
   void thin(Cell& cell, Vec2 centre);
   std::int32_t newest_before(const Cell& cell, std::size_t last) const;
   template <typename Visit>
@@ -134,6 +137,7 @@ class ClearedGround {
   std::vector<Thinning> thinnings_;
   std::vector<Mark> marks_;  // one for each move
   std::vector<SweptMove> moves_;
+  std::size_t settled_ = 0;  // moves that stay
   std::vector<Segment> material_edges_;
   BoxTree edge_boxes_;
   BoundaryIndex material_{std::vector<Curve>{}};

@@ -368,6 +368,8 @@ class RegionClearing {
   // Takes a pass that begins where the tool stands into the result. False when it cuts next to
   // nothing.
   bool take(Pass pass, double turn_radius) {
+    ground_.settle(settled_);
+    settled_ = ground_.size();
     look_again(pass.moves);
     slivers_.cut(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
@@ -569,6 +571,7 @@ class RegionClearing {
   Area exact_, around_;
   mutable std::optional<Circle> widest_;
   ClearedGround ground_;
+  std::size_t settled_ = 0;  // moves of the ground that stay
   LeftBehind slivers_;
   std::vector<Stage> stages_;
   PassChoice choice_;
