@@ -6,6 +6,7 @@
 
 #include "support/both.h"
 #include "toolpath/ramp.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -31,6 +32,17 @@ constexpr double kSmoothSpacing = 5;
 // Of unit vectors along the path at a joint: what is met there is hidden by the move before, whose
 // end clears all of the tool's circle, and next to that before it.
 constexpr double kSameDirection = 0.02;
+// Share of the tool's radius: in tighter turns passes lie so close to each other that rounding to
+// kPosted mm moves the places where their circles cross by degrees. So what is shared there is what
+// a tool larger by that would meet, of the same pieces of material, each end further by no more
+// than kMostDoubt rad.
+constexpr double kTightTurn = 0.1;
+constexpr double kPosted = 1.5e-4;
+constexpr double kMostDoubt = 3 * kPi / 180;
+// Of the square of half the turn from one line to the next, where lines are posted for an arc: what
+// is met along a line rises from so much less to so much more, and what is removed grows with its
+// square.
+constexpr double kLineShare = 1.0 / 3;
 // mm of cuts: less is not worth a second core;
 constexpr double kWorthHalving = 100;
 // and the share of them that one of the two looks at: the other has the ground to make as well.
@@ -77,6 +89,12 @@ Load between(const Load& at0, const Load& middle, const Load& at1, double t) {
   return {along(&Load::engagement), along(&Load::width), along(&Load::chip), along(&Load::share)};
 }
 
+// rad: between the lines that are posted for an arc that is too tight; 0 for other moves.
+double turn_of_lines(const Segment& move) {
+  if (!move.is_arc() || !becomes_corners(move.radius, move.sweep)) return 0;
+  return std::abs(move.sweep) / lines_of_arc(move.radius, move.sweep);
+}
+
 // Looks along one move, finer where the load bends.
 class MoveProfile {
  public:
@@ -85,6 +103,7 @@ class MoveProfile {
       : ground_(ground),
         segment_(move.segment),
         length_(move.segment.length()),
+        line_turn_(turn_of_lines(move.segment)),
         smooth_(move.smooth_front),
         where_(where),
         share_(share),
@@ -119,8 +138,31 @@ class MoveProfile {
       load.chip =
           std::max(load.chip, holds_front ? 1.0 : std::max(std::cos(arc.low), std::cos(arc.high)));
     }
-    if (share_ && !engaged_.empty()) load.share = share_(load, engaged_);
+    if (!share_ || engaged_.empty()) return load;
+    Load posted = load;
+    if (segment_.is_arc() && segment_.radius < kTightTurn * ground_.tool_radius())
+      widen(segment_.point(t), heading, posted);
+    load.share = share_(posted, engaged_);
     return load;
+  }
+
+  // Makes the arcs that are met at `p` as long as rounding may make them, and with them the width
+  // of `load`.
+  void widen(Vec2 p, double heading, Load& load) {
+    ground_.uncovered(p, heading - kPi / 2, heading + kPi / 2, posted_, -kPosted);
+    double width = 0;
+    for (AngularInterval& arc : engaged_) {
+      for (const AngularInterval& larger : posted_) {
+        const double low = larger.low - heading, high = larger.high - heading;
+        if (high < arc.low || low > arc.high) continue;
+        arc.low = std::clamp(low, arc.low - kMostDoubt, arc.low);
+        arc.high = std::clamp(high, arc.high, arc.high + kMostDoubt);
+      }
+      const double met = arc.width(), more = kLineShare * line_turn_ * line_turn_ / 4;
+      arc.high += std::sqrt(met * met + more) - met;
+      width += ground_.tool_radius() * (std::sin(arc.high) - std::sin(arc.low));
+    }
+    load.width = std::max(load.width, width);
   }
 
   // `begins`: whether the piece begins the move. There the path's curvature jumps, and the load
@@ -163,11 +205,12 @@ class MoveProfile {
   const ClearedGround& ground_;
   const Segment& segment_;
   double length_;
+  double line_turn_;  // rad: between the lines that are posted in the move's place; 0 for others
   bool smooth_;
   LoadSample where_;
   const LoadShare& share_;
   std::vector<LoadSample>& out_;
-  std::vector<AngularInterval> engaged_;
+  std::vector<AngularInterval> engaged_, posted_;
 };
 
 // True when the tool runs on without a turn: what it meets at the joint is what it met before.

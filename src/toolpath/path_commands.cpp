@@ -36,8 +36,6 @@ constexpr double kLargestRadius = 1e4;
 constexpr double kRadiusMismatch = 0.00005;
 // rad: by which rounding may change a sweep; only the tiniest arcs get there.
 constexpr double kMostTurnChange = 0.5;
-// mm: largest distance of those lines from the arc, on the inner side.
-constexpr double kArcSagitta = 0.004;
 
 double on_grid(double value) { return rounded(value, kDecimals) + 0.0; }  // no negative zeros
 double height(double value) { return rounded(value, kHeightDecimals); }
@@ -170,8 +168,7 @@ class Writer {
       return;
     }
     if (spans_next_to_nothing(radius, sweep, kLeastSpan, kSpanlessSweep)) {
-      const double bent = 2 * std::acos(1 - std::min(1.0, kArcSagitta / radius));
-      const int lines = std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / bent)));
+      const int lines = lines_of_arc(radius, sweep);
       for (int k = 1; k < lines; ++k)
         line(circle.at(share + static_cast<double>(k) / lines * sweep / circle.sweep), feed);
       line(exact, feed);

@@ -16,6 +16,8 @@ inline constexpr double kLeastSpan = 0.0052;   // mm^2: radius^2 times the sine 
 inline constexpr double kSpanlessSweep = 1.6;  // rad, above a quarter turn: longer ones do no harm
 // mm: lines leave tighter arcs by less than twice this.
 inline constexpr double kLeastArcRadius = 0.01;
+// mm: largest distance of lines from the arc that they stand for, on its inner side.
+inline constexpr double kArcSagitta = 0.004;
 
 // By how much the strategy and feed control keep away from them, so that no rounding of radius and
 // sweep matters.
@@ -34,6 +36,12 @@ inline int pieces_of_arc(double sweep) {
   const double turn = std::abs(sweep);
   return static_cast<int>(
       std::max({1.0, std::ceil(turn / kLargestSweep), 2 * std::nearbyint(turn / (2 * kPi))}));
+}
+
+// Into how many lines an arc is divided that is not to be posted as one.
+inline int lines_of_arc(double radius, double sweep) {
+  const double bent = 2 * std::acos(1 - std::min(1.0, kArcSagitta / radius));
+  return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / bent)));
 }
 
 // For arcs of at most half a turn.
