@@ -225,6 +225,38 @@ TEST(ClearedGround, IsAsItWasAfterTheNewestMoveIsTakenBack) {
   }
 }
 
+TEST(ClearedGround, SettledUncoversTheSameAndMovesThatAreTriedCanBeTakenBack) {
+  std::mt19937 random(23);
+  ClearedGround settled(kField, kRadius, nullptr), plain(kField, kRadius, nullptr);
+  std::vector<AngularInterval> a, b;
+  const auto expect_same = [&](std::size_t last) {
+    for (int look = 0; look < 40; ++look) {
+      const Vec2 p{uniform(random, -12, 12), uniform(random, -12, 12)};
+      settled.uncovered(p, 0, 2 * kPi, a, kCoverTolerance, last);
+      plain.uncovered(p, 0, 2 * kPi, b, kCoverTolerance, last);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_NEAR(a[i].low, b[i].low, 1e-9);
+        EXPECT_NEAR(a[i].high, b[i].high, 1e-9);
+      }
+    }
+  };
+  for (int pass = 0; pass < 30; ++pass) {
+    const std::size_t first = settled.size();
+    // A fan of lines that hide each other, nearly, so that lists get long.
+    for (int i = 0; i < 12; ++i) {
+      const Segment move = Segment::line({-6, -0.01 * pass}, {6, 0.02 * i - 0.01 * pass});
+      settled.add(move);
+      plain.add(move);
+    }
+    settled.settle(first);
+    for (int i = 0; i < 20; ++i) settled.add(random_move(random).move);
+    for (int i = 0; i < 20; ++i) settled.remove_last();
+    expect_same(settled.size());
+    expect_same(settled.size() / 2);
+  }
+}
+
 TEST(ClearedGround, IsNotChangedByWhatIsAddedToACopy) {
   std::vector<Vertex> corners = shapes::rectangle(-12, -12, 12, 12).vertices();
   for (Vertex& corner : corners) corner.open = true;

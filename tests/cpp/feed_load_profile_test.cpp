@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "feed/load_profile.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -32,6 +33,42 @@ TEST(LoadProfile, SeesATightTurnAwayFromMaterialAfterAJointThatIsNotQuiteTangent
     EXPECT_GT(most, 0.6 * (std::acos(1 - 1 / kRadius) - kink)) << kink;
     EXPECT_NEAR(covered, turn.segment.length(), 1e-9);
   }
+}
+
+// What a left turn is taken to remove, over what it removes. The pass before turned the same,
+// `apart` mm behind.
+double allowed_for_turn(double radius, double sweep, double apart) {
+  ClearedGround ground({{-15, -15}, {15, 15}}, kRadius, nullptr);
+  const Vec2 centre{0, radius};
+  ground.add(Segment::arc(centre - Vec2{apart, 0}, radius, -kPi / 2, sweep));
+  std::vector<PlanarRun> runs(1);
+  runs[0].moves.resize(1);
+  runs[0].moves[0].segment = Segment::arc(centre, radius, -kPi / 2, sweep);
+  const LoadShare width = [](const Load& load, const std::vector<AngularInterval>&) {
+    return load.width;
+  };
+  double taken = 0, removed = 0;
+  for (const LoadSample& sample : load_profile(runs, ground, 0.3, width)) {
+    taken += sample.share * sample.length;
+    removed += sample.width * sample.length;
+  }
+  return taken / removed;
+}
+
+TEST(LoadProfile, AllowsForRoundingWherePassesLieMicrometresApart) {
+  // Just below a tenth of the tool's radius, and above, where rounding turns the path by less.
+  const auto more_below = [](double apart) {
+    return allowed_for_turn(0.299, 2, apart) - allowed_for_turn(0.301, 2, apart);
+  };
+  EXPECT_GT(more_below(0.002), 0.02);
+  EXPECT_GT(more_below(0.004), 0.01);
+  EXPECT_NEAR(more_below(0.1), 0, 0.005);
+}
+
+TEST(LoadProfile, AllowsForTheLinesThatArePostedForTightArcs) {
+  ASSERT_TRUE(becomes_corners(0.09, 0.72));
+  ASSERT_FALSE(becomes_corners(0.09, 0.75));
+  EXPECT_GT(allowed_for_turn(0.09, 0.72, 0.01), 0.005 + allowed_for_turn(0.09, 0.75, 0.01));
 }
 
 // Lines to and fro, each a side step further; a look at two of them at a time is too little for two

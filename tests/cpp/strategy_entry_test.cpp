@@ -54,6 +54,25 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
     }
 }
 
+TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
+  ClearingParams params;
+  const Region tiny = rectangle(0, 0, 0.35, 0.17);
+  const Area centres({tiny});
+  ASSERT_GT(widest(tiny).radius, 0.02 * 0.5 * params.tool_diameter);  // a helix would fit
+  const std::optional<Entry> entry = descend_within(centres, widest(tiny), params);
+  ASSERT_TRUE(entry);
+  EXPECT_EQ(entry->descent.kind, DescentKind::kRamp);
+  EXPECT_EQ(entry->descent.ramp_by.size(), 3u);  // back to the first corner
+  for (const Vec2 corner : entry->descent.ramp_by)
+    EXPECT_NEAR(centres.signed_distance(corner), 0, 1e-9);
+  params.entry = EntryKind::kHelix;
+  EXPECT_EQ(descend_within(centres, widest(tiny), params)->descent.kind, DescentKind::kHelix);
+  params.entry = EntryKind::kAutomatic;
+  const Region larger = rectangle(0, 0, 1, 1);
+  EXPECT_EQ(descend_within(Area({larger}), widest(larger), params)->descent.kind,
+            DescentKind::kHelix);
+}
+
 TEST(Entry, KeepsItsHelixRoundWhereThatRemovesAsMuchAsACut) {
   ClearingParams params;
   params.levels = {-3};

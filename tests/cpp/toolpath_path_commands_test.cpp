@@ -115,6 +115,39 @@ TEST(PathCommands, LinesLeaveTheArcThatTheyReplaceByNoMoreThanTheSagitta) {
   EXPECT_GT(lines, 1000);
 }
 
+// A move along a circle about `centre`, from `angle` on.
+Move turn_about(Vec2 centre, double radius, double angle, double sweep) {
+  const Vec2 end = centre + radius * unit(angle + sweep);
+  return {MoveKind::kCut, end.x, end.y, -3, sweep, centre.x, centre.y, 300};
+}
+
+TEST(PathCommands, ATinyMoveInASmoothWayIsAPartOfTheNext) {
+  for (const double length : {0.0006, 0.001, 0.0029}) {
+    const double radius = 1.5, tiny = length / radius;
+    const std::vector<Move> moves{cut_to(-1, 0), cut_to(0, 0),
+                                  turn_about({0, radius}, radius, -kPi / 2, tiny),
+                                  turn_about({0, radius}, radius, -kPi / 2 + tiny, 0.2)};
+    const auto made = path_commands(moves, Position{-2, 0, -3});
+    ASSERT_EQ(made.size(), 3u) << length;
+    EXPECT_EQ(made[1].x, 0);
+    EXPECT_EQ(made[2].code, 3);
+    EXPECT_EQ(made[2].x, rounded(moves[3].x, 4));
+    EXPECT_EQ(made[2].y, rounded(moves[3].y, 4));
+    // It begins where the tiny move began, in its direction, to half a degree.
+    EXPECT_LT(std::abs(std::atan2(*made[2].i, *made[2].j)), 0.0087);
+  }
+}
+
+TEST(PathCommands, ATinyMoveStaysAtACornerAndBeforeATightTurn) {
+  const double tiny = 0.002;
+  const Move around = turn_about({1 + tiny, -1}, 1, kPi / 2, -0.2);
+  const std::vector<Move> corner{cut_to(0, 0), cut_to(0, 1), cut_to(tiny, 1), around};
+  EXPECT_EQ(path_commands(corner, Position{0, -1, -3}).size(), 4u);
+  const Move tight = turn_about({tiny, 0.1}, 0.1, -kPi / 2, 1.5);
+  const std::vector<Move> before_turn{cut_to(-1, 0), cut_to(0, 0), cut_to(tiny, 0), tight};
+  EXPECT_EQ(path_commands(before_turn, Position{-2, 0, -3}).size(), 4u);
+}
+
 TEST(PathCommands, ACutBeforeThePlaceIsKnownIsRefused) {
   EXPECT_THROW(path_commands({cut_to(1, 2)}, {}), std::invalid_argument);
   EXPECT_NO_THROW(path_commands({cut_to(1, 2)}, kStart));
