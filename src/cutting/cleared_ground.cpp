@@ -179,6 +179,7 @@ void ClearedGround::add(const Segment& move, double swept_radius) {
 void ClearedGround::list(Cell& cell, std::int32_t move) {
   const std::int32_t length =
       cell.newest >= 0 ? entries_[static_cast<std::size_t>(cell.newest)].length : 0;
+  has_long_list_ |= length + 1 >= kSettledList;
   entries_.push_back({move, cell.newest, length + 1});
   cell.newest = static_cast<std::int32_t>(entries_.size()) - 1;
 }
@@ -214,13 +215,14 @@ void ClearedGround::thin(Cell& cell, Vec2 centre) {
 }
 
 void ClearedGround::settle(std::size_t first) {
-  for (std::size_t i = first; i < moves_.size(); ++i) {
+  for (std::size_t i = first; has_long_list_ && i < moves_.size(); ++i) {
     const SweptMove swept = moves_[i];
     visit_cells(swept, [&](Cell& cell, Vec2 centre) {
       if (cell.covered_by < 0 && is_long(cell, kSettledList, kSettledGrowth)) thin(cell, centre);
     });
   }
   settled_ = moves_.size();
+  has_long_list_ = false;
 }
 
 void ClearedGround::remove_last() {

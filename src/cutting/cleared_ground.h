@@ -137,7 +137,8 @@ class ClearedGround {
   std::vector<Thinning> thinnings_;
   std::vector<Mark> marks_;  // one for each move
   std::vector<SweptMove> moves_;
-  std::size_t settled_ = 0;  // moves that stay
+  std::size_t settled_ = 0;     // moves that stay
+  bool has_long_list_ = false;  // since then
   std::vector<Segment> material_edges_;
   BoxTree edge_boxes_;
   BoundaryIndex material_{std::vector<Curve>{}};

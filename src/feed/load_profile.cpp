@@ -36,7 +36,7 @@ constexpr double kSameDirection = 0.02;
 // kPosted mm moves the places where their circles cross by degrees. So what is shared there is what
 // a tool larger by that would meet, of the same pieces of material, each end further by no more
 // than kMostDoubt rad.
-constexpr double kTightTurn = 0.1;
+constexpr double kTightTurn = 0.06;
 constexpr double kPosted = 1.5e-4;
 constexpr double kMostDoubt = 3 * kPi / 180;
 // Of the square of half the turn from one line to the next, where lines are posted for an arc: what

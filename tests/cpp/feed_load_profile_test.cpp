@@ -56,9 +56,9 @@ double allowed_for_turn(double radius, double sweep, double apart) {
 }
 
 TEST(LoadProfile, AllowsForRoundingWherePassesLieMicrometresApart) {
-  // Just below a tenth of the tool's radius, and above, where rounding turns the path by less.
+  // Just below 0.06 of the tool's radius, and above, where rounding turns the path by less.
   const auto more_below = [](double apart) {
-    return allowed_for_turn(0.299, 2, apart) - allowed_for_turn(0.301, 2, apart);
+    return allowed_for_turn(0.179, 2, apart) - allowed_for_turn(0.181, 2, apart);
   };
   EXPECT_GT(more_below(0.002), 0.02);
   EXPECT_GT(more_below(0.004), 0.01);
