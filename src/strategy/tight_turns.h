@@ -16,11 +16,13 @@ namespace evenload {
 double most_widening(double engagement, double tool_radius, double tolerance);
 
 // `moves` with each arc that becomes_corners, and others like it beside it, replaced by one arc,
-// tangent to the moves before and after, the tightest that stays an arc. It is replaced only where
-// the new arc stays within `widening` mm of the old moves, inside `centres`, and meets no more than
-// `engagement` rad and a tolerance. `ground`: before the moves; it is left as it was. Laws: the
-// moves follow each other as before, without new corners; they begin and end where they did; tight
-// turns along the border of `centres` stay as they are.
+// tangent to the moves before and after, the tightest that stays an arc; or, where none is tangent
+// to both, by a bi-arc (wider_bi_arc.h). They are replaced only where what comes instead leaves no
+// more than `widening` mm to its right, or 0.0015 mm at the beginning of the moves, cuts no deeper
+// than 0.004 mm, stays inside `centres`, and meets no more than `engagement` rad and a tolerance.
+// `ground`: before the moves; it is left as it was. Laws: the moves follow each other as before,
+// without new corners; they begin and end where they did; tight turns along the border of `centres`
+// stay as they are.
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement, double widening);
 
