@@ -41,6 +41,12 @@ std::vector<std::string> names() {
   return result;
 }
 
+std::vector<std::string> clearable() {
+  std::vector<std::string> result = names();
+  std::erase(result, "too_small");
+  return result;
+}
+
 Case load(const std::string& name) {
   ptree tree;
   boost::property_tree::read_json((folder() / (name + ".json")).string(), tree);

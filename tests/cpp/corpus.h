@@ -35,6 +35,8 @@ struct Case {
 
 // The names of all cases, in order.
 std::vector<std::string> names();
+// Those whose tool fits.
+std::vector<std::string> clearable();
 // Throws std::runtime_error for a name that does not exist.
 Case load(const std::string& name);
 // The case turned by `angle` rad, mirrored first if so wanted, and shifted.

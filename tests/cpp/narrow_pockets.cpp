@@ -61,7 +61,7 @@ Toolpath clear(const Case& pocket, NarrowPassages choice, FeedControl control) {
   return corpus::clear(pocket, params);
 }
 
-void expect_cleared(const Case& pocket, const Toolpath& path) {
+path_check::Findings expect_cleared(const Case& pocket, const Toolpath& path) {
   const path_check::Findings found = corpus::judge(pocket, path);
   EXPECT_EQ(path.report.termination, Termination::kComplete)
       << (path.report.notes.empty() ? "" : path.report.notes.back());
@@ -69,6 +69,7 @@ void expect_cleared(const Case& pocket, const Toolpath& path) {
   EXPECT_LE(found.left_share, 0.0005);
   EXPECT_LE(found.link_engagement, 1 * kDegree);
   EXPECT_EQ(found.bad_plunges, 0);
+  return found;
 }
 
 int entries(const Toolpath& path) {

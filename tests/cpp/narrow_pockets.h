@@ -23,7 +23,8 @@ Case open_slot(double width);
 
 Toolpath clear(const Case& pocket, NarrowPassages choice,
                FeedControl control = FeedControl::kConstantFeed);
-void expect_cleared(const Case& pocket, const Toolpath& path);
+// Answers what the judge found.
+path_check::Findings expect_cleared(const Case& pocket, const Toolpath& path);
 int entries(const Toolpath& path);
 int notes_with(const Toolpath& path, const std::string& words);
 

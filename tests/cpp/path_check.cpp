@@ -267,6 +267,7 @@ class Check {
         in_open_(open_edges_, box_),
         walls_(wall_edges_, box_, radius + kDeepest),
         cleared_(box_, radius),
+        half_circle_(half_circle(settings.angle)),
         engagement_(settings.window),
         rate_(settings.window) {}
 
@@ -427,19 +428,26 @@ class Check {
     double right = 0;  // share of the width on the right less that on the left
   };
 
+  // The points at which a half circle about x is looked at, from the right to the left.
+  static std::vector<Vec2> half_circle(double angle) {
+    const int n = static_cast<int>(std::lround(kPi / angle));
+    std::vector<Vec2> points;
+    for (int k = 0; k < n; ++k) points.push_back(unit(-kPi / 2 + (k + 0.5) * kPi / n));
+    return points;
+  }
+
   // Looks at points of the half circle, and between two that differ for where the material ends.
   Load load_at(const Piece& piece, double t) const {
     const Vec2 p = piece.point(t), ahead = piece.direction(t), left = left_normal(ahead);
     const double r = radius_ - settings_.thinnest;
     const Piece gone = piece.until(t);
-    const auto meets = [&](double angle) {
-      const Vec2 q = p + r * (std::cos(angle) * ahead + std::sin(angle) * left);
+    const auto meets = [&](Vec2 towards) {
+      const Vec2 q = p + r * (towards.x * ahead + towards.y * left);
       // The half circle itself lies that much inside the tool.
       return holds_material(q) &&
              !(piece.arc && gone.distance_to(q) <= radius_ - 2 * settings_.thinnest);
     };
-    const int n = static_cast<int>(std::lround(kPi / settings_.angle));
-    const double d = kPi / n;
+    const double d = kPi / static_cast<double>(half_circle_.size());
     Load load;
     bool before = false;
     double from = -kPi / 2;
@@ -448,16 +456,15 @@ class Check {
       load.width += radius_ * (std::sin(to) - std::sin(from));
       load.right += std::cos(to) - std::cos(from);
     };
-    for (int k = 0; k < n; ++k) {
-      const double angle = -kPi / 2 + (k + 0.5) * d;
-      const bool now = meets(angle);
+    for (std::size_t k = 0; k < half_circle_.size(); ++k) {
+      const bool now = meets(half_circle_[k]);
       if (now != before) {
         double change = -kPi / 2;
         if (k > 0) {
-          double low = angle - d, high = angle;
+          double high = -kPi / 2 + (static_cast<double>(k) + 0.5) * d, low = high - d;
           for (int i = 0; i < kBisections; ++i) {
             change = 0.5 * (low + high);
-            (meets(change) == before ? low : high) = change;
+            (meets(unit(change)) == before ? low : high) = change;
           }
         }
         if (now)
@@ -564,6 +571,7 @@ class Check {
   Inside in_walls_, in_open_;
   Walls walls_;
   Cleared cleared_;
+  std::vector<Vec2> half_circle_;
   WindowMean engagement_, rate_;
   Findings found_;
   MoveKind kind_ = MoveKind::kRapid;

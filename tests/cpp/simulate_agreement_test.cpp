@@ -93,12 +93,7 @@ TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
   EXPECT_NEAR(figures.time, path.report.cutting_time, 0.05 * path.report.cutting_time);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, EverySimulatedPocket, testing::ValuesIn([] {
-                           std::vector<std::string> names;
-                           for (const std::string& name : corpus::names())
-                             if (name != "too_small") names.push_back(name);
-                           return names;
-                         }()),
+INSTANTIATE_TEST_SUITE_P(Corpus, EverySimulatedPocket, testing::ValuesIn(corpus::clearable()),
                          [](const auto& pocket) { return pocket.param; });
 
 // Mean error in degrees of the engagement on contours of several radii.

@@ -86,15 +86,9 @@ TEST_P(EveryPocket, IsClearedWithinTheLimits) {
   }
 }
 
-std::vector<std::string> clearable() {
-  std::vector<std::string> result = corpus::names();
-  std::erase(result, "too_small");
-  return result;
-}
-
 std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(clearable()), name_of);
+INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(corpus::clearable()), name_of);
 
 TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 25u); }
 
@@ -119,9 +113,9 @@ INSTANTIATE_TEST_SUITE_P(Corpus, APocket,
                                          "boss_open"),
                          name_of);
 
-// Clears the case as it is and moved, and expects the same of both.
-void expect_same(const Case& original, double angle, bool mirrored, Vec2 shift) {
-  const Toolpath at_home = clear(original, original.params());
+// Clears the moved case, and expects the same as of the case at home.
+void expect_same(const Case& original, const Toolpath& at_home, double angle, bool mirrored,
+                 Vec2 shift) {
   const Case pocket = corpus::moved(original, angle, mirrored, shift);
   const Toolpath path = clear(pocket, pocket.params());
   expect_within_limits(pocket, path, judge(pocket, path));
@@ -130,16 +124,29 @@ void expect_same(const Case& original, double angle, bool mirrored, Vec2 shift) 
   EXPECT_NEAR(path.report.cut_length, at_home.report.cut_length, 0.03 * at_home.report.cut_length);
 }
 
-TEST_P(EveryPocket, IsClearedTheSameWhenItIsTurned) {
-  expect_same(corpus::load(GetParam()), 17 * kDegree, false, {});
+void expect_same_bytes(const Toolpath& a, const Toolpath& b) {
+  ASSERT_EQ(a.moves.size(), b.moves.size());
+  for (std::size_t i = 0; i < a.moves.size(); ++i) {
+    const Move &m = a.moves[i], &n = b.moves[i];
+    ASSERT_EQ(m.kind, n.kind);
+    for (const double Move::*number :
+         {&Move::x, &Move::y, &Move::z, &Move::sweep, &Move::cx, &Move::cy, &Move::feed})
+      ASSERT_EQ(m.*number, n.*number) << "move " << i;
+  }
+  EXPECT_EQ(a.report.notes, b.report.notes);
 }
 
-TEST_P(EveryPocket, IsClearedTheSameWhenItIsMirrored) {
-  expect_same(corpus::load(GetParam()), 0, true, {});
+TEST_P(EveryPocket, IsClearedByTheSameBytesAgainAndTheSameWhenItIsTurnedOrMirrored) {
+  const Case pocket = corpus::load(GetParam());
+  const Toolpath at_home = clear(pocket, pocket.params());
+  expect_same_bytes(at_home, clear(pocket, pocket.params()));
+  expect_same(pocket, at_home, 17 * kDegree, false, {});
+  expect_same(pocket, at_home, 0, true, {});
 }
 
 TEST_P(APocket, IsClearedTheSameFarFromTheOrigin) {
-  expect_same(corpus::load(GetParam()), 0, false, {1000, -500});
+  const Case pocket = corpus::load(GetParam());
+  expect_same(pocket, clear(pocket, pocket.params()), 0, false, {1000, -500});
 }
 
 TEST_P(APocket, IsClearedConventionallyAsItsMirrorImageIsByClimb) {
@@ -251,20 +258,6 @@ TEST_P(APocket, StopsSoonWhenItIsCancelled) {
   EXPECT_LE(found.gouge, kDeepestGouge);
   EXPECT_EQ(found.bad_plunges, 0);
   EXPECT_GT(found.left_share, kMostLeft);
-}
-
-TEST_P(EveryPocket, IsClearedByTheSameBytesTwice) {
-  const Case pocket = corpus::load(GetParam());
-  const Toolpath a = clear(pocket, pocket.params()), b = clear(pocket, pocket.params());
-  ASSERT_EQ(a.moves.size(), b.moves.size());
-  for (std::size_t i = 0; i < a.moves.size(); ++i) {
-    const Move &m = a.moves[i], &n = b.moves[i];
-    ASSERT_EQ(m.kind, n.kind);
-    for (const double Move::*number :
-         {&Move::x, &Move::y, &Move::z, &Move::sweep, &Move::cx, &Move::cy, &Move::feed})
-      ASSERT_EQ(m.*number, n.*number) << "move " << i;
-  }
-  EXPECT_EQ(a.report.notes, b.report.notes);
 }
 
 TEST(Clearing, NeverMovesRapidlyBelowTheSafeHeightButStraightUpAndDown) {
