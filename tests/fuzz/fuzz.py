@@ -58,7 +58,8 @@ AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 # small angles is lost between them.
 RESOLUTION, FINEST, ROWS = 0.05, 0.01, 16  # mm, mm, 1
 REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
-OFF_MIDDLE = "entry outside"  # the code where no spiral can begin in a random hole
+OUTSIDE = "entry outside"  # the code where nothing can begin in a hole
+IN_PASSAGE = "lies in a narrow passage that is skipped"
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 # mm: less than this may stay on walls: the tool keeps kWallGap off them, and follows lines that were
 # an arc once within kFineShare of the tolerance.
@@ -162,8 +163,7 @@ def judge(case, twice):
     try:
         path, scene = choices.path_and_scene(case, resolution)
     except _core.GeometryError as error:
-        off_middle = error.code == OFF_MIDDLE and case.get("operation") == "lame_spiral"
-        deserved = error.code in REFUSALS or (off_middle and case.get("hole"))
+        deserved = error.code in REFUSALS or is_bad_place(case, error)
         return {"refused": str(error)} if deserved else _wrong(error)
     except choices.NothingLeft:
         return {"refused": "the tool before left nothing"}
@@ -181,6 +181,15 @@ def judge(case, twice):
     if set(above) & set(MEANS):
         answer["figures"] = figures_of(case, path, scene, CLOSE_STEP)
     return answer
+
+
+def is_bad_place(case, error):
+    """Whether a random hole lies where nothing can begin: off a spiral's middle, or in a passage
+    that is to be skipped.
+    """
+    if error.code != OUTSIDE or not case.get("hole"):
+        return False
+    return case.get("operation") == "lame_spiral" or IN_PASSAGE in str(error)
 
 
 def _wrong(error):
