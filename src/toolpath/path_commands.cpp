@@ -23,7 +23,7 @@ constexpr int kHeightDecimals = 6;
 constexpr double kShortestLine = 0.0005;
 // mm, rad: a move with a shorter chord between two that turn by less from the one to the other is
 // made a part of the next one. On its own it would be turned by degrees when its ends are rounded.
-constexpr double kTinyMove = 0.003;
+constexpr double kTinyMove = 0.006;
 constexpr double kUnseenCorner = 0.0175;
 // mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds
 // them, which would make full circles of them; inch posts round to 0.0001 in, and their roundings
@@ -120,6 +120,7 @@ class Writer {
 
   void line(const Position& exact, double feed) {
     const Position to{on_grid(exact.x), on_grid(exact.y), height(exact.z)};
+    lower_to(to.z);
     if (std::hypot(to.x - at_.x, to.y - at_.y) >= kShortestLine ||
         std::abs(to.z - at_.z) >= kShortestLine)
       go(1, to, std::nullopt, feed);
@@ -148,8 +149,16 @@ class Writer {
     commands.back().z = at_.z = z;
   }
 
+  // A descent too short to be written belongs to the command before: left out, it would be missing
+  // from all that follows.
+  void lower_to(double z) {
+    if (z < at_.z && at_.z - z < kShortestLine && !commands.empty() && commands.back().z)
+      commands.back().z = at_.z = z;
+  }
+
   // Feed moves name all three axes: FreeCAD's dressups look for them.
   void go(int code, Position to, const std::optional<Vec2>& centre, double feed) {
+    lower_to(to.z);
     if (std::abs(to.z - at_.z) < kShortestLine) to.z = at_.z;
     PathCommand command{code, to.x, to.y, to.z, std::nullopt, std::nullopt, feed};
     if (centre) {
