@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -23,6 +24,18 @@ bool has_arc_about(const std::vector<Segment>& moves, Vec2 centre) {
   return std::any_of(moves.begin(), moves.end(), [&](const Segment& move) {
     return move.is_arc() && distance(move.centre, centre) < kSameCentre;
   });
+}
+
+// mm: by how much less the tool reaches along the lines that stand for a tight arc, in the
+// direction of its point at `share` of the arc.
+double lost_by_lines(const Segment& turn, double share) {
+  if (!becomes_corners(turn.radius, turn.sweep)) return 0;
+  const int pieces = pieces_of_arc(turn.sweep);
+  const int lines = turn.radius < kLeastArcRadius
+                        ? pieces
+                        : pieces * lines_of_arc(turn.radius, turn.sweep / pieces);
+  const double from_corner = std::abs(share * lines - std::nearbyint(share * lines)) / lines;
+  return turn.radius * (1 - std::cos(from_corner * turn.sweep));
 }
 
 // Where the tool reaches on a way.
@@ -56,12 +69,15 @@ void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<S
   ahead_.clear();
   const Reach reach(planned, radius_);
   for (const Segment& turn : posted) {
-    if (!turn.is_arc() || has_arc_about(planned, turn.centre)) continue;
+    if (!turn.is_arc()) continue;
+    if (has_arc_about(planned, turn.centre) && !becomes_corners(turn.radius, turn.sweep)) continue;
     Sliver sliver;
     const int n = static_cast<int>(std::ceil(std::abs(turn.sweep) / kSpacing));
     for (int i = 0; i <= n; ++i) {
-      const Vec2 at = turn.point(static_cast<double>(i) / n);
-      const Vec2 point = at + radius_ / turn.radius * (at - turn.centre);
+      const double share = static_cast<double>(i) / n;
+      const Vec2 at = turn.point(share);
+      const double reached = radius_ - lost_by_lines(turn, share);  // mm beyond the arc
+      const Vec2 point = at + reached / turn.radius * (at - turn.centre);
       if (reach.holds(point) && !ground.is_cleared_point(point)) sliver.push_back(point);
     }
     if (sliver.size() >= kContact) ahead_.push_back(std::move(sliver));

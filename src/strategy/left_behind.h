@@ -1,6 +1,6 @@
 // What passes leave that the plan counts as cleared: slivers of some micrometres in corners, where
-// a turn is posted more widely than it was planned (tight_turns.h). The next pass meets them; a
-// link must not.
+// a turn is posted more widely than it was planned (tight_turns.h), or as lines (small_arc.h). The
+// next pass meets them; a link must not.
 #pragma once
 
 #include <vector>

@@ -50,8 +50,14 @@ TEST_F(LeftBehindTest, IsMetByLinksThatEndInTheCornerAndByNoOthers) {
 }
 
 TEST_F(LeftBehindTest, IsNothingWhereTurnsArePostedAsPlanned) {
-  cut(0.1, 0.1);
+  cut(0.2, 0.2);
   EXPECT_FALSE(is_met_by_link(0.01));
+}
+
+TEST_F(LeftBehindTest, IsWhatLinesThatStandForATightArcDoNotReach) {
+  cut(0.1, 0.1);
+  EXPECT_TRUE(is_met_by_link(0.01));
+  EXPECT_FALSE(is_met_by_link(0.5));
 }
 
 TEST_F(LeftBehindTest, IsNothingWhereTheGroundWasClear) {
