@@ -3,7 +3,23 @@
 #include <cmath>
 #include <cstddef>
 
+#include "toolpath/small_arc.h"
+
 namespace evenload {
+namespace {
+
+bool becomes_corners(const Segment& move) {
+  return move.is_arc() && evenload::becomes_corners(move.radius, move.sweep);
+}
+
+// What is left of a move between two shares of it; the whole where the rest alone would become
+// corners.
+Segment shortened(const Segment& move, double from, double to) {
+  const Segment rest = move.part(from, to);
+  return becomes_corners(rest) && !becomes_corners(move) ? move : rest;
+}
+
+}  // namespace
 
 bool continues(const Segment& a, const Segment& b) {
   if (a.is_arc() != b.is_arc()) return false;
@@ -33,20 +49,30 @@ Segment begun_before(const Segment& move, double length) {
   return Segment::arc(move.centre, move.radius, move.start_angle - turn, move.sweep + turn);
 }
 
+Segment ended_after(const Segment& move, double length) {
+  return begun_before(move.reversed(), length).reversed();
+}
+
+double lacking_length(const Segment& move) {
+  if (!becomes_corners(move)) return 0;
+  const double sweep = least_arc_sweep(move.radius);
+  return std::isfinite(sweep) ? sweep * move.radius - move.length() : 0;
+}
+
 void drop_first(std::vector<Segment>& moves, double length) {
   std::size_t whole = 0;
   for (; whole + 1 < moves.size() && moves[whole].length() <= length; ++whole)
     length -= moves[whole].length();
   moves.erase(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(whole));
   const double share = length / moves.front().length();
-  if (share > 1e-9 && share < 1) moves.front() = moves.front().part(share, 1);
+  if (share > 1e-9 && share < 1) moves.front() = shortened(moves.front(), share, 1);
 }
 
 void drop_last(std::vector<Segment>& moves, double length) {
   for (; moves.size() > 1 && moves.back().length() <= length; moves.pop_back())
     length -= moves.back().length();
   const double share = 1 - length / moves.back().length();
-  if (share > 0 && share < 1 - 1e-9) moves.back() = moves.back().part(0, share);
+  if (share > 0 && share < 1 - 1e-9) moves.back() = shortened(moves.back(), 0, share);
 }
 
 }  // namespace evenload

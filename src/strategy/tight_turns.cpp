@@ -74,13 +74,14 @@ class Widening {
 
   // The moves with the tight ones replaced; empty where that cannot be.
   std::vector<Segment> widened() {
-    if (first_ == 0 || last_ == moves_.size()) return {};
+    if (first_ == 0 || (last_ == moves_.size() && !is_at_end())) return {};
     for (double reach = kFirstReach; reach <= kFurthestReach; reach *= kReachGrowth) {
       const std::optional<MoveCut> from = cut_before(moves_, first_, reach);
       if (!from) return {};
       if (!can_stay(moves_[from->move], 0, from->t)) continue;
-      const std::optional<MoveCut> to = end_of_arc(*from, reach);
-      if (!to || !can_stay(moves_[to->move], to->t, 1)) continue;
+      const std::optional<MoveCut> to =
+          is_at_end() ? MoveCut{moves_.size() - 1, 1} : end_of_arc(*from, reach);
+      if (!to || (!is_at_end() && !can_stay(moves_[to->move], to->t, 1))) continue;
       std::vector<Segment> result = with_arc(*from, *to);
       if (!result.empty()) return result;
       if (too_far_) return {};
@@ -89,6 +90,9 @@ class Widening {
   }
 
  private:
+  // With nothing after it a tight turn need not be tangent where it ends.
+  bool is_at_end() const { return last_ == moves_.size() && is_tight(moves_.back()); }
+
   // Where an arc that begins at `from` ends tangentially.
   std::optional<MoveCut> end_of_arc(const MoveCut& from, double reach) const {
     const auto off = [&](const MoveCut& to) {
@@ -117,7 +121,8 @@ class Widening {
     const double half = std::atan2(cross(along, b - a), dot(along, b - a));
     if (std::abs(half) >= 0.5 * kPi) return {};
     const Segment arc = Segment::from_bulge(a, b, std::tan(half / 2));
-    if (is_tight(arc) || norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
+    if (is_tight(arc)) return {};
+    if (!is_at_end() && norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
     too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
     if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);

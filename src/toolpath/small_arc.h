@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "geometry/vec2.h"
 
@@ -59,6 +60,15 @@ inline bool becomes_corners(double radius, double sweep) {
   if (radius < kLeastArcRadius + kRadiusMargin) return true;
   return spans_next_to_nothing(radius, turn / pieces_of_arc(turn), kLeastSpan + kSpanMargin,
                                kSpanlessSweep + kSweepMargin);
+}
+
+// rad: the least sweep of an arc of `radius` mm that does not become_corners, but for straight
+// ones; infinite where there is none.
+inline double least_arc_sweep(double radius) {
+  if (radius < kLeastArcRadius + kRadiusMargin) return std::numeric_limits<double>::infinity();
+  const double sine = (kLeastSpan + kSpanMargin) / (radius * radius) * (1 + 1e-9);
+  const double spanless = kSpanlessSweep + kSweepMargin;
+  return sine < 1 ? std::asin(sine) : spanless;
 }
 
 }  // namespace evenload

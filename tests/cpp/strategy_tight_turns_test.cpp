@@ -103,6 +103,23 @@ TEST(TightTurns, GiveWayTogetherWithATighterArcBesideThem) {
   }
 }
 
+// The turn at the end of a pass need only end where it did.
+TEST(TightTurns, AtTheEndOfAPassBecomeOneArcToThere) {
+  ClearedGround ground = cleared_ground();
+  std::vector<Segment> moves = turn(0.3, 0.09, 0.35);
+  moves.pop_back();
+  const Segment& first = moves.back();
+  moves.push_back(Segment::arc(first.b + 0.08 * left_normal(first.tangent(1)), 0.08,
+                               first.start_angle + first.sweep, 0.33));
+  ASSERT_TRUE(has_corners(moves));
+  const std::vector<Segment> wide = widened(moves, ground);
+  EXPECT_FALSE(has_corners(wide));
+  EXPECT_LE(distance(wide.front().a, moves.front().a), 1e-12);
+  EXPECT_LE(distance(wide.back().b, moves.back().b), 1e-12);
+  for (std::size_t i = 1; i < wide.size(); ++i)
+    EXPECT_LE(norm(wide[i - 1].tangent(1) - wide[i].tangent(0)), 1e-5);
+}
+
 TEST(TightTurns, StayWhereAWiderArcWouldLeaveThemTooFar) {
   ClearedGround ground = cleared_ground();
   const std::vector<Segment> moves = turn(0.3, 0.02, 1.4);
