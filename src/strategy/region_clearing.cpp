@@ -285,6 +285,16 @@ class RegionClearing {
     if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
+    if (params_.entry == EntryKind::kRamp && !leads_on(*entry)) {
+      ClearingParams by_helix = params_;
+      by_helix.entry = EntryKind::kHelix;
+      std::optional<Entry> helix = descend_within(exact_, room, by_helix);
+      if (helix && helix->descent.kind == DescentKind::kHelix) {
+        entry = std::move(helix);
+        result_.notes.push_back(
+            "No cut leads on from a ramp in a small room: the tool comes down by a helix instead.");
+      }
+    }
     // Who asks for a helix shall have the one that was asked for, where it fits.
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
                              is_shrunk(entry->descent, params_);
@@ -292,6 +302,20 @@ class RegionClearing {
     add_descent(entry->descent, ground_);
     begin_run(entry->descent);
     return entry->start;
+  }
+
+  // Whether a pass from where an entry ends gets anywhere. The ground is left as it was.
+  bool leads_on(const Entry& entry) {
+    const std::size_t before = ground_.size();
+    add_descent(entry.descent, ground_);
+    double turn_radius = 0;
+    const Pass pass = choice_.from_entry(entry.start, &turn_radius);
+    while (ground_.size() > before) ground_.remove_last();
+    return is_progress(pass);
+  }
+
+  bool is_progress(const Pass& pass) const {
+    return !pass.empty() && pass.cut_area > kLeastCut * radius_ * radius_;
   }
 
   // A pass from the free pose where the tool came down.
@@ -346,14 +370,26 @@ class RegionClearing {
     return {way.front().a, angle_of(way.front().tangent(0))};
   }
 
-  // A first move too short to be posted in its direction begins earlier, over ground that was clear
-  // before the move numbered `before`, where there is room.
+  // A first move too short to be posted in its direction, or as an arc, begins earlier, over ground
+  // that was clear before the move numbered `before`, where there is room.
   void lengthen_start(std::vector<Segment>& way, std::size_t before) const {
     Segment& first = way.front();
-    if (first.length() >= kShortestStart) return;
-    const Segment longer = begun_before(first, kShortestStart);
-    const Segment lead = longer.part(0, kShortestStart / longer.length());
-    if (is_free({ground_, before, &slivers_}, exact_, {lead}, kShortestStart)) first = longer;
+    const double least = first.length() < kShortestStart ? kShortestStart : 0;
+    const double length = std::max(least, lacking_length(first));
+    if (length <= 0) return;
+    const Segment longer = begun_before(first, length);
+    const Segment lead = longer.part(0, length / longer.length());
+    if (is_free({ground_, before, &slivers_}, exact_, {lead}, length)) first = longer;
+  }
+
+  // A last arc too short to be posted as one ends later, where the ground is clear.
+  void lengthen_end(std::vector<Segment>& way) const {
+    Segment& last = way.back();
+    const double length = lacking_length(last);
+    if (length <= 0) return;
+    const Segment longer = ended_after(last, length);
+    const Segment added = longer.part(1 - length / longer.length(), 1);
+    if (is_free({ground_, ground_.size()}, exact_, {added}, length)) last = longer;
   }
 
   // Where the tightest turn of a pass ends.
@@ -374,13 +410,14 @@ class RegionClearing {
     slivers_.cut(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
+    lengthen_end(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;
       tightest_at_ = sharpest_place(pass.moves);
     }
     ++result_.passes;
-    return pass.cut_area > kLeastCut * radius_ * radius_;
+    return is_progress(pass);
   }
 
   // Goes to `to` over ground that was cleared before the move numbered `before`; false where there
@@ -519,8 +556,8 @@ class RegionClearing {
     for (const Candidate& candidate : candidates) {
       if (candidate.least >= least) break;
       double cost = 0;
-      quicker_link({ground_, ground_.size(), &slivers_}, around_, here_, candidate.start->pose, link_turn(),
-                   params_, &cost);
+      quicker_link({ground_, ground_.size(), &slivers_}, around_, here_, candidate.start->pose,
+                   link_turn(), params_, &cost);
       cost += candidate.extra;
       if (cost >= least) continue;
       least = cost;

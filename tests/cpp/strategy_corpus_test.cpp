@@ -457,5 +457,24 @@ TEST_P(AWayIn, IsARampWhereOneWasAskedFor) {
   expect_entry(corpus::load(GetParam()), EntryKind::kRamp);
 }
 
+TEST(WayIn, IsAHelixWhereNoCutLeadsOnFromARamp) {
+  // The tool's centre has a triangle with sides of 0.9 to 1.6 mm.
+  Case pocket = corpus::load("square60");
+  pocket.engagement_angle = 20 * kDegree;
+  pocket.region =
+      make_region(Curve({{{-11.3885, -0.8018}}, {{5.361, 2.0513}}, {{-1.2112, 8.9267}}}, true));
+  ClearingParams params = pocket.params();
+  params.entry = EntryKind::kRamp;
+  const Toolpath path = clear(pocket, params);
+  expect_within_limits(pocket, path, judge(pocket, path));
+  EXPECT_TRUE(std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
+    return move.kind == MoveKind::kEntry && move.sweep != 0;
+  }));
+  const auto says_so = [](const std::string& note) {
+    return note.rfind("No cut leads on", 0) == 0;
+  };
+  EXPECT_EQ(std::count_if(path.report.notes.begin(), path.report.notes.end(), says_so), 1);
+}
+
 }  // namespace
 }  // namespace evenload
