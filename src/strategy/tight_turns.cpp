@@ -68,20 +68,21 @@ double imbalance(const Segment& from, double t0, const Segment& to, double t1) {
 
 class Widening {
  public:
+  // `free_end`: the replaced moves are the last, and their end may turn by a little.
   Widening(const std::vector<Segment>& moves, std::size_t first, std::size_t last,
-           const TurnDemands& demands)
-      : moves_(moves), first_(first), last_(last), demands_(demands) {}
+           const TurnDemands& demands, bool free_end = false)
+      : moves_(moves), first_(first), last_(last), demands_(demands), free_end_(free_end) {}
 
   // The moves with the tight ones replaced; empty where that cannot be.
   std::vector<Segment> widened() {
-    if (first_ == 0 || (last_ == moves_.size() && !is_at_end())) return {};
+    if (first_ == 0 || (last_ == moves_.size() && !free_end_)) return {};
     for (double reach = kFirstReach; reach <= kFurthestReach; reach *= kReachGrowth) {
       const std::optional<MoveCut> from = cut_before(moves_, first_, reach);
       if (!from) return {};
       if (!can_stay(moves_[from->move], 0, from->t)) continue;
       const std::optional<MoveCut> to =
-          is_at_end() ? MoveCut{moves_.size() - 1, 1} : end_of_arc(*from, reach);
-      if (!to || (!is_at_end() && !can_stay(moves_[to->move], to->t, 1))) continue;
+          free_end_ ? MoveCut{moves_.size() - 1, 1} : end_of_arc(*from, reach);
+      if (!to || (!free_end_ && !can_stay(moves_[to->move], to->t, 1))) continue;
       std::vector<Segment> result = with_arc(*from, *to);
       if (!result.empty()) return result;
       if (too_far_) return {};
@@ -90,9 +91,6 @@ class Widening {
   }
 
  private:
-  // With nothing after it a tight turn need not be tangent where it ends.
-  bool is_at_end() const { return last_ == moves_.size() && is_tight(moves_.back()); }
-
   // Where an arc that begins at `from` ends tangentially.
   std::optional<MoveCut> end_of_arc(const MoveCut& from, double reach) const {
     const auto off = [&](const MoveCut& to) {
@@ -122,7 +120,7 @@ class Widening {
     if (std::abs(half) >= 0.5 * kPi) return {};
     const Segment arc = Segment::from_bulge(a, b, std::tan(half / 2));
     if (is_tight(arc)) return {};
-    if (!is_at_end() && norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
+    if (!free_end_ && norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
     too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
     if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);
@@ -134,6 +132,7 @@ class Widening {
   const std::vector<Segment>& moves_;
   std::size_t first_, last_;  // of the tight moves, last excluded
   const TurnDemands& demands_;
+  bool free_end_;
   bool too_far_ = false;
 };
 
@@ -165,6 +164,9 @@ std::vector<Segment> with_wider(const std::vector<Segment>& moves, std::size_t f
     TurnDemands bi_arc_demands = demands;
     if (first == 0) bi_arc_demands.widening = std::max(demands.widening, kThickestAtStart);
     wider = with_wider_bi_arc(moves, first, last, bi_arc_demands);
+    // With nothing after it but an arc at the most, a turn need not end in the same direction.
+    if (wider.empty() && last + 1 >= moves.size())
+      wider = Widening(moves, first, moves.size(), demands, true).widened();
   }
   return wider;
 }
