@@ -26,16 +26,36 @@ bool has_arc_about(const std::vector<Segment>& moves, Vec2 centre) {
   });
 }
 
-// mm: by how much less the tool reaches along the lines that stand for a tight arc, in the
-// direction of its point at `share` of the arc.
+// How many lines posts write in place of a tight arc.
+int lines_in_place_of(const Segment& turn) {
+  const int pieces = pieces_of_arc(turn.sweep);
+  const bool is_point = turn.radius < kLeastArcRadius;
+  return is_point ? pieces : pieces * lines_of_arc(turn.radius, turn.sweep / pieces);
+}
+
+// mm: by how much less the tool reaches along these lines, in the direction of its point at `share`
+// of the arc.
 double lost_by_lines(const Segment& turn, double share) {
   if (!becomes_corners(turn.radius, turn.sweep)) return 0;
-  const int pieces = pieces_of_arc(turn.sweep);
-  const int lines = turn.radius < kLeastArcRadius
-                        ? pieces
-                        : pieces * lines_of_arc(turn.radius, turn.sweep / pieces);
+  const int lines = lines_in_place_of(turn);
   const double from_corner = std::abs(share * lines - std::nearbyint(share * lines)) / lines;
   return turn.radius * (1 - std::cos(from_corner * turn.sweep));
+}
+
+// The lines that posts write in place of tight arcs, and the other moves as they are.
+std::vector<Segment> as_posted(const std::vector<Segment>& moves) {
+  std::vector<Segment> result;
+  for (const Segment& move : moves) {
+    if (!move.is_arc() || !becomes_corners(move.radius, move.sweep)) {
+      result.push_back(move);
+      continue;
+    }
+    const int lines = lines_in_place_of(move);
+    for (int i = 0; i < lines; ++i)
+      result.push_back(
+          Segment::line(move.point(static_cast<double>(i) / lines), move.point((i + 1.0) / lines)));
+  }
+  return result;
 }
 
 // Where the tool reaches on a way.
@@ -85,7 +105,8 @@ void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<S
 }
 
 void LeftBehind::cut(const std::vector<Segment>& moves) {
-  const Reach reach(moves, radius_);
+  const std::vector<Segment> lines = as_posted(moves);
+  const Reach reach(lines, radius_);
   for (Sliver& sliver : slivers_)
     std::erase_if(sliver, [&](Vec2 point) { return reach.holds(point); });
   std::erase_if(slivers_, [](const Sliver& sliver) { return sliver.size() < kContact; });

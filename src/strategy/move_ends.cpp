@@ -1,5 +1,6 @@
 #include "strategy/move_ends.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstddef>
 
@@ -56,7 +57,7 @@ Segment ended_after(const Segment& move, double length) {
 double lacking_length(const Segment& move) {
   if (!becomes_corners(move)) return 0;
   const double sweep = least_arc_sweep(move.radius);
-  return std::isfinite(sweep) ? sweep * move.radius - move.length() : 0;
+  return std::isfinite(sweep) ? std::max(0.0, sweep * move.radius - move.length()) : 0;
 }
 
 void drop_first(std::vector<Segment>& moves, double length) {

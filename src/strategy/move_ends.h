@@ -19,7 +19,7 @@ Segment begun_before(const Segment& move, double length);
 Segment ended_after(const Segment& move, double length);
 
 // mm: by how much an arc is too short for posts not to write it as lines (small_arc.h); 0 where it
-// is not, or they would at any length.
+// is not, they would at any length, or it is a little longer than half a turn.
 double lacking_length(const Segment& move);
 
 // Take `length` mm from the way's beginning, or its end, but never its last move, and nothing of an

@@ -285,14 +285,14 @@ class RegionClearing {
     if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
-    if (params_.entry == EntryKind::kRamp && !leads_on(*entry)) {
+    if (params_.entry == EntryKind::kRamp && leads_nowhere(*entry)) {
       ClearingParams by_helix = params_;
       by_helix.entry = EntryKind::kHelix;
       std::optional<Entry> helix = descend_within(exact_, room, by_helix);
       if (helix && helix->descent.kind == DescentKind::kHelix) {
         entry = std::move(helix);
         result_.notes.push_back(
-            "No cut leads on from a ramp in a small room: the tool comes down by a helix instead.");
+            "No cut leads on from a ramp: the tool comes down by a helix instead.");
       }
     }
     // Who asks for a helix shall have the one that was asked for, where it fits.
@@ -304,14 +304,15 @@ class RegionClearing {
     return entry->start;
   }
 
-  // Whether a pass from where an entry ends gets anywhere. The ground is left as it was.
-  bool leads_on(const Entry& entry) {
+  // Whether there is material where an entry ends, but the pass from there gets next to nothing of
+  // it. The ground is left as it was.
+  bool leads_nowhere(const Entry& entry) {
     const std::size_t before = ground_.size();
     add_descent(entry.descent, ground_);
     double turn_radius = 0;
     const Pass pass = choice_.from_entry(entry.start, &turn_radius);
     while (ground_.size() > before) ground_.remove_last();
-    return is_progress(pass);
+    return !pass.empty() && !is_progress(pass);
   }
 
   bool is_progress(const Pass& pass) const {
@@ -374,12 +375,15 @@ class RegionClearing {
   // that was clear before the move numbered `before`, where there is room.
   void lengthen_start(std::vector<Segment>& way, std::size_t before) const {
     Segment& first = way.front();
-    const double least = first.length() < kShortestStart ? kShortestStart : 0;
-    const double length = std::max(least, lacking_length(first));
-    if (length <= 0) return;
-    const Segment longer = begun_before(first, length);
-    const Segment lead = longer.part(0, length / longer.length());
-    if (is_free({ground_, before, &slivers_}, exact_, {lead}, length)) first = longer;
+    for (const double length :
+         {lacking_length(first), first.length() < kShortestStart ? kShortestStart : 0}) {
+      if (length <= 0) continue;
+      const Segment longer = begun_before(first, length);
+      const Segment lead = longer.part(0, length / longer.length());
+      if (!is_free({ground_, before, &slivers_}, exact_, {lead}, length)) continue;
+      first = longer;
+      return;
+    }
   }
 
   // A last arc too short to be posted as one ends later, where the ground is clear.
@@ -407,10 +411,10 @@ class RegionClearing {
     ground_.settle(settled_);
     settled_ = ground_.size();
     look_again(pass.moves);
-    slivers_.cut(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
     lengthen_end(pass.moves);
+    slivers_.cut(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;

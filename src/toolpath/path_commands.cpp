@@ -149,23 +149,28 @@ class Writer {
     commands.back().z = at_.z = z;
   }
 
-  // A descent too short to be written belongs to the command before: left out, it would be missing
-  // from all that follows.
+  // A descent too short to be written belongs to the feed move before: left out, it would be
+  // missing from all that follows. No move takes more than that.
   void lower_to(double z) {
-    if (z < at_.z && at_.z - z < kShortestLine && !commands.empty() && commands.back().z)
-      commands.back().z = at_.z = z;
+    const double deeper = at_.z - z;
+    if (deeper <= 0 || commands.empty() || commands.back().code == 0 ||
+        lowered_ + deeper >= kShortestLine)
+      return;
+    commands.back().z = at_.z = z;
+    lowered_ += deeper;
   }
 
   // Feed moves name all three axes: FreeCAD's dressups look for them.
   void go(int code, Position to, const std::optional<Vec2>& centre, double feed) {
     lower_to(to.z);
-    if (std::abs(to.z - at_.z) < kShortestLine) to.z = at_.z;
+    if (to.z > at_.z && to.z - at_.z < kShortestLine) to.z = at_.z;
     PathCommand command{code, to.x, to.y, to.z, std::nullopt, std::nullopt, feed};
     if (centre) {
       command.i = centre->x;
       command.j = centre->y;
     }
     commands.push_back(command);
+    lowered_ = 0;
     at_ = to;
   }
 
@@ -196,6 +201,7 @@ class Writer {
 
   Position at_;
   bool known_;
+  double lowered_ = 0;  // mm, of the last command
 };
 
 // Direction of travel, where a move from `start` begins or ends.
@@ -223,8 +229,10 @@ bool is_tiny(const std::vector<Move>& moves, std::size_t number,
   const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
   if (chord > std::min(kTinyMove, 0.5 * kUnseenCorner * radius)) return false;
   const Vec2 in = direction_at(from, before, true), out = direction_at(end_of(move), next, false);
-  const double turn = std::atan2(cross(in, out), dot(in, out));
-  return std::abs(turn) < 0.75 * kUnseenCorner && std::abs(next.sweep) * radius > kTinyMove;
+  const Vec2 along{move.x - before.x, move.y - before.y};
+  const auto turn = [](Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); };
+  return turn(in, out) < 0.75 * kUnseenCorner && turn(in, along) < kUnseenCorner &&
+         std::abs(next.sweep) * radius > kTinyMove;
 }
 
 // The arc `next` with what lies between it and `from` as its beginning.

@@ -66,9 +66,10 @@ inline bool becomes_corners(double radius, double sweep) {
 // ones; infinite where there is none.
 inline double least_arc_sweep(double radius) {
   if (radius < kLeastArcRadius + kRadiusMargin) return std::numeric_limits<double>::infinity();
-  const double sine = (kLeastSpan + kSpanMargin) / (radius * radius) * (1 + 1e-9);
-  const double spanless = kSpanlessSweep + kSweepMargin;
-  return sine < 1 ? std::asin(sine) : spanless;
+  constexpr double kMore = 1 + 1e-6;  // than what rounding takes
+  const double sine = kMore * (kLeastSpan + kSpanMargin) / (radius * radius);
+  const double spanless = kMore * (kSpanlessSweep + kSweepMargin);
+  return sine < 1 ? std::min(std::asin(sine), spanless) : spanless;
 }
 
 }  // namespace evenload

@@ -116,6 +116,7 @@ INSTANTIATE_TEST_SUITE_P(Corpus, APocket,
 // Clears the moved case, and expects the same as of the case at home.
 void expect_same(const Case& original, const Toolpath& at_home, double angle, bool mirrored,
                  Vec2 shift) {
+  SCOPED_TRACE(mirrored ? "mirrored" : "turned or shifted");
   const Case pocket = corpus::moved(original, angle, mirrored, shift);
   const Toolpath path = clear(pocket, pocket.params());
   expect_within_limits(pocket, path, judge(pocket, path));

@@ -22,7 +22,8 @@ struct Gap {
   Region room;  // of the tool's centre: along the x axis, symmetrical to it
 };
 
-// `left` and `right` mm: half the gap's width at its ends. `bulge`: of both walls, into the gap.
+// `left` and `right` mm: half the gap's width at its ends, `length` mm apart. `bulge`: of both
+// walls, into the gap.
 Gap gap(const std::string& name, double left, double right, double bulge, double length = kLength) {
   return {
       name,

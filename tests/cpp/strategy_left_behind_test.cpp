@@ -58,6 +58,8 @@ TEST_F(LeftBehindTest, IsWhatLinesThatStandForATightArcDoNotReach) {
   cut(0.1, 0.1);
   EXPECT_TRUE(is_met_by_link(0.01));
   EXPECT_FALSE(is_met_by_link(0.5));
+  cut(0.1, 0.1);  // along the same lines
+  EXPECT_TRUE(is_met_by_link(0.01));
 }
 
 TEST_F(LeftBehindTest, IsNothingWhereTheGroundWasClear) {

@@ -56,8 +56,8 @@ TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
       const Segment tight = Segment::arc({0, 0}, radius, 0.3, side * 0.02);
       ASSERT_TRUE(is_posted_as_lines(tight));
       const double length = lacking_length(tight);
-      const Segment earlier = begun_before(tight, 1.001 * length);
-      const Segment later = ended_after(tight, 1.001 * length);
+      const Segment earlier = begun_before(tight, length);
+      const Segment later = ended_after(tight, length);
       EXPECT_FALSE(is_posted_as_lines(earlier)) << radius;
       EXPECT_FALSE(is_posted_as_lines(later)) << radius;
       EXPECT_TRUE(is_posted_as_lines(ended_after(tight, 0.99 * length))) << radius;
@@ -68,6 +68,7 @@ TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
     }
   EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 1, 0.3, 0.02)), 0);
   EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 0.01, 0, 1)), 0);
+  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 0.05, 0, 3.2)), 0);
   EXPECT_EQ(lacking_length(Segment::line({0, 0}, {1, 0})), 0);
 }
 

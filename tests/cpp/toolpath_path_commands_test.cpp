@@ -122,7 +122,7 @@ Move turn_about(Vec2 centre, double radius, double angle, double sweep) {
 }
 
 TEST(PathCommands, ATinyMoveInASmoothWayIsAPartOfTheNext) {
-  for (const double length : {0.0006, 0.001, 0.0029}) {
+  for (const double length : {0.0006, 0.001, 0.0029, 0.0059}) {
     const double radius = 1.5, tiny = length / radius;
     const std::vector<Move> moves{cut_to(-1, 0), cut_to(0, 0),
                                   turn_about({0, radius}, radius, -kPi / 2, tiny),
@@ -143,6 +143,10 @@ TEST(PathCommands, ATinyMoveStaysAtACornerAndBeforeATightTurn) {
   const Move around = turn_about({1 + tiny, -1}, 1, kPi / 2, -0.2);
   const std::vector<Move> corner{cut_to(0, 0), cut_to(0, 1), cut_to(tiny, 1), around};
   EXPECT_EQ(path_commands(corner, Position{0, -1, -3}).size(), 4u);
+  // A step aside between two ways in the same direction.
+  const std::vector<Move> aside{cut_to(-1, 0), cut_to(0, 0), cut_to(0, tiny),
+                                turn_about({0, 1.5 + tiny}, 1.5, -kPi / 2, 0.2)};
+  EXPECT_EQ(path_commands(aside, Position{-2, 0, -3}).size(), 4u);
   const Move tight = turn_about({tiny, 0.1}, 0.1, -kPi / 2, 1.5);
   const std::vector<Move> before_turn{cut_to(-1, 0), cut_to(0, 0), cut_to(tiny, 0), tight};
   EXPECT_EQ(path_commands(before_turn, Position{-2, 0, -3}).size(), 4u);
@@ -163,6 +167,26 @@ TEST(PathCommands, ADescentTooShortToBeWrittenIsNotMissingFromTheCutsBelow) {
     ASSERT_GE(made.size(), 4u);
     for (std::size_t i = made.size() - 3; i < made.size(); ++i) EXPECT_EQ(made[i].z, -3);
   }
+}
+
+// Descents at a feed stay so, and many short ones are not one.
+TEST(PathCommands, NoRapidAndNoSingleMoveTakesShortDescents) {
+  std::vector<Move> moves{rapid_to(0, 0, -1)};
+  for (int i = 1; i <= 10; ++i) moves.push_back(cut_to(0, 0, -1 - 0.0004 * i));
+  moves.push_back(cut_to(5, 0, -1.004));
+  const auto made = path_commands(moves, Position{0, 0, 5});
+  double z = 5, at_feed = 0;
+  for (const PathCommand& command : made) {
+    if (command.code == 0) {
+      EXPECT_GE(command.z.value_or(z), -1);
+    } else {
+      EXPECT_LT(z - *command.z, 0.0015);
+      at_feed += z - *command.z;
+    }
+    z = command.z.value_or(z);
+  }
+  EXPECT_NEAR(z, -1.004, 1e-9);
+  EXPECT_NEAR(at_feed, 0.004, 1e-9);
 }
 
 TEST(PathCommands, ACutBeforeThePlaceIsKnownIsRefused) {
