@@ -91,8 +91,7 @@ Load between(const Load& at0, const Load& middle, const Load& at1, double t) {
 
 // rad: between the lines that are posted for an arc that is too tight; 0 for other moves.
 double turn_of_lines(const Segment& move) {
-  if (!move.is_arc() || !becomes_corners(move.radius, move.sweep)) return 0;
-  return std::abs(move.sweep) / lines_of_arc(move.radius, move.sweep);
+  return is_tight(move) ? std::abs(move.sweep) / lines_in_place_of(move.radius, move.sweep) : 0;
 }
 
 // Looks along one move, finer where the load bends.

@@ -211,6 +211,13 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   return entry;
 }
 
+std::optional<Entry> helix_within(const Area& centres, const Circle& room, ClearingParams params) {
+  params.entry = EntryKind::kHelix;
+  std::optional<Entry> entry = descend_within(centres, room, params);
+  if (entry && entry->descent.kind != DescentKind::kHelix) entry.reset();
+  return entry;
+}
+
 bool is_shrunk(const Descent& helix, const ClearingParams& params) {
   return helix.kind == DescentKind::kHelix &&
          helix.radius < std::min(0.5 * params.helix_diameter, widest_helix(params)) - kAtBorder;

@@ -49,6 +49,8 @@ inline constexpr double kMostCleared = 1.8;
 bool is_shrunk(const Descent& helix, const ClearingParams& params);
 // mm: by how much, where there is room.
 double wished_stretch(double helix_radius, const ClearingParams& params);
+// A helix, whatever entry the parameters ask for; empty where none fits.
+std::optional<Entry> helix_within(const Area& centres, const Circle& room, ClearingParams params);
 
 // A place outside the stock, beside the longest open edge of `material` from which the tool can go
 // straight in; the heading is along the edge. Empty when there is none.

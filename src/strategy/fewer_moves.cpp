@@ -225,9 +225,7 @@ class FewerMoves {
   }
 
   static std::ptrdiff_t corners_of(const std::vector<Segment>& way) {
-    return std::count_if(way.begin(), way.end(), [](const Segment& move) {
-      return move.is_arc() && becomes_corners(move.radius, move.sweep);
-    });
+    return std::count_if(way.begin(), way.end(), is_tight);
   }
 
   // A row, what it meets, and what is saved by another way.

@@ -26,18 +26,11 @@ bool has_arc_about(const std::vector<Segment>& moves, Vec2 centre) {
   });
 }
 
-// How many lines posts write in place of a tight arc.
-int lines_in_place_of(const Segment& turn) {
-  const int pieces = pieces_of_arc(turn.sweep);
-  const bool is_point = turn.radius < kLeastArcRadius;
-  return is_point ? pieces : pieces * lines_of_arc(turn.radius, turn.sweep / pieces);
-}
-
-// mm: by how much less the tool reaches along these lines, in the direction of its point at `share`
-// of the arc.
+// mm: by how much less the tool reaches along the lines in place of a tight arc, in the direction
+// of its point at `share` of the arc.
 double lost_by_lines(const Segment& turn, double share) {
-  if (!becomes_corners(turn.radius, turn.sweep)) return 0;
-  const int lines = lines_in_place_of(turn);
+  if (!is_tight(turn)) return 0;
+  const int lines = lines_in_place_of(turn.radius, turn.sweep);
   const double from_corner = std::abs(share * lines - std::nearbyint(share * lines)) / lines;
   return turn.radius * (1 - std::cos(from_corner * turn.sweep));
 }
@@ -46,11 +39,11 @@ double lost_by_lines(const Segment& turn, double share) {
 std::vector<Segment> as_posted(const std::vector<Segment>& moves) {
   std::vector<Segment> result;
   for (const Segment& move : moves) {
-    if (!move.is_arc() || !becomes_corners(move.radius, move.sweep)) {
+    if (!is_tight(move)) {
       result.push_back(move);
       continue;
     }
-    const int lines = lines_in_place_of(move);
+    const int lines = lines_in_place_of(move.radius, move.sweep);
     for (int i = 0; i < lines; ++i)
       result.push_back(
           Segment::line(move.point(static_cast<double>(i) / lines), move.point((i + 1.0) / lines)));
@@ -90,7 +83,7 @@ void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<S
   const Reach reach(planned, radius_);
   for (const Segment& turn : posted) {
     if (!turn.is_arc()) continue;
-    if (has_arc_about(planned, turn.centre) && !becomes_corners(turn.radius, turn.sweep)) continue;
+    if (has_arc_about(planned, turn.centre) && !is_tight(turn)) continue;
     Sliver sliver;
     const int n = static_cast<int>(std::ceil(std::abs(turn.sweep) / kSpacing));
     for (int i = 0; i <= n; ++i) {

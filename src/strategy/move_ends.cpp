@@ -9,15 +9,11 @@
 namespace evenload {
 namespace {
 
-bool becomes_corners(const Segment& move) {
-  return move.is_arc() && evenload::becomes_corners(move.radius, move.sweep);
-}
-
-// What is left of a move between two shares of it; the whole where the rest alone would become
-// corners.
+// What is left of a move between two shares of it; the whole where the rest alone would be
+// tight.
 Segment shortened(const Segment& move, double from, double to) {
   const Segment rest = move.part(from, to);
-  return becomes_corners(rest) && !becomes_corners(move) ? move : rest;
+  return is_tight(rest) && !is_tight(move) ? move : rest;
 }
 
 }  // namespace
@@ -55,7 +51,7 @@ Segment ended_after(const Segment& move, double length) {
 }
 
 double lacking_length(const Segment& move) {
-  if (!becomes_corners(move)) return 0;
+  if (!is_tight(move)) return 0;
   const double sweep = least_arc_sweep(move.radius);
   return std::isfinite(sweep) ? std::max(0.0, sweep * move.radius - move.length()) : 0;
 }

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "cutting/engagement.h"
+#include "feed/load_profile.h"
 #include "strategy/corner_wall.h"
 #include "strategy/gap_pass.h"
 #include "strategy/links.h"
@@ -22,6 +23,8 @@ constexpr double kPassPrice = 0.3;
 // lines.
 constexpr double kTightInCorner = 0.1;
 constexpr double kTurnShare = 0.5;
+// A pass that removes less than this share of the tool's radius squared is little progress.
+constexpr double kLeastCut = 1e-4;
 // Passes into one corner between two searches for the best stage.
 constexpr int kTryEvery = 4;
 // The step of that search, in stages.
@@ -70,6 +73,10 @@ void climb_stages(std::size_t start, std::size_t first, std::size_t end, double 
 }
 
 }  // namespace
+
+bool is_progress(const Pass& pass, double tool_radius) {
+  return !pass.empty() && pass.cut_area > kLeastCut * tool_radius * tool_radius;
+}
 
 PassChoice::PassChoice(ClearedGround& ground, const std::vector<Stage>& stages,
                        const ClearingParams& params, const TurnLimits& limits)
@@ -125,6 +132,15 @@ Pass PassChoice::from_entry(const Pose& start, double* turn_radius) {
   *turn_radius = radius_of_widest;
   for (const Segment& move : widest.moves) ground_.add(move);
   return widest;
+}
+
+bool PassChoice::leads_nowhere(const Entry& entry) {
+  const std::size_t before = ground_.size();
+  add_descent(entry.descent, ground_);
+  double turn_radius = 0;
+  const Pass pass = from_entry(entry.start, &turn_radius);
+  while (ground_.size() > before) ground_.remove_last();
+  return !pass.empty() && !is_progress(pass, radius_);
 }
 
 // mm^2 per mm of cutting at the nominal feed: what a pass removes, by the time that it takes.

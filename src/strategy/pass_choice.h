@@ -9,6 +9,7 @@
 
 #include "cutting/cleared_ground.h"
 #include "strategy/constant_engagement.h"
+#include "strategy/entry.h"
 #include "strategy/stage.h"
 #include "strategy/steering.h"
 #include "strategy/wall_samples.h"
@@ -20,6 +21,9 @@ struct TurnLimits {
   double widest = 0.9;      // of the first stage
   double tightest = 0.003;  // to the right
 };
+
+// False for an empty pass, and for one that removes next to nothing.
+bool is_progress(const Pass& pass, double tool_radius);
 
 class PassChoice {
  public:
@@ -39,6 +43,10 @@ class PassChoice {
   // Along a wall: in a corner the pass that is worth most, elsewhere the one with the widest turn,
   // no wider than its stage's, that can enter there.
   Pass from_wall(const PassStart& start, double* turn_radius);
+
+  // Whether there is material where an entry ends, but the pass from there gets next to nothing of
+  // it. The ground is left as it was.
+  bool leads_nowhere(const Entry& entry);
 
  private:
   Steering steering_on(const Stage& stage);

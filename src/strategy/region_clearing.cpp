@@ -17,6 +17,7 @@
 #include "strategy/links.h"
 #include "strategy/move_ends.h"
 #include "strategy/pass_choice.h"
+#include "strategy/pass_ends.h"
 #include "strategy/short_moves.h"
 #include "strategy/steering.h"
 #include "strategy/tight_turns.h"
@@ -47,12 +48,6 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
-// mm: a pass that begins with a shorter move, which posts would turn by a degree or more, begins
-// earlier by so much.
-constexpr double kShortestStart = 0.03;
-// A pass that removes less than this share of the tool's radius squared is little progress.
-constexpr double kLeastCut = 1e-4;
-
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -285,16 +280,12 @@ class RegionClearing {
     if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
       result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
-    if (params_.entry == EntryKind::kRamp && leads_nowhere(*entry)) {
-      ClearingParams by_helix = params_;
-      by_helix.entry = EntryKind::kHelix;
-      std::optional<Entry> helix = descend_within(exact_, room, by_helix);
-      if (helix && helix->descent.kind == DescentKind::kHelix) {
+    if (params_.entry == EntryKind::kRamp && choice_.leads_nowhere(*entry))
+      if (std::optional<Entry> helix = helix_within(exact_, room, params_)) {
         entry = std::move(helix);
         result_.notes.push_back(
             "No cut leads on from a ramp: the tool comes down by a helix instead.");
       }
-    }
     // Who asks for a helix shall have the one that was asked for, where it fits.
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
                              is_shrunk(entry->descent, params_);
@@ -302,21 +293,6 @@ class RegionClearing {
     add_descent(entry->descent, ground_);
     begin_run(entry->descent);
     return entry->start;
-  }
-
-  // Whether there is material where an entry ends, but the pass from there gets next to nothing of
-  // it. The ground is left as it was.
-  bool leads_nowhere(const Entry& entry) {
-    const std::size_t before = ground_.size();
-    add_descent(entry.descent, ground_);
-    double turn_radius = 0;
-    const Pass pass = choice_.from_entry(entry.start, &turn_radius);
-    while (ground_.size() > before) ground_.remove_last();
-    return !pass.empty() && !is_progress(pass);
-  }
-
-  bool is_progress(const Pass& pass) const {
-    return !pass.empty() && pass.cut_area > kLeastCut * radius_ * radius_;
   }
 
   // A pass from the free pose where the tool came down.
@@ -354,7 +330,8 @@ class RegionClearing {
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
-    for (std::vector<Segment>* moves : {&shorter, &way}) lengthen_start(*moves, before);
+    for (std::vector<Segment>* moves : {&shorter, &way})
+      begin_earlier(*moves, {ground_, before, &slivers_}, exact_);
     const Pose nearest = start_of(shorter), start = start_of(way);
     if (link_to(nearest, before)) {
       way = std::move(shorter);
@@ -369,31 +346,6 @@ class RegionClearing {
 
   static Pose start_of(const std::vector<Segment>& way) {
     return {way.front().a, angle_of(way.front().tangent(0))};
-  }
-
-  // A first move too short to be posted in its direction, or as an arc, begins earlier, over ground
-  // that was clear before the move numbered `before`, where there is room.
-  void lengthen_start(std::vector<Segment>& way, std::size_t before) const {
-    Segment& first = way.front();
-    for (const double length :
-         {lacking_length(first), first.length() < kShortestStart ? kShortestStart : 0}) {
-      if (length <= 0) continue;
-      const Segment longer = begun_before(first, length);
-      const Segment lead = longer.part(0, length / longer.length());
-      if (!is_free({ground_, before, &slivers_}, exact_, {lead}, length)) continue;
-      first = longer;
-      return;
-    }
-  }
-
-  // A last arc too short to be posted as one ends later, where the ground is clear.
-  void lengthen_end(std::vector<Segment>& way) const {
-    Segment& last = way.back();
-    const double length = lacking_length(last);
-    if (length <= 0) return;
-    const Segment longer = ended_after(last, length);
-    const Segment added = longer.part(1 - length / longer.length(), 1);
-    if (is_free({ground_, ground_.size()}, exact_, {added}, length)) last = longer;
   }
 
   // Where the tightest turn of a pass ends.
@@ -413,7 +365,7 @@ class RegionClearing {
     look_again(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
-    lengthen_end(pass.moves);
+    end_later(pass.moves, {ground_, ground_.size()}, exact_);
     slivers_.cut(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
     if (turn_radius > 0 && turn_radius < tightest_) {
@@ -421,7 +373,7 @@ class RegionClearing {
       tightest_at_ = sharpest_place(pass.moves);
     }
     ++result_.passes;
-    return is_progress(pass);
+    return is_progress(pass, radius_);
   }
 
   // Goes to `to` over ground that was cleared before the move numbered `before`; false where there

@@ -21,8 +21,8 @@ double most_widening(double engagement, double tool_radius, double tolerance);
 // more than `widening` mm to its right, or 0.0015 mm at the beginning of the moves, cuts no deeper
 // than 0.004 mm, stays inside `centres`, and meets no more than `engagement` rad and a tolerance.
 // `ground`: before the moves; it is left as it was. Laws: the moves follow each other as before,
-// without new corners; they begin and end where they did, in another direction where the last of
-// them were tight; tight turns along the border of `centres` stay as they are.
+// without new corners; they begin and end where they did, in another direction where the last or
+// the last but one of them was tight; tight turns along the border of `centres` stay as they are.
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement, double widening);
 

@@ -203,9 +203,7 @@ CirclesThrough circles_through(const TrochoidPattern& pattern, double radius) {
 }
 
 bool turns_at_corners(const std::vector<Segment>& moves) {
-  return std::any_of(moves.begin(), moves.end(), [](const Segment& move) {
-    return move.is_arc() && becomes_corners(move.radius, move.sweep);
-  });
+  return std::any_of(moves.begin(), moves.end(), is_tight);
 }
 
 RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& params)

@@ -19,10 +19,6 @@ constexpr double kThin = 1e-6;
 
 }  // namespace
 
-bool is_tight(const Segment& move) {
-  return move.is_arc() && becomes_corners(move.radius, move.sweep);
-}
-
 bool can_stay(const Segment& move, double from, double to) {
   const double share = to - from;
   return share * move.length() >= kShortestRest &&

@@ -29,9 +29,6 @@ struct MoveCut {
 // Of unit vectors along moves that are tangent to each other.
 inline constexpr double kSameTurnDirection = 1e-5;
 
-// An arc of which a posted program makes corners.
-bool is_tight(const Segment& move);
-
 // What stays of a move is long enough to be posted as it is, and no tight turn itself.
 bool can_stay(const Segment& move, double from, double to);
 

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-#include "geometry/vec2.h"
+#include "geometry/curve.h"
 
 namespace evenload {
 
@@ -45,6 +45,12 @@ inline int lines_of_arc(double radius, double sweep) {
   return std::max(1, static_cast<int>(std::ceil(std::abs(sweep) / bent)));
 }
 
+// The same for an arc of any sweep, which is divided into pieces first.
+inline int lines_in_place_of(double radius, double sweep) {
+  const int pieces = pieces_of_arc(sweep);
+  return radius < kLeastArcRadius ? pieces : pieces * lines_of_arc(radius, sweep / pieces);
+}
+
 // For arcs of at most half a turn.
 inline bool spans_next_to_nothing(double radius, double sweep, double least_span,
                                   double spanless_sweep) {
@@ -60,6 +66,10 @@ inline bool becomes_corners(double radius, double sweep) {
   if (radius < kLeastArcRadius + kRadiusMargin) return true;
   return spans_next_to_nothing(radius, turn / pieces_of_arc(turn), kLeastSpan + kSpanMargin,
                                kSpanlessSweep + kSweepMargin);
+}
+
+inline bool is_tight(const Segment& move) {
+  return move.is_arc() && becomes_corners(move.radius, move.sweep);
 }
 
 // rad: the least sweep of an arc of `radius` mm that does not become_corners, but for straight

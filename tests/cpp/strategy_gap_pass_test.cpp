@@ -49,7 +49,7 @@ class InAGap : public testing::TestWithParam<Gap> {
     return {wall.point(hit.t), angle_of(wall.tangent(hit.t))};
   }
 
-  // Clears all up to about `x`.
+  // Clears all up to about where on_wall(x) is.
   void clear_up_to(double x) {
     for (double at = 0; at < x; at += 0.02) {
       const Vec2 low = on_wall(at).p;

@@ -15,10 +15,6 @@ std::vector<Segment> way_that_ends_in_a_turn(double radius, double sweep) {
   return {Segment::line({-1, 0}, {0, 0}), Segment::arc({0, radius}, radius, -kPi / 2, sweep)};
 }
 
-bool is_posted_as_lines(const Segment& move) {
-  return move.is_arc() && becomes_corners(move.radius, move.sweep);
-}
-
 TEST(MoveEnds, AreShortenedOnTheirLineOrCircle) {
   std::vector<Segment> way = way_that_ends_in_a_turn(1, 1);
   drop_last(way, 0.25);
@@ -36,8 +32,8 @@ TEST(MoveEnds, AreShortenedOnTheirLineOrCircle) {
 // Of a turn by 100 degrees at 0.08 mm a half would be posted as lines.
 TEST(MoveEnds, KeepAnArcWholeOfWhichTheRestWouldBePostedAsLines) {
   const std::vector<Segment> way = way_that_ends_in_a_turn(0.08, 1.75);
-  ASSERT_FALSE(is_posted_as_lines(way.back()));
-  ASSERT_TRUE(is_posted_as_lines(way.back().part(0, 0.5)));
+  ASSERT_FALSE(is_tight(way.back()));
+  ASSERT_TRUE(is_tight(way.back().part(0, 0.5)));
   std::vector<Segment> shorter = way;
   drop_last(shorter, 0.07);
   ASSERT_EQ(shorter.size(), 2u);
@@ -54,13 +50,13 @@ TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
   for (const double radius : {0.012, 0.05, 0.07, 0.08, 0.15, 0.4})
     for (const double side : {1.0, -1.0}) {
       const Segment tight = Segment::arc({0, 0}, radius, 0.3, side * 0.02);
-      ASSERT_TRUE(is_posted_as_lines(tight));
+      ASSERT_TRUE(is_tight(tight));
       const double length = lacking_length(tight);
       const Segment earlier = begun_before(tight, length);
       const Segment later = ended_after(tight, length);
-      EXPECT_FALSE(is_posted_as_lines(earlier)) << radius;
-      EXPECT_FALSE(is_posted_as_lines(later)) << radius;
-      EXPECT_TRUE(is_posted_as_lines(ended_after(tight, 0.99 * length))) << radius;
+      EXPECT_FALSE(is_tight(earlier)) << radius;
+      EXPECT_FALSE(is_tight(later)) << radius;
+      EXPECT_TRUE(is_tight(ended_after(tight, 0.99 * length))) << radius;
       EXPECT_NEAR(distance(earlier.b, tight.b), 0, 1e-12);
       EXPECT_NEAR(distance(later.a, tight.a), 0, 1e-12);
       EXPECT_GT(earlier.sweep * side, 0);
