@@ -1,5 +1,6 @@
 #include "strategy/slot_rooms.h"
 
+#include <algorithm>
 #include <utility>
 
 #include "support/errors.h"
@@ -57,6 +58,8 @@ std::optional<Region> room_behind(const Region& region, const Area& centres,
 std::optional<Region> room_between(const Region& region, const Area& centres,
                                    const SlotStretch& stretch, double s,
                                    const std::vector<Segment>& front) {
+  // Beyond the stretch the half circle would lead into a wall.
+  if (s < 0 || s > stretch.middle.length()) return std::nullopt;
   std::vector<Segment> border = front;
   const Pose at = pose_on(stretch, s);
   const Segment back = Segment::arc(at.p, stretch.half_room, at.heading + kPi / 2, kPi);
@@ -76,7 +79,7 @@ std::optional<StartRoom> start_room(const Region& region, const Area& centres,
                                     const std::vector<Segment>& front) {
   std::optional<Region> room = room_behind(region, centres, front);
   if (room && is_end(*room, stretch, s)) return StartRoom{std::move(*room), true};
-  room = room_between(region, centres, stretch, s - stretch.half_room, front);
+  room = room_between(region, centres, stretch, std::max(0.0, s - stretch.half_room), front);
   if (!room) return std::nullopt;
   return StartRoom{std::move(*room), false};
 }

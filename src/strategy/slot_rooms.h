@@ -24,7 +24,7 @@ std::optional<Region> room_behind(const Region& region, const Area& centres,
 bool is_end(const Region& room, const SlotStretch& stretch, double s);
 
 // What lies between `front` and half a circle behind `s` mm along the stretch. Nothing where the
-// walls end before.
+// walls, or the stretch, end before.
 std::optional<Region> room_between(const Region& region, const Area& centres,
                                    const SlotStretch& stretch, double s,
                                    const std::vector<Segment>& front);

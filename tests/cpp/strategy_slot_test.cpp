@@ -150,5 +150,26 @@ TEST(SlotRooms, AreTheEndBehindAFrontAndTheStretchBetweenTwo) {
   EXPECT_NEAR(between->area(), 20 * 6 + 2 * cap, 1e-6);
 }
 
+// The stretch ends where one wall turns away; what is beyond is bounded by a wall of its own, which
+// comes nearer than the slot is wide.
+TEST(SlotRooms, BegunNearTheStretchesStartStayWithinTheWalls) {
+  const Region centres =
+      make_region(shapes::polygon({{0, 5}, {60, 5}, {60, 11}, {2, 11}, {2, 60}, {0, 60}}));
+  const Area area({centres});
+  const std::vector<SlotStretch> found = find_slots(area, 9);
+  ASSERT_FALSE(found.empty());
+  const SlotStretch stretch = found[0].middle.a.x < 30 ? found[0] : found[0].reversed();
+  ASSERT_NEAR(stretch.middle.a.x, 3, 1e-3);
+  for (const double s : {2.0, 2.9, 10.0}) {
+    const auto room = start_room(centres, area, stretch, s, round_front(stretch, s));
+    ASSERT_TRUE(room) << s;
+    EXPECT_FALSE(room->is_end);
+    for (const Segment& piece : room->room.outer.segments())
+      for (const double t : {0.0, 0.5, 1.0})
+        EXPECT_GT(area.signed_distance(piece.point(t)), -2e-4) << s;
+  }
+  EXPECT_FALSE(room_between(centres, area, stretch, -0.5, round_front(stretch, 30)));
+}
+
 }  // namespace
 }  // namespace evenload
