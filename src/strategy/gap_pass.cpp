@@ -33,14 +33,18 @@ constexpr double kInContact = 0.06 * kPi / 180;
 // A pass that meets no more than this share of the limit gets nowhere.
 constexpr double kLeastMet = 0.5;
 constexpr int kMostShrinking = 50;
+// Where one arc would be posted as lines, a wider one ends the turn: so many times as wide, and no
+// tighter than this, mm; it is led to the wall in at most so many steps.
+constexpr double kWidening = 2;
+constexpr double kWidened = 0.1;
+constexpr int kMostLeading = 8;
 // mm: thinner material is not seen; what may stay on the other wall, between two arcs that touch
 // it.
 constexpr double kThin = 1e-6, kFilm = 3e-4;
 
 // Along a wall, and round to the one that faces it.
 struct Way {
-  std::vector<Segment> wall;
-  Segment arc;
+  std::vector<Segment> wall, turn;
 };
 
 class GapPass {
@@ -57,6 +61,19 @@ class GapPass {
 
   Pass made() {
     if (!is_on_wall_) return {};
+    Pass pass = furthest();
+    if (ends_short_) {
+      ends_wide_ = true;
+      Pass other = furthest();
+      if (other.cut_area > pass.cut_area) pass = std::move(other);
+    }
+    for (const Segment& move : pass.moves) ground_.add(move);
+    return pass;
+  }
+
+ private:
+  // The pass that follows the wall as far as it keeps to the limit; not yet in the ground.
+  Pass furthest() {
     double low = 0, high = kFirstReach * radius_;
     while (high < kFurthest * radius_ && is_within(high)) {
       low = high;
@@ -71,10 +88,9 @@ class GapPass {
     return way ? pass_along(*way) : Pass{};
   }
 
- private:
   // The way that leaves the wall after `reach` mm, which is not next to nothing; nothing where it
   // is no gap, or posts could not write the arc.
-  std::optional<Way> way_to(double reach) const {
+  std::optional<Way> way_to(double reach) {
     Way way;
     const Curve& curve = centres_.curves()[start_.curve];
     std::size_t i = start_.segment;
@@ -94,15 +110,14 @@ class GapPass {
       from = 0;
       i = (i + 1) % curve.segment_count();
     }
-    const std::optional<Segment> arc = arc_across(way.wall.back().b, way.wall.back().tangent(1));
-    if (!arc) return std::nullopt;
-    way.arc = *arc;
+    way.turn = turn_across(way.wall.back().b, way.wall.back().tangent(1));
+    if (way.turn.empty()) return std::nullopt;
     return way;
   }
 
-  // The arc from `p` on a wall that is followed along `along` to the wall that faces it there. The
-  // circle that touches the wall in `p` shrinks until nothing is inside of it.
-  std::optional<Segment> arc_across(Vec2 p, Vec2 along) const {
+  // The turn from `p` on a wall that is followed along `along` to the wall that faces it there; as
+  // a rule one arc. The circle that touches the wall in `p` shrinks until nothing is inside of it.
+  std::vector<Segment> turn_across(Vec2 p, Vec2 along) {
     const Vec2 normal = left_normal(along);
     double r = kWidest * radius_;
     Vec2 touched = p;
@@ -111,19 +126,55 @@ class GapPass {
       if (hit.distance > r - kTouches) break;
       touched = centres_.segment_at(hit).point(hit.t);
       const double ahead = dot(touched - p, normal);
-      if (ahead <= 0) return std::nullopt;
+      if (ahead <= 0) return {};
       r = squared_norm(touched - p) / (2 * ahead);
     }
-    if (touched == p || r < kLeastArcRadius + kRadiusMargin) return std::nullopt;
+    if (touched == p || r < kLeastArcRadius + kRadiusMargin) return {};
     const Vec2 centre = p + r * normal;
     const double begin = angle_of(p - centre);
-    double sweep = wrap_positive(angle_of(touched - centre) - begin);
-    if (std::abs(sweep - kPi) > kMostTaper) return std::nullopt;
-    // Where the gap widens the arc is longer than half a turn, and would be written in halves: it
-    // ends short of the wall by next to nothing.
-    if (becomes_corners(r, sweep) && sweep > kPi) sweep = kPi;
-    if (becomes_corners(r, sweep)) return std::nullopt;
-    return Segment::arc(centre, r, begin, sweep);
+    const double sweep = wrap_positive(angle_of(touched - centre) - begin);
+    if (std::abs(sweep - kPi) > kMostTaper) return {};
+    if (!becomes_corners(r, sweep)) return {Segment::arc(centre, r, begin, sweep)};
+    // Where the gap widens the arc is longer than half a turn, and would be written in halves.
+    if (sweep < kPi) return {};
+    ends_short_ = true;
+    if (ends_wide_) return arcs_across(p, along, touched, r);
+    // It ends short of the wall by next to nothing.
+    if (becomes_corners(r, kPi)) return {};
+    return {Segment::arc(centre, r, begin, kPi)};
+  }
+
+  // The same by an arc of less than half a turn and a wider one, which ends along the wall near
+  // `touched`, where one of radius `r` would. Empty where posts could not write them.
+  std::vector<Segment> arcs_across(Vec2 p, Vec2 along, Vec2 touched, double r) const {
+    const double wide = std::max(kWidening * r, kWidened), last = least_arc_sweep(wide);
+    const double heading = angle_of(along);
+    // By one arc, from one heading to another.
+    const auto led = [](double radius, double from, double to) {
+      return radius * (left_normal(unit(from)) - left_normal(unit(to)));
+    };
+    Vec2 end = touched;
+    for (int i = 0; i < kMostLeading; ++i) {
+      const BoundaryIndex::Hit hit = centres_.nearest(end);
+      const Segment& wall = centres_.segment_at(hit);
+      const Vec2 onto = wall.tangent(hit.t), towards = left_normal(onto);
+      const double whole = wrap_positive(angle_of(onto) - heading), first = whole - last;
+      const double across =
+          dot(wall.point(hit.t) - p - led(wide, heading + first, heading + whole), towards);
+      const double tight = across / dot(led(1, heading, heading + first), towards);
+      if (first <= 0 || !(tight > 0) || becomes_corners(tight, first)) return {};
+      const Vec2 joint = p + led(tight, heading, heading + first);
+      const Vec2 reached = joint + led(wide, heading + first, heading + whole);
+      const bool is_there = distance(reached, end) < kTouches;
+      end = reached;
+      if (!is_there) continue;
+      const auto arc = [](Vec2 from, double radius, double begin, double sweep) {
+        return Segment::arc(from + radius * left_normal(unit(begin)), radius, begin - kPi / 2,
+                            sweep);
+      };
+      return {arc(p, tight, heading, first), arc(joint, wide, heading + first, last)};
+    }
+    return {};
   }
 
   double met_on(const Segment& move, double t, double thin = kThin) {
@@ -145,15 +196,17 @@ class GapPass {
   // material where it comes to the other wall.
   bool is_within(double reach) {
     const std::optional<Way> way = way_to(reach);
-    if (!way || !is_inside(way->arc, centres_, kOnBorder) ||
-        met_on(way->arc, 1, kFilm) > kInContact)
-      return false;
+    if (!way || met_on(way->turn.back(), 1, kFilm) > kInContact) return false;
     const auto keeps = [&](const Segment& move, int looks) {
       for (int i = 0; i < looks; ++i)
         if (met_on(move, (i + 0.5) / looks) > engagement_) return false;
       return true;
     };
-    return keeps(way->arc, looks_along_arc(way->arc)) &&
+    return std::all_of(way->turn.begin(), way->turn.end(),
+                       [&](const Segment& arc) {
+                         return is_inside(arc, centres_, kOnBorder) &&
+                                keeps(arc, looks_along_arc(arc));
+                       }) &&
            std::all_of(way->wall.begin(), way->wall.end(),
                        [&](const Segment& wall) { return keeps(wall, looks_along(wall)); });
   }
@@ -173,14 +226,13 @@ class GapPass {
       }
     };
     for (const Segment& wall : way.wall) look_along(wall, looks_along(wall));
-    look_along(way.arc, looks_along_arc(way.arc));
+    for (const Segment& arc : way.turn) look_along(arc, looks_along_arc(arc));
     if (most < kLeastMet * engagement_) return {};
     pass.moves = way.wall;
-    pass.moves.push_back(way.arc);
+    pass.moves.insert(pass.moves.end(), way.turn.begin(), way.turn.end());
     pass.idle_before = first;
     pass.idle_after = travelled - last;
     pass.cut_length = last - first;
-    for (const Segment& move : pass.moves) ground_.add(move);
     return pass;
   }
 
@@ -189,6 +241,8 @@ class GapPass {
   double engagement_, radius_;
   BoundaryIndex::Hit start_;
   bool is_on_wall_ = false;
+  bool ends_short_ = false;  // some turn that was looked at, of the wall it leads to
+  bool ends_wide_ = false;   // such turns, by a second arc, in place of that
   std::vector<AngularInterval> arcs_;
 };
 

@@ -16,7 +16,7 @@ namespace evenload {
 inline constexpr double kLeastSpan = 0.0052;   // mm^2: radius^2 times the sine of the sweep
 inline constexpr double kSpanlessSweep = 1.6;  // rad, above a quarter turn: longer ones do no harm
 // mm: lines leave tighter arcs by less than twice this.
-inline constexpr double kLeastArcRadius = 0.01;
+inline constexpr double kLeastArcRadius = 0.007;
 // mm: largest distance of lines from the arc that they stand for, on its inner side.
 inline constexpr double kArcSagitta = 0.004;
 
