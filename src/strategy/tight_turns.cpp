@@ -41,7 +41,7 @@ constexpr double kSharpCorner = 0.2;
 // A place `reach` mm before the end of the moves [0, n), or after the start of the moves from n on.
 std::optional<MoveCut> cut_before(const std::vector<Segment>& moves, std::size_t n, double reach) {
   for (std::size_t i = n; i-- > 0;) {
-    if (i + 1 < n && !is_tangent(moves[i], moves[i + 1], kSameTurnDirection)) return std::nullopt;
+    if (i + 1 < n && !is_tangent(moves[i], moves[i + 1], kSmoothJoint)) return std::nullopt;
     const double length = moves[i].length();
     if (reach <= length) return MoveCut{i, 1 - reach / length};
     reach -= length;
@@ -51,7 +51,7 @@ std::optional<MoveCut> cut_before(const std::vector<Segment>& moves, std::size_t
 
 std::optional<MoveCut> cut_after(const std::vector<Segment>& moves, std::size_t n, double reach) {
   for (std::size_t i = n; i < moves.size(); ++i) {
-    if (i > n && !is_tangent(moves[i - 1], moves[i], kSameTurnDirection)) return std::nullopt;
+    if (i > n && !is_tangent(moves[i - 1], moves[i], kSmoothJoint)) return std::nullopt;
     const double length = moves[i].length();
     if (reach <= length) return MoveCut{i, reach / length};
     reach -= length;
@@ -155,10 +155,10 @@ std::vector<Segment> with_wider(const std::vector<Segment>& moves, std::size_t f
                                 std::size_t last, const TurnDemands& demands) {
   std::vector<Segment> wider = Widening(moves, first, last, demands).widened();
   if (wider.empty() && first > 0 && may_give_way(moves[first - 1], demands) &&
-      is_tangent(moves[first - 1], moves[first], kSameTurnDirection))
+      is_tangent(moves[first - 1], moves[first], kSmoothJoint))
     wider = Widening(moves, first - 1, last, demands).widened();
   if (wider.empty() && last < moves.size() && may_give_way(moves[last], demands) &&
-      is_tangent(moves[last - 1], moves[last], kSameTurnDirection))
+      is_tangent(moves[last - 1], moves[last], kSmoothJoint))
     wider = Widening(moves, first, last + 1, demands).widened();
   if (wider.empty() && demands.ground) {
     TurnDemands bi_arc_demands = demands;
@@ -176,7 +176,7 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const TurnDemand
   for (std::size_t i = 0; i < result.size();) {
     std::size_t end = i;
     while (end < result.size() && is_tight(result[end]) && may_give_way(result[end], demands) &&
-           (end == i || is_tangent(result[end - 1], result[end], kSameTurnDirection)))
+           (end == i || is_tangent(result[end - 1], result[end], kSmoothJoint)))
       ++end;
     if (end == i) {
       ++i;

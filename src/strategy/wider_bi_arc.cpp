@@ -34,7 +34,7 @@ std::vector<Place> places_before(const std::vector<Segment>& moves, std::size_t 
   double reach = 0;
   for (std::size_t i = first;; --i) {
     places.push_back({{i, 0}, {moves[i].a, moves[i].tangent(0)}, reach});
-    if (i == 0 || !is_tangent(moves[i - 1], moves[i], kSameTurnDirection)) break;
+    if (i == 0 || !is_tangent(moves[i - 1], moves[i], kSmoothJoint)) break;
     const Segment& move = moves[i - 1];
     for (const double share : kShares)
       if (can_stay(move, 0, 1 - share))
@@ -53,7 +53,7 @@ std::vector<Place> places_after(const std::vector<Segment>& moves, std::size_t l
   double reach = 0;
   for (std::size_t i = last;; ++i) {
     places.push_back({{i, 0}, {moves[i - 1].b, moves[i - 1].tangent(1)}, reach});
-    if (i == moves.size() || !is_tangent(moves[i - 1], moves[i], kSameTurnDirection)) break;
+    if (i == moves.size() || !is_tangent(moves[i - 1], moves[i], kSmoothJoint)) break;
     const Segment& move = moves[i];
     for (const double share : kShares)
       if (can_stay(move, share, 1))

@@ -215,7 +215,7 @@ Vec2 direction_at(const Position& start, const Move& move, bool at_end) {
 Position end_of(const Move& move) { return {move.x, move.y, move.z}; }
 
 // Whether the move numbered `number` is a tiny one in the middle of a smooth level way, which the
-// next, an arc, can begin with.
+// next can begin with.
 bool is_tiny(const std::vector<Move>& moves, std::size_t number,
              const std::optional<Position>& start) {
   if (number < 1 || number + 1 >= moves.size() || (number == 1 && !start)) return false;
@@ -224,19 +224,23 @@ bool is_tiny(const std::vector<Move>& moves, std::size_t number,
   const bool is_alike = move.kind != MoveKind::kRapid && before.kind == move.kind &&
                         next.kind == move.kind && from.z == move.z && before.z == move.z &&
                         next.z == move.z;
-  if (!is_alike || next.sweep == 0 || std::abs(move.sweep) > kUnseenCorner) return false;
+  if (!is_alike || std::abs(move.sweep) > kUnseenCorner) return false;
   const double chord = std::hypot(move.x - before.x, move.y - before.y);
-  const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
-  if (chord > std::min(kTinyMove, 0.5 * kUnseenCorner * radius)) return false;
+  // An arc is turned about its centre; a line about its end, by a part of what the tiny one is off.
+  const double radius = next.sweep != 0 ? std::hypot(next.x - next.cx, next.y - next.cy)
+                                        : std::hypot(next.x - move.x, next.y - move.y);
+  const double length = next.sweep != 0 ? std::abs(next.sweep) * radius : radius;
+  if (chord > kTinyMove || (next.sweep != 0 && chord > 0.5 * kUnseenCorner * radius)) return false;
   const Vec2 in = direction_at(from, before, true), out = direction_at(end_of(move), next, false);
   const Vec2 along{move.x - before.x, move.y - before.y};
   const auto turn = [](Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); };
   return turn(in, out) < 0.75 * kUnseenCorner && turn(in, along) < kUnseenCorner &&
-         std::abs(next.sweep) * radius > kTinyMove;
+         length > std::max(kTinyMove, 2 * chord);
 }
 
-// The arc `next` with what lies between it and `from` as its beginning.
+// The move `next` with what lies between it and `from` as its beginning.
 Move with_beginning(Move next, const Move& from, const Move& tiny) {
+  if (next.sweep == 0) return next;
   const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
   next.sweep += std::copysign(std::hypot(tiny.x - from.x, tiny.y - from.y) / radius, next.sweep);
   return next;

@@ -12,6 +12,8 @@
 #include "judged.h"
 #include "strategy/move_checks.h"
 #include "strategy/tight_turns.h"
+#include "strategy/turn_demands.h"
+#include "strategy/wider_bi_arc.h"
 #include "toolpath/path_commands.h"
 #include "toolpath/small_arc.h"
 
@@ -118,6 +120,30 @@ TEST(TightTurns, AtTheEndOfAPassBecomeOneArcToThere) {
   EXPECT_LE(distance(wide.back().b, moves.back().b), 1e-12);
   for (std::size_t i = 1; i < wide.size(); ++i)
     EXPECT_LE(norm(wide[i - 1].tangent(1) - wide[i].tangent(0)), 1e-5);
+}
+
+// What posts do not show as a corner is none here. Nothing may turn to the right first, so that the
+// second arc must begin beyond the joint.
+TEST(TightTurns, GiveWayToBiArcsPastAJointThatIsAlmostSmooth) {
+  ClearedGround ground = cleared_ground();
+  const Area above({make_region(rectangle(-50, 0, 50, 50))});
+  const TurnDemands demands{above, above, 0.0005, 0.004, 0, &ground, kTheta};
+  for (const double joint : {0.003, 0.02}) {
+    const Segment before = Segment::line({-0.3, 0}, {0, 0}),
+                  tight = Segment::arc({0, 0.194}, 0.194, -kPi / 2, 0.052);
+    const double heading = 0.052 + joint;
+    const Segment after =
+        Segment::arc(tight.b + 0.211 * left_normal(unit(heading)), 0.211, heading - kPi / 2, 0.7);
+    const std::vector<Segment> wide = with_wider_bi_arc({before, tight, after}, 1, 2, demands);
+    if (joint > 0.01) {
+      EXPECT_TRUE(wide.empty());
+      continue;
+    }
+    ASSERT_FALSE(wide.empty());
+    EXPECT_FALSE(has_corners(wide));
+    for (std::size_t i = 1; i < wide.size(); ++i)
+      EXPECT_TRUE(is_tangent(wide[i - 1], wide[i], 1e-5)) << i;
+  }
 }
 
 TEST(TightTurns, StayWhereAWiderArcWouldLeaveThemTooFar) {
