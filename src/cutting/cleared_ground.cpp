@@ -427,20 +427,36 @@ std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x, std::size_t las
   return std::nullopt;
 }
 
-// True when the moves from `first` to `last` are few, and each is tangent to the next.
-bool ClearedGround::runs_on(std::size_t first, std::size_t last) const {
+// True when the moves from `first` to `last` are few, and each is tangent to the next; none turns
+// towards a side (1 left, -1 right) on which the border is looked at, more tightly than the disc is
+// round: there the border has a cusp.
+bool ClearedGround::runs_on(std::size_t first, std::size_t last,
+                            std::initializer_list<double> sides) const {
   if (last - first > kMostInARow) return false;
-  for (std::size_t i = first; i < last; ++i) {
-    const Segment &a = moves_[i].segment(), &b = moves_[i + 1].segment();
+  for (std::size_t i = first; i <= last; ++i) {
+    const Segment& a = moves_[i].segment();
+    for (const double side : sides)
+      if (a.is_arc() && a.sweep * side > 0 && a.radius < moves_[i].swept_radius()) return false;
+    if (i == last) break;
+    const Segment& b = moves_[i + 1].segment();
     if (evenload::distance(a.b, b.a) > kOnBorder || norm(a.tangent(1) - b.tangent(0)) > kTangent)
       return false;
   }
   return true;
 }
 
+// Of the move numbered `move`: 1 left, -1 right.
+double ClearedGround::side_of(std::size_t move, Vec2 x) const {
+  const Segment& s = moves_[move].segment();
+  const double t = s.nearest(x);
+  return cross(s.tangent(t), x - s.point(t)) > 0 ? 1 : -1;
+}
+
 bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b, std::size_t last) const {
   const std::optional<std::size_t> at_a = move_bordering(a, last), at_b = move_bordering(b, last);
-  if (at_a && at_b) return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b));
+  if (at_a && at_b)
+    return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b),
+                   {side_of(*at_a, a), side_of(*at_b, b)});
   if (at_a || at_b || !limited_) return false;
   const BoundaryIndex::Hit edge_a = material_.nearest(a), edge_b = material_.nearest(b);
   return edge_a.curve == edge_b.curve && edge_a.segment == edge_b.segment;

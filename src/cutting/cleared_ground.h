@@ -14,6 +14,7 @@
 #pragma once
 
 #include <cstdint>
+#include <initializer_list>
 #include <optional>
 #include <vector>
 
@@ -61,9 +62,10 @@ class ClearedGround {
   // True when the point `x` holds no material.
   bool is_cleared_point(Vec2 x) const;
   // True when no cusp of the border of the cleared ground is known of between two places on it: one
-  // move swept both sides, or moves that are tangent to each other, or one edge of the stock ends
-  // there. A newer move that bit the border between them is not looked for. As it was before the
-  // move numbered `last`: the disc at the end of a move borders on all of a circle about that end.
+  // move swept both sides, or moves that are tangent to each other, none of which turns towards the
+  // border more tightly than the disc is round, or one edge of the stock ends there. A newer move
+  // that bit the border between them is not looked for. As it was before the move numbered `last`:
+  // the disc at the end of a move borders on all of a circle about that end.
   bool is_smooth_between(Vec2 a, Vec2 b, std::size_t last) const;
   bool is_smooth_between(Vec2 a, Vec2 b) const { return is_smooth_between(a, b, moves_.size()); }
   // True when `x`, which held material before the move numbered `first`, was cleared since.
@@ -109,7 +111,8 @@ class ClearedGround {
                   std::vector<AngularInterval>& set, Continue go_on) const;
   // The newest move before `last` on whose border `x` is.
   std::optional<std::size_t> move_bordering(Vec2 x, std::size_t last) const;
-  bool runs_on(std::size_t first, std::size_t last) const;
+  bool runs_on(std::size_t first, std::size_t last, std::initializer_list<double> sides) const;
+  double side_of(std::size_t move, Vec2 x) const;
   void remove_outside_material(Vec2 p, double base, double radius,
                                std::vector<AngularInterval>& set) const;
   int windows_in(double angle, double radius) const;

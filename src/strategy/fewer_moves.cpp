@@ -211,6 +211,17 @@ class FewerMoves {
     return most_met(made) > limits_.most_met || (leans_left(made) && !leans_left(old));
   }
 
+  // Where a tighter arc begins what is met has a peak, narrower than what lies between two looks.
+  bool joints_hold(const std::vector<Segment>& way) {
+    return std::all_of(way.begin(), way.end() - 1, [&](const Segment& move) {
+      const double heading = angle_of(move.tangent(1));
+      ground_.uncovered(move.b, heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
+      double met = 0;
+      for (const AngularInterval& arc : arcs_) met += arc.width();
+      return met <= limits_.most_met;
+    });
+  }
+
   bool may_be(const std::vector<Segment>& way) const {
     return std::all_of(way.begin(), way.end(), [&](const Segment& move) {
       return move.length() >= kShortest && std::abs(move.curvature()) <= limits_.most_curvature &&
@@ -270,7 +281,7 @@ class FewerMoves {
     const Row made = row_along(way, row.met, limits_.most_met);
     if (is_worse(made, row.met)) return;
     const double gain = gain_of(row, unused_area(made, limits_.least_width), way);
-    if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
+    if (gain > best.gain && joints_hold(way)) best = {std::move(way), gain, row.moves.size()};
   }
 
   void try_fitted(const Given& row, Best& best) {
@@ -285,7 +296,7 @@ class FewerMoves {
       if (most > limits_.most_met) continue;
       if (leans_left(known) && !leans_left(row.met)) return;
       const double gain = gain_of(row, unused_area(known, limits_.least_width), way);
-      if (gain > best.gain) best = {std::move(way), gain, row.moves.size()};
+      if (gain > best.gain && joints_hold(way)) best = {std::move(way), gain, row.moves.size()};
       return;
     }
   }

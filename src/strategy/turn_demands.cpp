@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
@@ -16,6 +17,50 @@ constexpr double kShortestRest = 0.01;
 constexpr double kEngagementSpacing = 0.005;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
+constexpr double kRounding = 1e-9;  // mm
+
+// Means of the engagement over kMeanLength mm of a way that is looked at move by move.
+class MeanLooks {
+ public:
+  explicit MeanLooks(const ClearedGround& ground) : ground_(ground) {}
+
+  // rad, over all of a way that is shorter.
+  double of_all() const { return length_ > 0 ? sum_ / length_ : 0; }
+
+  // The highest mean, rad, that ends on the move from its share `from` on; 0 where there is none.
+  // The ground: before the move.
+  double look_along(const Segment& move, double from) {
+    const double length = (1 - from) * move.length();
+    const int n = std::max(1, static_cast<int>(std::lround(length / kEngagementSpacing)));
+    double most = 0;
+    for (int i = 0; i < n; ++i) {
+      const double t = from + (1 - from) * (i + 0.5) / n;
+      const double right = angle_of(move.tangent(t)) - kPi / 2;
+      ground_.uncovered(move.point(t), right, right + kPi, pieces_, kThin, ground_.size());
+      double met = 0;
+      for (const AngularInterval& piece : pieces_) met += piece.width();
+      looks_.push_back({met, length / n});
+      sum_ += met * length / n;
+      length_ += length / n;
+      while (length_ - looks_.front().length >= kMeanLength - kRounding) {
+        sum_ -= looks_.front().met * looks_.front().length;
+        length_ -= looks_.front().length;
+        looks_.pop_front();
+      }
+      if (length_ >= kMeanLength - kRounding) most = std::max(most, of_all());
+    }
+    return most;
+  }
+
+ private:
+  struct Look {
+    double met, length;  // rad, mm
+  };
+  const ClearedGround& ground_;
+  std::deque<Look> looks_;
+  double sum_ = 0, length_ = 0;
+  std::vector<AngularInterval> pieces_;
+};
 
 }  // namespace
 
@@ -70,28 +115,21 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
                     const TurnDemands& demands) {
   if (!demands.ground) return false;
-  ClearedGround& ground = *demands.ground;
-  for (const Segment& move : before) ground.add(move);
-  const double length = length_of(way), window = std::min(kMeanLength, length);
-  const double spacing = std::min(kEngagementSpacing, length);
-  const auto in_window = static_cast<std::size_t>(std::max(1.0, std::round(window / spacing)));
-  std::vector<double> met;
-  std::vector<AngularInterval> pieces;
-  double sum = 0, most = 0;
-  for (const Segment& move : way) {
-    const int n = std::max(1, static_cast<int>(std::lround(move.length() / spacing)));
-    for (int i = 0; i < n; ++i) {
-      const double t = (i + 0.5) / n, right = angle_of(move.tangent(t)) - kPi / 2;
-      ground.uncovered(move.point(t), right, right + kPi, pieces, kThin, ground.size());
-      met.push_back(0);
-      for (const AngularInterval& piece : pieces) met.back() += piece.width();
-      sum += met.back();
-      if (met.size() > in_window) sum -= met[met.size() - 1 - in_window];
-      most = std::max(most, sum / static_cast<double>(in_window));
-    }
-    ground.add(move);
+  MeanLooks looks(*demands.ground);
+  double until_way = length_of(before);  // mm
+  for (const Segment& move : before) {
+    const double length = move.length(), left_out = until_way - kMeanLength;
+    if (left_out < length) looks.look_along(move, std::max(0.0, left_out / length));
+    demands.ground->add(move);
+    until_way -= length;
   }
-  for (std::size_t i = 0; i < before.size() + way.size(); ++i) ground.remove_last();
+  double most = 0;
+  for (const Segment& move : way) {
+    most = std::max(most, looks.look_along(move, 0));
+    demands.ground->add(move);
+  }
+  if (most == 0) most = looks.of_all();
+  for (std::size_t i = 0; i < before.size() + way.size(); ++i) demands.ground->remove_last();
   return most > demands.engagement + kSmoothOverload;
 }
 

@@ -28,8 +28,8 @@ struct MoveCut {
 
 // Of unit vectors along moves that are tangent to each other.
 inline constexpr double kSameTurnDirection = 1e-5;
-// The same where the way counts as smooth: a quarter of what is a corner in a posted program.
-inline constexpr double kSmoothJoint = 4e-3;
+// The same where the way counts as smooth: a third of what is a corner in a posted program.
+inline constexpr double kSmoothJoint = 6e-3;
 
 // What stays of a move is long enough to be posted as it is, and no tight turn itself.
 bool can_stay(const Segment& move, double from, double to);

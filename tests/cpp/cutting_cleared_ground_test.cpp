@@ -441,6 +441,24 @@ TEST(ClearedGround, HasNoSmoothBorderWhereSweptGroundsMeetInACusp) {
   EXPECT_FALSE(ground.is_smooth_between(on_first, {4, -kRadius}));
 }
 
+// On the inner side of a turn tighter than the disc the border is that of the discs at its ends.
+TEST(ClearedGround, HasNoSmoothBorderInsideATurnTighterThanTheDiscIsRound) {
+  for (const double radius : {0.6 * kRadius, 1.5 * kRadius}) {
+    ClearedGround ground(kField, kRadius, nullptr);
+    const Segment before = Segment::line({-8, 0}, {0, 0}),
+                  turn = Segment::arc({0, -radius}, radius, kPi / 2, -1.0),
+                  after = Segment::line(turn.b, turn.b + 6.0 * turn.tangent(1));
+    for (const Segment& move : {before, turn, after}) ground.add(move);
+    const auto beside = [](const Segment& move, double t, double side) {
+      return move.point(t) + side * kRadius * left_normal(move.tangent(t));
+    };
+    EXPECT_EQ(ground.is_smooth_between(beside(before, 0.2, -1), beside(after, 0.8, -1)),
+              radius > kRadius);
+    EXPECT_TRUE(ground.is_smooth_between(beside(before, 0.2, 1), beside(after, 0.8, 1)));
+    EXPECT_TRUE(ground.is_smooth_between(beside(before, 0.2, 1), beside(turn, 0.5, 1)));
+  }
+}
+
 TEST(ClearedGround, HasASmoothBorderAsItWasBeforeTheToolCameToItsPlace) {
   ClearedGround ground(kField, kRadius, nullptr);
   ground.add(Segment::line({-8, 0}, {8, 0}));
