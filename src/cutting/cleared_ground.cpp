@@ -436,7 +436,8 @@ bool ClearedGround::runs_on(std::size_t first, std::size_t last,
   for (std::size_t i = first; i <= last; ++i) {
     const Segment& a = moves_[i].segment();
     for (const double side : sides)
-      if (a.is_arc() && a.sweep * side > 0 && a.radius < moves_[i].swept_radius()) return false;
+      if (a.is_arc() && a.sweep * side > kTangent && a.radius < moves_[i].swept_radius())
+        return false;
     if (i == last) break;
     const Segment& b = moves_[i + 1].segment();
     if (evenload::distance(a.b, b.a) > kOnBorder || norm(a.tangent(1) - b.tangent(0)) > kTangent)

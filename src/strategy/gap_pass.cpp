@@ -33,8 +33,8 @@ constexpr double kInContact = 0.06 * kPi / 180;
 // A pass that meets no more than this share of the limit gets nowhere.
 constexpr double kLeastMet = 0.5;
 constexpr int kMostShrinking = 50;
-// Where one arc would be posted as lines, a wider one ends the turn: so many times as wide, and no
-// tighter than this, mm; it is led to the wall in at most so many steps.
+// Where one arc would be posted as lines, a wider one may end the turn: so many times as wide, and
+// no tighter than this, mm; it is led to the wall in at most so many steps.
 constexpr double kWidening = 2;
 constexpr double kWidened = 0.1;
 constexpr int kMostLeading = 8;
@@ -89,7 +89,7 @@ class GapPass {
   }
 
   // The way that leaves the wall after `reach` mm, which is not next to nothing; nothing where it
-  // is no gap, or posts could not write the arc.
+  // is no gap, or posts could not write the turn.
   std::optional<Way> way_to(double reach) {
     Way way;
     const Curve& curve = centres_.curves()[start_.curve];
@@ -136,11 +136,9 @@ class GapPass {
     if (std::abs(sweep - kPi) > kMostTaper) return {};
     if (!becomes_corners(r, sweep)) return {Segment::arc(centre, r, begin, sweep)};
     // Where the gap widens the arc is longer than half a turn, and would be written in halves.
-    if (sweep < kPi) return {};
     ends_short_ = true;
     if (ends_wide_) return arcs_across(p, along, touched, r);
     // It ends short of the wall by next to nothing.
-    if (becomes_corners(r, kPi)) return {};
     return {Segment::arc(centre, r, begin, kPi)};
   }
 
@@ -162,7 +160,7 @@ class GapPass {
       const double across =
           dot(wall.point(hit.t) - p - led(wide, heading + first, heading + whole), towards);
       const double tight = across / dot(led(1, heading, heading + first), towards);
-      if (first <= 0 || !(tight > 0) || becomes_corners(tight, first)) return {};
+      if (first <= 0 || first > kPi || !(tight > 0) || becomes_corners(tight, first)) return {};
       const Vec2 joint = p + led(tight, heading, heading + first);
       const Vec2 reached = joint + led(wide, heading + first, heading + whole);
       const bool is_there = distance(reached, end) < kTouches;

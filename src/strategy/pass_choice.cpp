@@ -255,7 +255,10 @@ Pass PassChoice::across_gap(const PassStart& start, double* turn_radius) {
   if (pass.empty())
     if (const std::optional<Pose> exact = clear_before(start.pose.p))
       pass = gap_pass(stages_.back().centres, *exact, ground_, params_.engagement_angle);
-  if (!pass.empty()) *turn_radius = pass.moves.back().radius;
+  if (pass.empty()) return pass;
+  *turn_radius = pass.moves.back().radius;  // of one arc, or of the wider of two
+  if (pass.moves.size() > 1 && pass.moves[pass.moves.size() - 2].is_arc())
+    *turn_radius = std::min(*turn_radius, pass.moves[pass.moves.size() - 2].radius);
   return pass;
 }
 

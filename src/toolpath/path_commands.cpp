@@ -25,6 +25,8 @@ constexpr double kShortestLine = 0.0005;
 // made a part of the next one. On its own it would be turned by degrees when its ends are rounded.
 constexpr double kTinyMove = 0.006;
 constexpr double kUnseenCorner = 0.0175;
+// Of a line that it is made a part of.
+constexpr double kShareOfLine = 0.25;
 // mm: arcs with a shorter chord become lines. Their ends must not coincide after a post rounds
 // them, which would make full circles of them; inch posts round to 0.0001 in, and their roundings
 // at both ends add up to 0.0036 mm.
@@ -226,16 +228,18 @@ bool is_tiny(const std::vector<Move>& moves, std::size_t number,
                         next.z == move.z;
   if (!is_alike || std::abs(move.sweep) > kUnseenCorner) return false;
   const double chord = std::hypot(move.x - before.x, move.y - before.y);
-  // An arc is turned about its centre; a line about its end, by a part of what the tiny one is off.
-  const double radius = next.sweep != 0 ? std::hypot(next.x - next.cx, next.y - next.cy)
+  const double radius = std::hypot(next.x - next.cx, next.y - next.cy);
+  const double length = next.sweep != 0 ? std::abs(next.sweep) * radius
                                         : std::hypot(next.x - move.x, next.y - move.y);
-  const double length = next.sweep != 0 ? std::abs(next.sweep) * radius : radius;
-  if (chord > kTinyMove || (next.sweep != 0 && chord > 0.5 * kUnseenCorner * radius)) return false;
+  if (chord > kTinyMove || length <= kTinyMove) return false;
+  // An arc is turned about its centre; a line about its end, by as large a part of what the tiny
+  // move is off as that is of both.
+  if (next.sweep != 0 ? chord > 0.5 * kUnseenCorner * radius : chord > kShareOfLine * length)
+    return false;
   const Vec2 in = direction_at(from, before, true), out = direction_at(end_of(move), next, false);
   const Vec2 along{move.x - before.x, move.y - before.y};
   const auto turn = [](Vec2 a, Vec2 b) { return std::abs(std::atan2(cross(a, b), dot(a, b))); };
-  return turn(in, out) < 0.75 * kUnseenCorner && turn(in, along) < kUnseenCorner &&
-         length > std::max(kTinyMove, 2 * chord);
+  return turn(in, out) < 0.75 * kUnseenCorner && turn(in, along) < kUnseenCorner;
 }
 
 // The move `next` with what lies between it and `from` as its beginning.

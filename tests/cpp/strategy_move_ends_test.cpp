@@ -47,7 +47,7 @@ TEST(MoveEnds, KeepAnArcWholeOfWhichTheRestWouldBePostedAsLines) {
 }
 
 TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
-  for (const double radius : {0.012, 0.05, 0.07, 0.08, 0.15, 0.4})
+  for (const double radius : {0.009, 0.012, 0.05, 0.07, 0.08, 0.15, 0.4})
     for (const double side : {1.0, -1.0}) {
       const Segment tight = Segment::arc({0, 0}, radius, 0.3, side * 0.02);
       ASSERT_TRUE(is_tight(tight));
@@ -63,7 +63,7 @@ TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
       EXPECT_GT(later.sweep * side, 0);
     }
   EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 1, 0.3, 0.02)), 0);
-  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 0.01, 0, 1)), 0);
+  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, kLeastArcRadius, 0, 1)), 0);
   EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 0.05, 0, 3.2)), 0);
   EXPECT_EQ(lacking_length(Segment::line({0, 0}, {1, 0})), 0);
 }

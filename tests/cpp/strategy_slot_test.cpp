@@ -169,6 +169,8 @@ TEST(SlotRooms, BegunNearTheStretchesStartStayWithinTheWalls) {
         EXPECT_GT(area.signed_distance(piece.point(t)), -2e-4) << s;
   }
   EXPECT_FALSE(room_between(centres, area, stretch, -0.5, round_front(stretch, 30)));
+  const double beyond = stretch.middle.length() + 0.5;
+  EXPECT_FALSE(room_between(centres, area, stretch, beyond, round_front(stretch, 30)));
 }
 
 }  // namespace

@@ -139,7 +139,7 @@ TEST(PathCommands, ATinyMoveInASmoothWayIsAPartOfTheNext) {
     const double heading = tiny / 2;
     const std::vector<Move> line{
         cut_to(-1, 0), cut_to(0, 0), cut_to(length * std::cos(heading), length * std::sin(heading)),
-        cut_to((length + 0.02) * std::cos(heading), (length + 0.02) * std::sin(heading))};
+        cut_to((length + 0.03) * std::cos(heading), (length + 0.03) * std::sin(heading))};
     const auto straight = path_commands(line, Position{-2, 0, -3});
     ASSERT_EQ(straight.size(), 3u) << length;
     EXPECT_EQ(straight[2].x, rounded(line[3].x, 4));
@@ -156,8 +156,8 @@ TEST(PathCommands, ATinyMoveStaysAtACornerAndBeforeATightTurn) {
   const std::vector<Move> aside{cut_to(-1, 0), cut_to(0, 0), cut_to(0, tiny),
                                 turn_about({0, 1.5 + tiny}, 1.5, -kPi / 2, 0.2)};
   EXPECT_EQ(path_commands(aside, Position{-2, 0, -3}).size(), 4u);
-  // Both would be turned.
-  const std::vector<Move> both{cut_to(-1, 0), cut_to(0, 0), cut_to(tiny, 0), cut_to(2.5 * tiny, 0)};
+  // As a part of a line hardly longer it would turn that.
+  const std::vector<Move> both{cut_to(-1, 0), cut_to(0, 0), cut_to(0.005, 0), cut_to(0.013, 0)};
   EXPECT_EQ(path_commands(both, Position{-2, 0, -3}).size(), 4u);
   const Move tight = turn_about({tiny, 0.1}, 0.1, -kPi / 2, 1.5);
   const std::vector<Move> before_turn{cut_to(-1, 0), cut_to(0, 0), cut_to(tiny, 0), tight};

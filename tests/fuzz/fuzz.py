@@ -180,7 +180,9 @@ def judge(case, twice):
     answer["figures"] = figures_of(case, path, scene)
     above = [fault.split()[0] for fault in faults(case, answer)]
     if set(above) & set(MEANS):
-        path, scene = choices.path_and_scene(case, FINEST)
+        if "rest_of" in case:  # the stock as well
+            _, scene = choices.path_and_scene(case, FINEST)
+        scene = {**scene, "resolution": FINEST}
         answer["figures"] = figures_of(case, path, scene, CLOSE_STEP)
     return answer
 
