@@ -124,7 +124,7 @@ class Widening {
     too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
     if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);
-    too_far_ = meets_too_much(kept, {arc}, parts_between(moves_, to, {moves_.size(), 0}), demands_);
+    too_far_ = meets_too_much(kept, {arc}, demands_);
     if (too_far_) return {};
     return replaced(moves_, from, to, {arc});
   }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
-#include <optional>
 
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
@@ -25,15 +24,17 @@ class MeanLooks {
  public:
   explicit MeanLooks(const ClearedGround& ground) : ground_(ground) {}
 
-  // rad: the highest mean so far that ends on moves that count; over all where that is shorter.
-  double most() const { return most_ ? *most_ : length_ > 0 ? sum_ / length_ : 0; }
+  // rad, over all of a way that is shorter.
+  double of_all() const { return length_ > 0 ? sum_ / length_ : 0; }
 
-  // The ground: before the move, of which the shares from `from` to `to` are looked at.
-  void look_along(const Segment& move, double from, double to, bool counts) {
-    const double length = (to - from) * move.length();
+  // The highest mean, rad, that ends on the move from its share `from` on; 0 where there is none.
+  // The ground: before the move.
+  double look_along(const Segment& move, double from) {
+    const double length = (1 - from) * move.length();
     const int n = std::max(1, static_cast<int>(std::lround(length / kEngagementSpacing)));
+    double most = 0;
     for (int i = 0; i < n; ++i) {
-      const double t = from + (to - from) * (i + 0.5) / n;
+      const double t = from + (1 - from) * (i + 0.5) / n;
       const double right = angle_of(move.tangent(t)) - kPi / 2;
       ground_.uncovered(move.point(t), right, right + kPi, pieces_, kThin, ground_.size());
       double met = 0;
@@ -46,9 +47,9 @@ class MeanLooks {
         length_ -= looks_.front().length;
         looks_.pop_front();
       }
-      if (counts && length_ >= kMeanLength - kRounding)
-        most_ = std::max(most_.value_or(0), sum_ / length_);
+      if (length_ >= kMeanLength - kRounding) most = std::max(most, of_all());
     }
+    return most;
   }
 
  private:
@@ -58,7 +59,6 @@ class MeanLooks {
   const ClearedGround& ground_;
   std::deque<Look> looks_;
   double sum_ = 0, length_ = 0;
-  std::optional<double> most_;
   std::vector<AngularInterval> pieces_;
 };
 
@@ -113,30 +113,24 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
 }
 
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
-                    const std::vector<Segment>& after, const TurnDemands& demands) {
+                    const TurnDemands& demands) {
   if (!demands.ground) return false;
-  ClearedGround& ground = *demands.ground;
-  const std::size_t known = ground.size();
-  MeanLooks looks(ground);
+  MeanLooks looks(*demands.ground);
   double until_way = length_of(before);  // mm
   for (const Segment& move : before) {
     const double length = move.length(), left_out = until_way - kMeanLength;
-    if (left_out < length) looks.look_along(move, std::max(0.0, left_out / length), 1, false);
-    ground.add(move);
+    if (left_out < length) looks.look_along(move, std::max(0.0, left_out / length));
+    demands.ground->add(move);
     until_way -= length;
   }
+  double most = 0;
   for (const Segment& move : way) {
-    looks.look_along(move, 0, 1, true);
-    ground.add(move);
+    most = std::max(most, looks.look_along(move, 0));
+    demands.ground->add(move);
   }
-  double left = kMeanLength;  // mm
-  for (auto move = after.begin(); move != after.end() && left > 0; ++move) {
-    looks.look_along(*move, 0, std::min(1.0, left / move->length()), true);
-    ground.add(*move);
-    left -= move->length();
-  }
-  while (ground.size() > known) ground.remove_last();
-  return looks.most() > demands.engagement + kSmoothOverload;
+  if (most == 0) most = looks.of_all();
+  for (std::size_t i = 0; i < before.size() + way.size(); ++i) demands.ground->remove_last();
+  return most > demands.engagement + kSmoothOverload;
 }
 
 }  // namespace evenload

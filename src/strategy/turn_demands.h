@@ -49,10 +49,10 @@ std::vector<Segment> replaced(const std::vector<Segment>& moves, const MoveCut& 
 bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
              const TurnDemands& demands);
 
-// True where a mean over kMeanLength mm with some of `way` in it, which is made between `before`
-// and `after`, is above the limit; over all of them where they are shorter. The ground is left as
-// it was; without one nothing is met.
+// True where a mean over kMeanLength mm that ends on `way`, which is made after `before`, is above
+// the limit; over both where they are shorter. The ground is left as it was; without one nothing is
+// met.
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
-                    const std::vector<Segment>& after, const TurnDemands& demands);
+                    const TurnDemands& demands);
 
 }  // namespace evenload

@@ -94,8 +94,7 @@ std::vector<Segment> with_wider_bi_arc(const std::vector<Segment>& moves, std::s
                           return is_inside(arc, demands.centres, kOnBorder);
                         });
       if (!fits) continue;
-      if (!meets_too_much(parts_between(moves, {0, 0}, pair.from->cut), way,
-                          parts_between(moves, pair.to->cut, {moves.size(), 0}), demands))
+      if (!meets_too_much(parts_between(moves, {0, 0}, pair.from->cut), way, demands))
         return replaced(moves, pair.from->cut, pair.to->cut, way);
       if (++looks == kMostLooks) return {};
     }

@@ -146,33 +146,6 @@ TEST(TightTurns, GiveWayToBiArcsPastAJointThatIsAlmostSmooth) {
   }
 }
 
-// Means over a tenth of a millimetre count what is met before and after the new moves, too.
-TEST(TightTurns, MeetTooMuchTogetherWithWhatIsMetBesideThem) {
-  // A strip of material along the x axis from x = 0 on: its edge lies y mm to the right of the way.
-  const auto meets = [](double aside, double before, double way, double after) {
-    ClearedGround ground({{-20, -20}, {20, 20}}, kToolRadius, nullptr);
-    for (double x = -20; x <= 20; x += 0.5)
-      for (double y = 20; y >= 0; y -= 0.5) ground.add_disc({x, y + aside}, kToolRadius);
-    ground.add(Segment::line({-20, aside}, {20, aside}));
-    const auto line = [](double from, double to) { return Segment::line({from, 0}, {to, 0}); };
-    std::vector<Segment> first, last;
-    if (before > 0) first.push_back(line(-before, 0));
-    if (after > 0) last.push_back(line(way, way + after));
-    const std::size_t known = ground.size();
-    const TurnDemands demands{Area({room()}), Area({room()}), 1, 1, 0, &ground, kTheta};
-    const bool too_much = meets_too_much(first, {line(0, way)}, last, demands);
-    EXPECT_EQ(ground.size(), known);
-    return too_much;
-  };
-  const double limit = kToolRadius * (1 - std::cos(kTheta)), more = limit + 0.1;
-  for (const double beside : {0.0, 1.0}) {
-    EXPECT_TRUE(meets(more, beside, 0.03, 0));
-    EXPECT_TRUE(meets(more, 0, 0.03, beside));
-    EXPECT_FALSE(meets(limit, beside, 0.03, 0));
-    EXPECT_FALSE(meets(limit, 0, 0.03, beside));
-  }
-}
-
 TEST(TightTurns, StayWhereAWiderArcWouldLeaveThemTooFar) {
   ClearedGround ground = cleared_ground();
   const std::vector<Segment> moves = turn(0.3, 0.02, 1.4);
