@@ -215,10 +215,7 @@ class FewerMoves {
   bool joints_hold(const std::vector<Segment>& way) {
     return std::all_of(way.begin(), way.end() - 1, [&](const Segment& move) {
       const double heading = angle_of(move.tangent(1));
-      ground_.uncovered(move.b, heading - kPi / 2, heading + kPi / 2, arcs_, kThin);
-      double met = 0;
-      for (const AngularInterval& arc : arcs_) met += arc.width();
-      return met <= limits_.most_met;
+      return engagement_ahead(ground_, move.b, heading, kThin, arcs_) <= limits_.most_met;
     });
   }
 

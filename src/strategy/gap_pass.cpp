@@ -147,8 +147,8 @@ class GapPass {
   std::vector<Segment> arcs_across(Vec2 p, Vec2 along, Vec2 touched, double r) const {
     const double wide = std::max(kWidening * r, kWidened), last = least_arc_sweep(wide);
     const double heading = angle_of(along);
-    // By one arc, from one heading to another.
-    const auto led = [](double radius, double from, double to) {
+    // From where an arc begins to where it ends, between two headings.
+    const auto chord = [](double radius, double from, double to) {
       return radius * (left_normal(unit(from)) - left_normal(unit(to)));
     };
     Vec2 end = touched;
@@ -158,11 +158,11 @@ class GapPass {
       const Vec2 onto = wall.tangent(hit.t), towards = left_normal(onto);
       const double whole = wrap_positive(angle_of(onto) - heading), first = whole - last;
       const double across =
-          dot(wall.point(hit.t) - p - led(wide, heading + first, heading + whole), towards);
-      const double tight = across / dot(led(1, heading, heading + first), towards);
+          dot(wall.point(hit.t) - p - chord(wide, heading + first, heading + whole), towards);
+      const double tight = across / dot(chord(1, heading, heading + first), towards);
       if (first <= 0 || first > kPi || !(tight > 0) || becomes_corners(tight, first)) return {};
-      const Vec2 joint = p + led(tight, heading, heading + first);
-      const Vec2 reached = joint + led(wide, heading + first, heading + whole);
+      const Vec2 joint = p + chord(tight, heading, heading + first);
+      const Vec2 reached = joint + chord(wide, heading + first, heading + whole);
       const bool is_there = distance(reached, end) < kTouches;
       end = reached;
       if (!is_there) continue;
@@ -176,11 +176,7 @@ class GapPass {
   }
 
   double met_on(const Segment& move, double t, double thin = kThin) {
-    const double heading = angle_of(move.tangent(t));
-    ground_.uncovered(move.point(t), heading - kPi / 2, heading + kPi / 2, arcs_, thin);
-    double met = 0;
-    for (const AngularInterval& arc : arcs_) met += arc.width();
-    return met;
+    return engagement_ahead(ground_, move.point(t), angle_of(move.tangent(t)), thin, arcs_);
   }
 
   int looks_along(const Segment& wall) const {

@@ -92,6 +92,14 @@ std::size_t first_left_behind(const std::vector<Segment>& moves) {
   return first;
 }
 
+double engagement_ahead(const ClearedGround& ground, Vec2 p, double heading, double thin,
+                        std::vector<AngularInterval>& arcs) {
+  ground.uncovered(p, heading - kPi / 2, heading + kPi / 2, arcs, thin);
+  double engaged = 0;
+  for (const AngularInterval& arc : arcs) engaged += arc.width();
+  return engaged;
+}
+
 double idle_end_of(const std::vector<Segment>& moves, double most, ClearedGround& ground) {
   const std::size_t before = ground.size();
   for (const Segment& move : moves) ground.add(move);

@@ -36,6 +36,11 @@ bool is_inside(const Segment& move, const Area& centres, double tolerance);
 std::size_t first_left_behind(const std::vector<Segment>& moves);
 inline constexpr double kComesBack = 1.75 * kPi;
 
+// rad of the tool's leading half circle at `p`, led in the direction `heading` (rad), that touch
+// material thicker than `thin` mm. `arcs` is overwritten.
+double engagement_ahead(const ClearedGround& ground, Vec2 p, double heading, double thin,
+                        std::vector<AngularInterval>& arcs);
+
 // mm at the end of the moves along which the tool touches nothing, `most` at most. `ground`: before
 // the moves, and again in the end.
 double idle_end_of(const std::vector<Segment>& moves, double most, ClearedGround& ground);

@@ -34,6 +34,9 @@ constexpr double kShareGrowth = 1.5;
 // mm: to which the reach behind is found.
 constexpr double kSameReach = 1e-10;
 
+// Of unit vectors: where a new arc ends, and along what follows it.
+constexpr double kSameDirection = 1e-5;
+
 // rad: corners of a wall that turn by less are followed as they are; a pass widens them by next to
 // nothing.
 constexpr double kSharpCorner = 0.2;
@@ -120,7 +123,7 @@ class Widening {
     if (std::abs(half) >= 0.5 * kPi) return {};
     const Segment arc = Segment::from_bulge(a, b, std::tan(half / 2));
     if (is_tight(arc)) return {};
-    if (!free_end_ && norm(arc.tangent(1) - after.tangent(to.t)) > kSameTurnDirection) return {};
+    if (!free_end_ && norm(arc.tangent(1) - after.tangent(to.t)) > kSameDirection) return {};
     too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
     if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);

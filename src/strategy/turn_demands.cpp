@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 
 #include "strategy/links.h"
 #include "strategy/move_checks.h"
@@ -17,50 +16,43 @@ constexpr double kShortestRest = 0.01;
 constexpr double kEngagementSpacing = 0.005;
 // mm: material thinner than this is not seen.
 constexpr double kThin = 1e-6;
-constexpr double kRounding = 1e-9;  // mm
 
-// Means of the engagement over kMeanLength mm of a way that is looked at move by move.
-class MeanLooks {
- public:
-  explicit MeanLooks(const ClearedGround& ground) : ground_(ground) {}
-
-  // rad, over all of a way that is shorter.
-  double of_all() const { return length_ > 0 ? sum_ / length_ : 0; }
-
-  // The highest mean, rad, that ends on the move from its share `from` on; 0 where there is none.
-  // The ground: before the move.
-  double look_along(const Segment& move, double from) {
-    const double length = (1 - from) * move.length();
-    const int n = std::max(1, static_cast<int>(std::lround(length / kEngagementSpacing)));
-    double most = 0;
-    for (int i = 0; i < n; ++i) {
-      const double t = from + (1 - from) * (i + 0.5) / n;
-      const double right = angle_of(move.tangent(t)) - kPi / 2;
-      ground_.uncovered(move.point(t), right, right + kPi, pieces_, kThin, ground_.size());
-      double met = 0;
-      for (const AngularInterval& piece : pieces_) met += piece.width();
-      looks_.push_back({met, length / n});
-      sum_ += met * length / n;
-      length_ += length / n;
-      while (length_ - looks_.front().length >= kMeanLength - kRounding) {
-        sum_ -= looks_.front().met * looks_.front().length;
-        length_ -= looks_.front().length;
-        looks_.pop_front();
-      }
-      if (length_ >= kMeanLength - kRounding) most = std::max(most, of_all());
-    }
-    return most;
-  }
-
- private:
-  struct Look {
-    double met, length;  // rad, mm
-  };
-  const ClearedGround& ground_;
-  std::deque<Look> looks_;
-  double sum_ = 0, length_ = 0;
-  std::vector<AngularInterval> pieces_;
+struct Look {
+  double met = 0, length = 0;  // rad, mm
 };
+
+// Looks along the move from its share `from` on, added to `looks`. The ground: before the move.
+void look_along(const Segment& move, double from, const ClearedGround& ground,
+                std::vector<Look>& looks) {
+  thread_local std::vector<AngularInterval> arcs;
+  const double length = (1 - from) * move.length();
+  const int n = std::max(1, static_cast<int>(std::lround(length / kEngagementSpacing)));
+  for (int i = 0; i < n; ++i) {
+    const double t = from + (1 - from) * (i + 0.5) / n;
+    const double met =
+        engagement_ahead(ground, move.point(t), angle_of(move.tangent(t)), kThin, arcs);
+    looks.push_back({met, length / n});
+  }
+}
+
+// rad: the highest mean over `window` mm, or all there is, that ends with one of the looks from
+// `first` on.
+double highest_mean(const std::vector<Look>& looks, std::size_t first, double window) {
+  double highest = 0, sum = 0, length = 0;
+  std::size_t begin = 0;
+  for (std::size_t i = 0; i < looks.size(); ++i) {
+    sum += looks[i].met * looks[i].length;
+    length += looks[i].length;
+    while (length - looks[begin].length >= window) {
+      sum -= looks[begin].met * looks[begin].length;
+      length -= looks[begin++].length;
+    }
+    if (i < first || (length < window && i + 1 < looks.size())) continue;
+    const double excess = std::max(0.0, length - window);
+    highest = std::max(highest, (sum - excess * looks[begin].met) / (length - excess));
+  }
+  return highest;
+}
 
 }  // namespace
 
@@ -115,21 +107,24 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
                     const TurnDemands& demands) {
   if (!demands.ground) return false;
-  MeanLooks looks(*demands.ground);
+  ClearedGround& ground = *demands.ground;
+  std::vector<Look> looks;
   double until_way = length_of(before);  // mm
   for (const Segment& move : before) {
     const double length = move.length(), left_out = until_way - kMeanLength;
-    if (left_out < length) looks.look_along(move, std::max(0.0, left_out / length));
-    demands.ground->add(move);
+    if (left_out < length) look_along(move, std::max(0.0, left_out / length), ground, looks);
+    ground.add(move);
     until_way -= length;
   }
-  double most = 0;
+  const std::size_t first = looks.size();
   for (const Segment& move : way) {
-    most = std::max(most, looks.look_along(move, 0));
-    demands.ground->add(move);
+    look_along(move, 0, ground, looks);
+    ground.add(move);
   }
-  if (most == 0) most = looks.of_all();
-  for (std::size_t i = 0; i < before.size() + way.size(); ++i) demands.ground->remove_last();
+  for (std::size_t i = 0; i < before.size() + way.size(); ++i) ground.remove_last();
+  const std::vector<Look> own(looks.begin() + static_cast<std::ptrdiff_t>(first), looks.end());
+  const double most = std::max(highest_mean(looks, first, kMeanLength),
+                               highest_mean(own, 0, std::min(kMeanLength, length_of(way))));
   return most > demands.engagement + kSmoothOverload;
 }
 

@@ -26,9 +26,8 @@ struct MoveCut {
   double t = 0;
 };
 
-// Of unit vectors along moves that are tangent to each other.
-inline constexpr double kSameTurnDirection = 1e-5;
-// The same where the way counts as smooth: a third of what is a corner in a posted program.
+// Of unit vectors along moves between which the way counts as smooth: a third of what is a corner
+// in a posted program.
 inline constexpr double kSmoothJoint = 6e-3;
 
 // What stays of a move is long enough to be posted as it is, and no tight turn itself.
@@ -50,8 +49,8 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
              const TurnDemands& demands);
 
 // True where a mean over kMeanLength mm that ends on `way`, which is made after `before`, is above
-// the limit; over both where they are shorter. The ground is left as it was; without one nothing is
-// met.
+// the limit, or over a shorter `way` alone: what follows may be met as well. The ground is left as
+// it was; without one nothing is met.
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
                     const TurnDemands& demands);
 

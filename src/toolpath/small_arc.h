@@ -15,7 +15,8 @@ namespace evenload {
 // The limits of path_commands, below which an arc of at most half a turn becomes lines.
 inline constexpr double kLeastSpan = 0.0052;   // mm^2: radius^2 times the sine of the sweep
 inline constexpr double kSpanlessSweep = 1.6;  // rad, above a quarter turn: longer ones do no harm
-// mm: lines leave tighter arcs by less than twice this.
+// mm: on the grid of 0.0001 mm that programs are written on, the ends of tighter arcs would turn by
+// a degree. Lines leave them by less than twice this.
 inline constexpr double kLeastArcRadius = 0.007;
 // mm: largest distance of lines from the arc that they stand for, on its inner side.
 inline constexpr double kArcSagitta = 0.004;

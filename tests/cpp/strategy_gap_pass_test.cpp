@@ -42,6 +42,11 @@ class InAGap : public testing::TestWithParam<Gap> {
  protected:
   InAGap() : centres({GetParam().room}), ground({{-4, -4}, {8, 4}}, kRadius, nullptr) {}
 
+  bool has_straight_walls() const {
+    const std::vector<Segment> walls = GetParam().room.outer.segments();
+    return std::none_of(walls.begin(), walls.end(), [](const Segment& s) { return s.is_arc(); });
+  }
+
   // On the wall that leads along the x axis, with the gap to its left.
   Pose on_wall(double x) const {
     const BoundaryIndex::Hit hit = centres.nearest({x, -1});
@@ -86,6 +91,11 @@ TEST_P(InAGap, PassesTurnAboutByArcsThatPostsCanWriteAndGetOnAsFarAsTheEngagemen
       EXPECT_TRUE(is_inside(move, centres, 1e-6));
       for (int k = 0; k <= 200; ++k) most = std::max(most, met_at(move, k / 200.0));
       for (int k = 0; k <= 200; ++k) front = std::max(front, move.point(k / 200.0).x);
+    }
+    if (has_straight_walls()) {
+      const auto arcs = std::count_if(pass.moves.begin(), pass.moves.end(),
+                                      [](const Segment& move) { return move.is_arc(); });
+      EXPECT_EQ(arcs, GetParam().name == "opening" ? 2 : 1);
     }
     EXPECT_LT(centres.nearest(pass.moves.back().b).distance, 1e-3);
     EXPECT_GT(pass.moves.back().b.y, 0);  // on the other wall
