@@ -161,19 +161,32 @@ void ClearedGround::visit_cells(const SweptMove& swept, Visit visit) {
 void ClearedGround::add(const Segment& move, double swept_radius) {
   EVENLOAD_ASSERT(std::isfinite(move.a.x + move.a.y + move.b.x + move.b.y));
   const SweptMove swept(move, swept_radius);
-  const auto id = static_cast<std::int32_t>(moves_.size());
   moves_.push_back(swept);
   marks_.push_back({entries_.size(), thinnings_.size()});
-  visit_cells(swept, [&](Cell& cell, Vec2 centre) {
+  spread(swept);
+}
+
+void ClearedGround::spread(const SweptMove& part) {
+  const SweptMove whole = moves_.back();
+  const auto id = static_cast<std::int32_t>(moves_.size()) - 1;
+  const double radius = whole.swept_radius();
+  visit_cells(part, [&](Cell& cell, Vec2 centre) {
     if (cell.covered_by >= 0) return;
-    if (!swept.is_within(centre, swept_radius + reach_)) return;
-    if (swept_radius > reach_ && swept.is_within(centre, swept_radius - reach_)) {
+    if (!part.is_within(centre, radius + reach_)) return;
+    if (radius > reach_ && whole.is_within(centre, radius - reach_)) {
       cell.covered_by = id;
-    } else {
+    } else if (cell.newest < 0 || entries_[static_cast<std::size_t>(cell.newest)].move != id) {
       list(cell, id);
       if (is_long(cell, kLongList, kLongGrowth)) thin(cell, centre);
     }
   });
+}
+
+void ClearedGround::extend_last(const Segment& longer, const Segment& more) {
+  EVENLOAD_ASSERT(moves_.size() > settled_);
+  const double radius = moves_.back().swept_radius();
+  moves_.back() = SweptMove(longer, radius);
+  spread(SweptMove(more, radius));
 }
 
 void ClearedGround::list(Cell& cell, std::int32_t move) {

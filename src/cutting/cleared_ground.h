@@ -43,6 +43,9 @@ class ClearedGround {
   void add_disc(Vec2 centre, double radius) { add(Segment::line(centre, centre), radius); }
   // Takes back the newest move. Condition: it was added since the last settle().
   void remove_last();
+  // The newest move becomes `longer`, which goes on from its end by `more`. The same as to take it
+  // back and to add the longer one, at the price of what is new. Condition: as remove_last().
+  void extend_last(const Segment& longer, const Segment& more);
   // The moves made so far stay: long lists about those from `first` on are thinned for good. Moves
   // that are only tried then need not thin them over and over.
   void settle(std::size_t first);
@@ -117,6 +120,8 @@ class ClearedGround {
                                std::vector<AngularInterval>& set) const;
   int windows_in(double angle, double radius) const;
   const Cell& cell_at(Vec2 x) const;
+  // Writes down in all cells near `part`, the newest move or a part of it, what that move sweeps.
+  void spread(const SweptMove& part);
   void list(Cell& cell, std::int32_t move);
   bool is_long(const Cell& cell, std::int32_t least, double growth) const;
   void thin(Cell& cell, Vec2 centre);

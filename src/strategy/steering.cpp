@@ -95,11 +95,11 @@ void Steering::append(const Segment& move) {
                      pass_.moves.back().length() < kLongestJoined * radius_;
   if (joins) {
     pass_.moves.back() = joined(pass_.moves.back(), move);
-    ground_.remove_last();
+    ground_.extend_last(pass_.moves.back(), move);
   } else {
     pass_.moves.push_back(move);
+    ground_.add(move);
   }
-  ground_.add(pass_.moves.back());
 }
 
 void Steering::cut_back(double length) {

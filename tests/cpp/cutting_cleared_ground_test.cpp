@@ -225,6 +225,45 @@ TEST(ClearedGround, IsAsItWasAfterTheNewestMoveIsTakenBack) {
   }
 }
 
+TEST(ClearedGround, UncoversTheSameWhetherAMoveIsAddedWholeOrExtended) {
+  std::mt19937 random(31);
+  for (int round = 0; round < 40; ++round) {
+    ClearedGround whole(kField, kRadius, nullptr), extended(kField, kRadius, nullptr);
+    std::vector<AngularInterval> a, b;
+    const auto expect_same = [&] {
+      ASSERT_EQ(whole.size(), extended.size());
+      for (int look = 0; look < 40; ++look) {
+        const Vec2 p{uniform(random, -12, 12), uniform(random, -12, 12)};
+        whole.uncovered(p, 0, 2 * kPi, a);
+        extended.uncovered(p, 0, 2 * kPi, b);
+        ASSERT_EQ(a.size(), b.size());
+        for (std::size_t i = 0; i < a.size(); ++i) {
+          EXPECT_EQ(a[i].low, b[i].low);
+          EXPECT_EQ(a[i].high, b[i].high);
+        }
+      }
+    };
+    for (int i = 0; i < 3; ++i) {
+      const Segment move = random_move(random).move;
+      whole.add(move);
+      const int parts = 1 + static_cast<int>(random() % 6);
+      for (int k = 0; k < parts; ++k) {
+        const double from = static_cast<double>(k) / parts, to = (k + 1.0) / parts;
+        if (k == 0)
+          extended.add(k + 1 < parts ? move.part(0, to) : move);
+        else
+          extended.extend_last(k + 1 < parts ? move.part(0, to) : move, move.part(from, to));
+      }
+      expect_same();
+    }
+    for (int i = 0; i < 2; ++i) {
+      whole.remove_last();
+      extended.remove_last();
+      expect_same();
+    }
+  }
+}
+
 TEST(ClearedGround, SettledUncoversTheSameAndMovesThatAreTriedCanBeTakenBack) {
   std::mt19937 random(23);
   ClearedGround settled(kField, kRadius, nullptr), plain(kField, kRadius, nullptr);
