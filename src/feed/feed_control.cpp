@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <deque>
 #include <limits>
 
 #include "feed/mean_load.h"
@@ -81,67 +80,116 @@ class PieceCost {
   double least_load_;
 };
 
-// The best division of samples [first, last) into pieces of one feed. `load` is theirs.
-std::vector<FeedPiece> divide(const std::vector<PlanarRun>& runs,
-                              const std::vector<LoadSample>& profile, std::size_t first,
-                              std::size_t last, const MeanLoad& load, const FeedParams& params) {
-  const std::size_t n = last - first;
-  std::vector<double> cost(n + 1, std::numeric_limits<double>::infinity()), feed(n + 1, 0);
-  std::vector<std::size_t> from(n + 1, 0);
-  const bool is_even = params.least_load > 0;
-  const auto move_at = [&](std::size_t i) { return profile[first + i].move; };
-  const auto segment_at = [&](std::size_t i) -> const Segment& {
-    return runs[profile[first + i].run].moves[move_at(i)].segment;
-  };
-  const std::vector<char> may_change =
-      places_for_change(runs, profile, first, last, is_even ? kShortestEven : kShortestPart);
-  std::vector<double> allowed(n);
-  for (std::size_t i = 0; i < n; ++i) allowed[i] = allowed_feed(load.share(i, i + 1, 0), params);
-  // The least time up to a sample, were every sample a piece of its own.
-  std::vector<double> least(n + 1, 0);
-  for (std::size_t i = 0; i < n; ++i)
-    least[i + 1] = least[i] + profile[first + i].length / allowed[i] * 60;
-  cost[0] = 0;
-  const double shortest = is_even ? kShortestEven : params.steps.shortest;
-  const PieceCost cost_of(params);
-  // What the places where the piece may begin cost beyond that least time: those that are the least
-  // from themselves on, in order.
-  std::deque<std::size_t> cheapest;
-  const auto beyond_least = [&](std::size_t i) { return cost[i] - least[i]; };
-  for (std::size_t j = 1; j <= n; ++j) {
-    while (!cheapest.empty() && beyond_least(cheapest.back()) >= beyond_least(j - 1))
-      cheapest.pop_back();
-    cheapest.push_back(j - 1);
-    if (cheapest.front() + kLongestPiece < j) cheapest.pop_front();
-    if (!may_change[j - 1]) continue;
-    const double spent = beyond_least(cheapest.front());
-    double share = 0, length = 0, least_share = std::numeric_limits<double>::infinity();
-    const bool move_ends = j == n || move_at(j) != move_at(j - 1);
-    const double price = move_ends ? kChangePrice : params.steps.price;
-    for (std::size_t i = j; i-- > 0 && j - i <= kLongestPiece;) {
-      share = load.share(i, j, share);
-      length += profile[first + i].length;
-      const bool move_begins = i == 0 || move_at(i) != move_at(i - 1);
-      least_share = std::min(least_share, profile[first + i].share);
-      if (length < shortest && !(move_begins && move_ends)) continue;
-      const double own = cost_of(length, share, least_share);
-      // What a piece loses grows with its length, but for means, next to always.
-      if (least[i] + spent + own + price >= cost[j] + kRounding) break;
-      const double total = cost[i] + own + price;
-      if (total >= cost[j]) continue;
-      const bool is_within = !move_begins && !move_ends && move_at(i) == move_at(j - 1);
-      if (is_within && !can_be_part(segment_at(i), length, shortest)) continue;
-      cost[j] = total;
-      feed[j] = allowed_feed(share, params);
-      from[j] = i;
+// The best division of samples into pieces of one feed, by dynamic programming: from sample to
+// sample those places are carried along where the last piece may begin. A piece costs no less than
+// its parts do without the prices of their blocks (for means, next to always). So where a piece up
+// to here that began at one place costs as much as the best pieces up to here, it is better from
+// here on to begin another one here: that place is dropped as soon as the other can be a piece.
+class Division {
+ public:
+  // Samples [first, last), `load` is theirs.
+  Division(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
+           std::size_t first, std::size_t last, const MeanLoad& load, const FeedParams& params)
+      : runs_(runs),
+        samples_(profile.data() + first),
+        first_(first),
+        count_(last - first),
+        load_(load),
+        params_(params),
+        cost_of_(params),
+        shortest_(params.least_load > 0 ? kShortestEven : params.steps.shortest),
+        may_change_(places_for_change(runs, profile, first, last,
+                                      params.least_load > 0 ? kShortestEven : kShortestPart)),
+        best_(count_ + 1) {
+    best_[0].cost = 0;
+    for (std::size_t end = 1; end <= count_; ++end) {
+      if (end == 1 || may_change_[end - 2]) starts_.push_back({end - 1, best_[end - 1].cost});
+      lengthen_to(end);
+      if (!may_change_[end - 1]) continue;
+      find_best(end);
+      drop_beaten(end);
     }
   }
-  std::vector<FeedPiece> pieces;
-  for (std::size_t j = n; j > 0; j = from[j])
-    pieces.push_back({first + from[j], first + j, feed[j]});
-  std::reverse(pieces.begin(), pieces.end());
-  return pieces;
-}
+
+  std::vector<FeedPiece> pieces() const {
+    std::vector<FeedPiece> result;
+    for (std::size_t end = count_; end > 0; end = best_[end].from)
+      result.push_back({first_ + best_[end].from, first_ + end, best_[end].feed});
+    std::reverse(result.begin(), result.end());
+    return result;
+  }
+
+ private:
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+  // The best pieces up to a sample: what they cost, and the last of them.
+  struct Best {
+    double cost = std::numeric_limits<double>::infinity();  // s
+    std::size_t from = 0;
+    double feed = 0;
+  };
+  // Where the last piece may begin, and that piece up to the sample that was looked at last.
+  struct Start {
+    std::size_t at = 0;
+    double cost = 0;  // s: of the pieces before
+    double share = 0, least_share = std::numeric_limits<double>::infinity();
+    double own = 0;                 // s
+    std::size_t beaten_by = kNone;  // a later place
+  };
+
+  bool move_begins(std::size_t i) const {
+    return i == 0 || samples_[i].move != samples_[i - 1].move;
+  }
+  bool move_ends(std::size_t end) const { return end == count_ || move_begins(end); }
+
+  bool can_be_piece(std::size_t from, std::size_t end) const {
+    const double length = load_.length(from, end);
+    const bool begins = move_begins(from), ends = move_ends(end);
+    if (length < shortest_ && !(begins && ends)) return false;
+    if (begins || ends || samples_[from].move != samples_[end - 1].move) return true;
+    return can_be_part(runs_[samples_[from].run].moves[samples_[from].move].segment, length,
+                       shortest_);
+  }
+
+  void lengthen_to(std::size_t end) {
+    if (starts_.front().at + kLongestPiece < end) starts_.erase(starts_.begin());
+    for (Start& start : starts_) {
+      start.share = load_.share(start.at, end, start.share);
+      start.least_share = std::min(start.least_share, samples_[end - 1].share);
+    }
+  }
+
+  // Of places that are as good the last is taken.
+  void find_best(std::size_t end) {
+    Best& best = best_[end];
+    const double price = move_ends(end) ? kChangePrice : params_.steps.price;
+    for (auto start = starts_.rbegin(); start != starts_.rend(); ++start) {
+      start->own = cost_of_(load_.length(start->at, end), start->share, start->least_share);
+      const double cost = start->cost + start->own + price;
+      if (cost < best.cost && can_be_piece(start->at, end))
+        best = {cost, start->at, allowed_feed(start->share, params_)};
+    }
+  }
+
+  void drop_beaten(std::size_t end) {
+    for (Start& start : starts_)
+      if (start.beaten_by == kNone && start.cost + start.own + kRounding >= best_[end].cost)
+        start.beaten_by = end;
+    std::erase_if(starts_, [&](const Start& start) {
+      return start.beaten_by < end && can_be_piece(start.beaten_by, end);
+    });
+  }
+
+  const std::vector<PlanarRun>& runs_;
+  const LoadSample* samples_;
+  std::size_t first_, count_;
+  const MeanLoad& load_;
+  const FeedParams& params_;
+  PieceCost cost_of_;
+  double shortest_;  // mm
+  std::vector<char> may_change_;
+  std::vector<Best> best_;  // for each number of samples
+  std::vector<Start> starts_;
+};
 
 // s, a price for every change of feed in it.
 double cost_of(const std::vector<FeedPiece>& pieces, const std::vector<LoadSample>& profile,
@@ -182,7 +230,7 @@ std::vector<FeedPiece> pieces_of(const std::vector<PlanarRun>& runs,
                                  const std::vector<LoadSample>& profile, std::size_t first,
                                  std::size_t last, const FeedParams& params) {
   const auto divided = [&](const MeanLoad& load) {
-    return divide(runs, profile, first, last, load, params);
+    return Division(runs, profile, first, last, load, params).pieces();
   };
   const LoadSample* samples = profile.data() + first;
   const auto held = [&] { return divided(MeanLoad(samples, last - first, 0)); };

@@ -29,6 +29,7 @@ MeanLoad::MeanLoad(const LoadSample* samples, std::size_t count, double window)
     while (behind + 1 < count && until_[behind + 1] <= from) ++behind;
     after_.push_back((sum_until(ahead, to) - sum_[i]) / window_);
     before_.push_back((sum_[i] - sum_until(behind, from)) / window_);
+    latest_.push_back(behind);
   }
 }
 

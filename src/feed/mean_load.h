@@ -22,15 +22,24 @@ class MeanLoad {
   // Means over `window` mm; 0: each sample is looked at by itself.
   MeanLoad(const LoadSample* samples, std::size_t count, double window);
 
+  // mm: of the samples [first, last).
+  double length(std::size_t first, std::size_t last) const { return until_[last] - until_[first]; }
+
   // What the samples [first, last) have in common at one feed: the greatest mean over a window that
-  // they hold, or over all of them where they hold none. `without_first`: the same of the samples
-  // [first + 1, last).
-  double share(std::size_t first, std::size_t last, double without_first) const {
-    const double length = until_[last] - until_[first];
-    if (window_ <= 0 || length <= 0) return std::max(without_first, share_[first]);
-    if (length <= window_) return (sum_[last] - sum_[first]) / length;
-    const bool is_first_window = until_[last] - until_[first + 1] <= window_;
-    return std::max(after_[first], is_first_window ? before_[last] : without_first);
+  // they hold, or over all of them where they hold none. `without_last`: the same of the samples
+  // [first, last - 1).
+  double share(std::size_t first, std::size_t last, double without_last) const {
+    const double whole = length(first, last);
+    if (window_ <= 0 || whole <= 0) return std::max(without_last, share_[last - 1]);
+    if (whole <= window_) return (sum_[last] - sum_[first]) / whole;
+    double greatest = before_[last];
+    if (length(first, last - 1) > window_) greatest = std::max(greatest, without_last);
+    // Windows that the last sample has made room for.
+    for (std::size_t i = std::max(first, latest_[last]); length(i, last - 1) <= window_; --i) {
+      greatest = std::max(greatest, after_[i]);
+      if (i == first) break;
+    }
+    return greatest;
   }
 
   // Lowers feeds, those of the fastest pieces first, where the mean of share times feed over a
@@ -48,6 +57,7 @@ class MeanLoad {
   std::vector<double> until_;  // mm, to the start of each sample, and to the end of the last
   std::vector<double> sum_;    // of shares times mm, likewise
   std::vector<double> after_, before_;  // means over the windows after and before these places
+  std::vector<std::size_t> latest_;     // the last place a window and more before each
 };
 
 }  // namespace evenload

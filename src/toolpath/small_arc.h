@@ -52,11 +52,13 @@ inline int lines_in_place_of(double radius, double sweep) {
   return radius < kLeastArcRadius ? pieces : pieces * lines_of_arc(radius, sweep / pieces);
 }
 
-// For arcs of at most half a turn.
+// For arcs of at most half a turn. Condition: spanless_sweep <= kSpanlessSweep + kSweepMargin.
 inline bool spans_next_to_nothing(double radius, double sweep, double least_span,
                                   double spanless_sweep) {
-  return radius * radius * std::abs(std::sin(sweep)) < least_span &&
-         std::abs(sweep) < spanless_sweep;
+  const double turn = std::abs(sweep), square = radius * radius;
+  if (turn >= spanless_sweep) return false;
+  // Up to there the sine is more than 0.6 times the angle: most arcs need none.
+  return 0.6 * square * turn < least_span && square * std::sin(turn) < least_span;
 }
 
 // True for an arc of `radius` mm and `sweep` rad that becomes lines with corners above one degree,

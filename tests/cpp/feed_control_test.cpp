@@ -255,6 +255,78 @@ TEST(FeedControl, IsTheFasterTheFinerItsSteps) {
   EXPECT_LT(fine_time, 0.99 * coarse_time);
 }
 
+// s: the least that the moves of one cut, lines, can take, with the prices of changes of feed; by
+// trying all that a piece of one feed may be.
+double least_cost(const std::vector<LoadSample>& samples, const FeedParams& params) {
+  constexpr double kPricePerMove = 0.0005, kShortestPart = 0.1;
+  const std::size_t n = samples.size();
+  const auto ends = [&](std::size_t i) {
+    return i == 0 || i == n || samples[i].move != samples[i - 1].move;
+  };
+  const auto may_change = [&](std::size_t i) {
+    if (ends(i)) return true;
+    double before = 0, after = 0;
+    for (std::size_t k = i; k-- > 0 && samples[k].move == samples[i].move;)
+      before += samples[k].length;
+    for (std::size_t k = i; k < n && samples[k].move == samples[i].move; ++k)
+      after += samples[k].length;
+    return std::min(before, after) >= kShortestPart;
+  };
+  std::vector<double> cost(n + 1, 1e9);
+  cost[0] = 0;
+  for (std::size_t to = 1; to <= n; ++to) {
+    if (!may_change(to)) continue;
+    double share = 0, length = 0;
+    for (std::size_t from = to; from-- > 0;) {
+      share = std::max(share, samples[from].share);
+      length += samples[from].length;
+      if (length < params.steps.shortest && !(ends(from) && ends(to))) continue;
+      cost[to] = std::min(cost[to], cost[from] + length / allowed_feed(share, params) * 60 +
+                                        (ends(to) ? kPricePerMove : params.steps.price));
+    }
+  }
+  return cost[n];
+}
+
+TEST(FeedControl, DividesMovesSoThatTimeAndBlocksTogetherAreLeast) {
+  constexpr double kPricePerMove = 0.0005;
+  std::mt19937 random(29);
+  int divided = 0;
+  for (int round = 0; round < 60; ++round) {
+    // One cut, straight on, as samples of a fiftieth of a millimetre and more, in moves of any
+    // length; the load climbs, stays and falls.
+    std::vector<PlanarRun> runs(1);
+    std::vector<LoadSample> profile;
+    double x = 0, share = 0.2;
+    for (std::size_t m = 0; m < 12; ++m) {
+      const double length = uniform(random, 0.05, 4), slope = uniform(random, -1, 1);
+      const bool is_even = random() % 3 == 0;
+      const int count = 1 + static_cast<int>(length / uniform(random, 0.02, 0.2));
+      runs[0].moves.push_back({MoveKind::kCut, Segment::line({x, 0}, {x + length, 0})});
+      x += length;
+      for (int i = 0; i < count; ++i) {
+        if (!is_even) share = std::clamp(share + slope * length / count, 0.05, 1.1);
+        LoadSample sample{0, m, (i + 0.5) / count, length / count, 0, 0, 0, 0};
+        sample.share = share;
+        profile.push_back(sample);
+      }
+    }
+    const FeedParams params;
+    const double least = least_cost(profile, params);
+    const std::vector<double> feeds = set_constant_load(runs, profile, params);
+    double cost = kPricePerMove;
+    for (std::size_t i = 0; i < feeds.size(); ++i) {
+      cost += profile[i].length / feeds[i] * 60;
+      if (i + 1 == feeds.size() || std::abs(feeds[i + 1] - feeds[i]) < 1e-9 * feeds[i]) continue;
+      const bool is_within = profile[i].move == profile[i + 1].move;
+      cost += is_within ? params.steps.price : kPricePerMove;
+      divided += is_within;
+    }
+    EXPECT_LE(cost, least + 1e-6) << round;
+  }
+  EXPECT_GT(divided, 100);
+}
+
 TEST(FeedControl, IsNoSlowerThanOneFeedForEachMove) {
   // A change of feed where a move ends has a price of half a millisecond.
   constexpr double kPricePerMove = 0.0005;
