@@ -218,6 +218,34 @@ bool runs_on(const PlanarMove& before, const PlanarMove& after) {
          norm(before.segment.tangent(1) - after.segment.tangent(0)) < kSameDirection;
 }
 
+}  // namespace
+
+void LoadProfiler::come_down(const Descent& descent) {
+  add_descent(descent, ground_);
+  ++runs_;
+  moves_ = 0;
+  before_.reset();
+}
+
+void LoadProfiler::look_along(const PlanarMove& move) {
+  const LoadSample where{runs_ - 1, moves_, 0.5, move.segment.length(), 0, 0, 0, 0};
+  if (move.kind == MoveKind::kCut) {
+    const Load* at_start = before_ && runs_on(*before_, move) ? &load_ : nullptr;
+    load_ = MoveProfile(ground_, move, where, share_, profile_).cover(spacing_, at_start);
+  } else {
+    profile_.push_back(where);
+  }
+  pass_by(move);
+}
+
+void LoadProfiler::pass_by(const PlanarMove& move) {
+  ground_.add(move.segment);
+  before_ = move;
+  ++moves_;
+}
+
+namespace {
+
 // A move of the path, by its run.
 struct Place {
   std::size_t run = 0, move = 0;
@@ -229,26 +257,16 @@ bool operator<(Place a, Place b) { return std::pair(a.run, a.move) < std::pair(b
 std::vector<LoadSample> profile_between(const std::vector<PlanarRun>& runs, Place from, Place end,
                                         ClearedGround& ground, double spacing,
                                         const LoadShare& share) {
-  std::vector<LoadSample> profile;
-  for (std::size_t i = 0; i < runs.size(); ++i) {
-    if (!(Place{i, 0} < end)) break;
-    add_descent(runs[i].descent, ground);
-    Load load;
-    for (std::size_t j = 0; j < runs[i].moves.size() && Place{i, j} < end; ++j) {
-      const PlanarMove& move = runs[i].moves[j];
-      if (!(Place{i, j} < from)) {
-        const LoadSample where{i, j, 0.5, move.segment.length(), 0, 0, 0, 0};
-        if (move.kind == MoveKind::kCut)
-          load =
-              MoveProfile(ground, move, where, share, profile)
-                  .cover(spacing, j > 0 && runs_on(runs[i].moves[j - 1], move) ? &load : nullptr);
-        else
-          profile.push_back(where);
-      }
-      ground.add(move.segment);
-    }
+  LoadProfiler profiler(ground, spacing, share);
+  for (std::size_t i = 0; i < runs.size() && Place{i, 0} < end; ++i) {
+    profiler.come_down(runs[i].descent);
+    for (std::size_t j = 0; j < runs[i].moves.size() && Place{i, j} < end; ++j)
+      if (Place{i, j} < from)
+        profiler.pass_by(runs[i].moves[j]);
+      else
+        profiler.look_along(runs[i].moves[j]);
   }
-  return profile;
+  return profiler.profile();
 }
 
 // Where a second core may begin: about half of the way to be cut comes before, and the load there

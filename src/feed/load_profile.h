@@ -1,7 +1,9 @@
 // What the tool meets along a finished planar path, looked at anew from the moves alone.
 #pragma once
 
+#include <cstddef>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -29,6 +31,35 @@ struct LoadSample {
   double width = 0;               // mm: area removed per mm of path, mean over the piece
   double chip = 0;                // as Load has it, the largest on the piece
   double share = 0;               // likewise
+};
+
+// The load along a path that is told move by move, in pieces of at most `spacing` mm, shorter where
+// it changes, longer in moves that are told to meet a smooth front.
+class LoadProfiler {
+ public:
+  // `ground`: what was cleared before; moves and descents are added to it. Both references must
+  // outlive this object. Without a `share` the samples' shares are 0.
+  LoadProfiler(ClearedGround& ground, double spacing, const LoadShare& share)
+      : ground_(ground), spacing_(spacing), share_(share) {}
+
+  // The next run begins.
+  void come_down(const Descent& descent);
+  // The next move of the run.
+  void look_along(const PlanarMove& move);
+  // The same, but for its load: it is made. Condition: the next move that is looked along does not
+  // run on from it without a turn.
+  void pass_by(const PlanarMove& move);
+
+  const std::vector<LoadSample>& profile() const { return profile_; }
+
+ private:
+  ClearedGround& ground_;
+  double spacing_;
+  const LoadShare& share_;
+  std::size_t runs_ = 0, moves_ = 0;  // so far, of the last run
+  std::optional<PlanarMove> before_;  // in this run
+  Load load_;                         // where it ends, if it cuts
+  std::vector<LoadSample> profile_;
 };
 
 // The load along every move of `runs`, in pieces of at most `spacing` mm, shorter where it changes,

@@ -48,6 +48,8 @@ struct Segment {
   double nearest(Vec2 q) const;              // t of the point nearest to q
   double distance_to(Vec2 q) const;          // mm
   Bounds bounds() const;                     // the smallest box with sides along the axes
+
+  bool operator==(const Segment&) const = default;
 };
 
 // Arcs flatter than this bulge, or with less sagitta than kStraightSagitta mm, are read as lines:

@@ -8,6 +8,7 @@
 
 #include "cutting/engagement.h"
 #include "feed/feed_limit.h"
+#include "feed/following_profile.h"
 #include "feed/load_profile.h"
 #include "geometry/fine_corners.h"
 #include "geometry/medial_axis.h"
@@ -229,6 +230,12 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   if (rest) params.stock = bared(mirror ? mirrored(*params.stock) : *params.stock);
   const std::vector<Region>& material = rest ? *params.stock : regions;
   const int levels = static_cast<int>(params.levels.size());
+  const Bounds bounds = bounds_of(centres);
+  ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
+                       radius, open || rest ? &material : nullptr);
+  if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
+  FollowingProfile following(
+      ground, kLoadSpacing * std::min(1.0, params.engagement_angle / kEvenAngle), share_of_nominal);
   TightTurns tight_turns;
   std::vector<PlanarRun> runs;
   for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
@@ -255,6 +262,9 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
     if (i == hole_region) task.hole = hole;
     task.mirrored = mirror;
     if (abridged) task.whole_place = abridged->whole_place;
+    task.follow = [&following, first = runs.size()](const std::vector<PlanarRun>& made) {
+      following.follow(made, first);
+    };
     Progress share([&](double done) {
       return progress.report((static_cast<double>(i) + done) / static_cast<double>(parts.size()));
     });
@@ -272,16 +282,9 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
           tight_turns_note(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
     path.report.notes.push_back(*note);
 
-  Bounds bounds = bounds_of(centres);
-  ClearedGround ground({bounds.low - Vec2{radius, radius}, bounds.high + Vec2{radius, radius}},
-                       radius, open || rest ? &material : nullptr);
-  if (hole) ground.add_disc(*hole, 0.5 * params.hole_diameter);
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;
-  if (!progress.cancelled())
-    profile = load_profile(runs, ground,
-                           kLoadSpacing * std::min(1.0, params.engagement_angle / kEvenAngle),
-                           share_of_nominal);
+  if (!progress.cancelled()) profile = following.finish(runs, ground);
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
   RemovedByPeriod removed_by_period;

@@ -368,6 +368,7 @@ class RegionClearing {
     end_later(pass.moves, {ground_, ground_.size()}, exact_);
     slivers_.cut(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
+    if (task_.follow && !task_.is_part && !is_opened()) task_.follow(result_.runs);
     if (turn_radius > 0 && turn_radius < tightest_) {
       tightest_ = turn_radius;
       tightest_at_ = sharpest_place(pass.moves);

@@ -54,6 +54,8 @@ struct RegionTask {
   RegionResult opening;
   // What the opening has cleared, with the hole; nullptr: to be found anew.
   const ClearedGround* opened = nullptr;
+  // Told of the runs so far after every pass, unless they are a part or go on from an opening.
+  std::function<void(const std::vector<PlanarRun>&)> follow;
 };
 
 // Where a place of the task is shown to the user.

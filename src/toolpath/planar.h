@@ -19,6 +19,8 @@ struct PlanarMove {
   // evenly, and few looks tell it.
   bool smooth_front = false;
   int period = -1;  // number of the period that it belongs to, of a pattern that repeats itself
+
+  bool operator==(const PlanarMove&) const = default;
 };
 
 enum class DescentKind {
@@ -40,6 +42,8 @@ struct Descent {
   Vec2 stretch = {};
   std::optional<double> new_area =
       {};  // mm^2 that nothing cleared before; none: all that it clears
+
+  bool operator==(const Descent&) const = default;
 };
 
 // What is cut between coming down and going up. The moves follow each other without gaps.

@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
+#include "feed/following_profile.h"
 #include "feed/load_profile.h"
 #include "toolpath/small_arc.h"
 
@@ -108,6 +110,100 @@ TEST(LoadProfile, IsTheSameOnTwoCores) {
   EXPECT_EQ(i, whole.size());
   EXPECT_GT(met, 100);
   EXPECT_EQ(ground.size(), row_by_row.size());
+}
+
+// ---- behind the path that is being made ----
+
+const Bounds kRowField{{-25, -15}, {25, 5}};
+
+std::vector<PlanarRun> first_of(std::vector<PlanarRun> runs, std::size_t count) {
+  runs.resize(count);
+  return runs;
+}
+
+// What FollowingProfile makes of `runs` after it was told `told`, one after the other, from the
+// run of that number on.
+struct Told {
+  std::vector<PlanarRun> runs;
+  std::size_t first = 0;
+};
+void expect_as_looked_at_anew(const std::vector<PlanarRun>& runs, const std::vector<Told>& told) {
+  ClearedGround anew(kRowField, kRadius, nullptr), ground(kRowField, kRadius, nullptr);
+  const std::vector<LoadSample> expected = load_profile(runs, anew, 0.3);
+  FollowingProfile following(ground, 0.3, nullptr);
+  for (const Told& more : told) following.follow(more.runs, more.first);
+  const std::vector<LoadSample> found = following.finish(runs, ground);
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    EXPECT_EQ(found[i].run, expected[i].run);
+    EXPECT_EQ(found[i].move, expected[i].move);
+    EXPECT_EQ(found[i].t, expected[i].t);
+    EXPECT_EQ(found[i].length, expected[i].length);
+    EXPECT_EQ(found[i].engagement, expected[i].engagement);
+    EXPECT_EQ(found[i].width, expected[i].width);
+  }
+  ASSERT_EQ(ground.size(), anew.size());
+  std::vector<AngularInterval> a, b;
+  for (double x = -20; x <= 20; x += 0.7) {
+    ground.uncovered({x, -4}, 0, 2 * kPi, a);
+    anew.uncovered({x, -4}, 0, 2 * kPi, b);
+    ASSERT_EQ(a.size(), b.size());
+    for (std::size_t i = 0; i < a.size(); ++i) EXPECT_EQ(a[i].width(), b[i].width());
+  }
+}
+
+TEST(FollowingProfile, IsThatOfThePathHoweverItWasTold) {
+  const std::vector<PlanarRun> all = rows(9);
+  std::vector<Told> one_by_one, move_by_move, part_by_part;
+  for (std::size_t n = 1; n <= all.size(); ++n) {
+    one_by_one.push_back({first_of(all, n)});
+    std::vector<PlanarRun> begun = first_of(all, n);
+    begun.back().moves.pop_back();
+    move_by_move.push_back({begun});
+    move_by_move.push_back({first_of(all, n)});
+    part_by_part.push_back({{all[n - 1]}, n - 1});
+  }
+  expect_as_looked_at_anew(all, {});
+  expect_as_looked_at_anew(all, {{all}});
+  expect_as_looked_at_anew(all, {{first_of(all, 5)}});  // the rest is looked at in the end
+  expect_as_looked_at_anew(all, one_by_one);
+  expect_as_looked_at_anew(all, move_by_move);
+  expect_as_looked_at_anew(all, part_by_part);
+}
+
+TEST(FollowingProfile, IsThatOfThePathWhateverElseWasTold) {
+  const std::vector<PlanarRun> all = rows(9);
+  std::vector<PlanarRun> other = all, longer = rows(10);
+  other[7].moves[0].segment = Segment::line(other[7].moves[0].segment.a, {0, 0});
+  expect_as_looked_at_anew(all, {{other}});
+  expect_as_looked_at_anew(all, {{longer}});
+  expect_as_looked_at_anew(all, {{first_of(all, 2)}});            // too little to go on from
+  expect_as_looked_at_anew(all, {{first_of(all, 3)}, {all, 6}});  // with a gap
+  other = all;
+  other[3].descent.kind = DescentKind::kHelix;
+  other[3].descent.radius = 1;
+  expect_as_looked_at_anew(all, {{other}});
+  expect_as_looked_at_anew(other, {{all}});
+}
+
+TEST(FollowingProfile, NeedNotBeFinished) {
+  const ClearedGround ground(kRowField, kRadius, nullptr);
+  for (int round = 0; round < 20; ++round) {
+    FollowingProfile following(ground, 0.01, nullptr);
+    if (round % 4) following.follow(rows(9), 0);
+  }
+  EXPECT_EQ(ground.size(), 0u);
+}
+
+TEST(FollowingProfile, ThrowsWhatIsThrownBehindThePath) {
+  ClearedGround ground(kRowField, kRadius, nullptr);
+  const LoadShare fails = [](const Load&, const std::vector<AngularInterval>&) -> double {
+    throw std::runtime_error("no share");
+  };
+  const std::vector<PlanarRun> all = rows(9);
+  FollowingProfile following(ground, 0.3, fails);
+  following.follow(all, 0);
+  EXPECT_THROW(following.finish(all, ground), std::runtime_error);
 }
 
 }  // namespace

@@ -1,0 +1,99 @@
+#include "feed/following_profile.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace evenload {
+
+FollowingProfile::FollowingProfile(const ClearedGround& ground, double spacing, LoadShare share)
+    : start_(ground), spacing_(spacing), share_(std::move(share)) {}
+
+FollowingProfile::~FollowingProfile() {
+  is_wanted_ = false;
+  end();
+}
+
+std::vector<FollowingProfile::Step> FollowingProfile::steps_of(const std::vector<PlanarRun>& runs) {
+  std::vector<Step> steps;
+  for (const PlanarRun& run : runs) {
+    steps.push_back(run.descent);
+    steps.insert(steps.end(), run.moves.begin(), run.moves.end());
+  }
+  return steps;
+}
+
+void FollowingProfile::follow(const std::vector<PlanarRun>& runs, std::size_t first) {
+  {
+    const std::lock_guard lock(mutex_);
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      const std::size_t run = first + i;
+      if (run + 1 < runs_) continue;
+      if (run >= runs_) {
+        told_.push_back(runs[i].descent);
+        runs_ = run + 1;
+        moves_ = 0;
+      }
+      for (; moves_ < runs[i].moves.size(); ++moves_) told_.push_back(runs[i].moves[moves_]);
+    }
+  }
+  is_told_.notify_one();
+  if (looking_.valid()) return;
+  ground_.emplace(start_);
+  profiler_.emplace(*ground_, spacing_, share_);
+  looking_ = std::async(std::launch::async, [this] { look_along_told(); });
+}
+
+void FollowingProfile::look_along_told() {
+  std::vector<Step> steps;
+  for (std::size_t done = 0;; done += steps.size()) {
+    {
+      std::unique_lock lock(mutex_);
+      is_told_.wait(lock, [&] { return is_whole_ || done < told_.size(); });
+      steps.assign(told_.begin() + static_cast<std::ptrdiff_t>(done), told_.end());
+    }
+    if (steps.empty()) return;
+    for (const Step& step : steps) {
+      if (!is_wanted_) return;
+      look_along(step);
+    }
+  }
+}
+
+void FollowingProfile::look_along(const Step& step) {
+  if (const Descent* descent = std::get_if<Descent>(&step))
+    profiler_->come_down(*descent);
+  else
+    profiler_->look_along(std::get<PlanarMove>(step));
+}
+
+// Waits until all that was told has been looked at, or is not wanted.
+void FollowingProfile::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    is_whole_ = true;
+  }
+  is_told_.notify_one();
+  if (looking_.valid()) looking_.wait();
+}
+
+// Whether what was told is how the path begins, and no small part of it.
+bool FollowingProfile::begins(const std::vector<Step>& steps) const {
+  return told_.size() <= steps.size() && 2 * told_.size() >= steps.size() &&
+         std::equal(told_.begin(), told_.end(), steps.begin());
+}
+
+std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs,
+                                                 ClearedGround& ground) {
+  const std::vector<Step> steps = steps_of(runs);
+  is_wanted_ = begins(steps);
+  end();
+  if (!looking_.valid()) return load_profile(runs, ground, spacing_, share_);
+  looking_.get();  // throws what was thrown there
+  if (!is_wanted_) return load_profile(runs, ground, spacing_, share_);
+  std::for_each(steps.begin() + static_cast<std::ptrdiff_t>(told_.size()), steps.end(),
+                [&](const Step& step) { look_along(step); });
+  ground = std::move(*ground_);
+  return profiler_->profile();
+}
+
+}  // namespace evenload
