@@ -275,7 +275,8 @@ std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centr
                                    double longest, LinkSpace space) {
   for (const auto& radii : {std::initializer_list<double>{turn_radius, 0.5 * turn_radius},
                             std::initializer_list<double>{0.2 * turn_radius},
-                            std::initializer_list<double>{0.05 * turn_radius}}) {
+                            std::initializer_list<double>{0.05 * turn_radius},
+                            std::initializer_list<double>{0.01 * turn_radius}}) {
     for (const Candidate& candidate : candidates(from, to, radii, longest)) {
       const double ends = space == LinkSpace::kClear ? ends_of(turn_radius) : longest;
       if (is_free(ground, centres, candidate.moves, ends)) return candidate.moves;

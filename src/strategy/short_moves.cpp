@@ -17,6 +17,9 @@ namespace {
 constexpr double kSameDirection = 2e-4;
 constexpr double kPosted = 5e-5;
 constexpr double kMostPosted = 5e-3;
+// The moves of a bi-arc are so many times as long as the shorter of those that it replaces, or
+// kShortest.
+constexpr double kWorthwhile = 4;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
 // rad: a way off the border and back that turns by less, all in all, is none.
@@ -55,7 +58,8 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
     if (norm(one.tangent(1) - to.direction) < posted && serves({one})) return {one};
   }
   const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
-  if (!two || std::min(two->first.length(), two->second.length()) < kShortest) return {};
+  const double shortest = std::min(kShortest, kWorthwhile * std::min(a.length(), b.length()));
+  if (!two || std::min(two->first.length(), two->second.length()) < shortest) return {};
   const std::vector<Segment> way{two->first, two->second};
   return serves(way) ? way : std::vector<Segment>{};
 }

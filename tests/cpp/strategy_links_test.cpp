@@ -121,6 +121,24 @@ TEST(Links, TakeTwoArcsWhereThreePiecesAreHardlyShorter) {
   for (const Segment& move : turn) EXPECT_GE(move.radius, 0.5 * kTurn - 1e-9);
 }
 
+TEST(Links, TurnAboutInGapsOfHundredthsOfAMillimetre) {
+  for (const double width : {0.5, 0.1, 0.05, 0.03}) {
+    const Area centres({make_region(rectangle(0, 0, 40, width))});
+    ClearedGround ground({{-3, -3}, {43, 3 + width}}, kRadius, nullptr);
+    ground.add(Segment::line({0, 0}, {40, 0}));
+    ground.add(Segment::line({0, width}, {40, width}));
+    const Pose from{{20, width}, kPi}, to{{20, 0}, 0};
+    const std::vector<Segment> link =
+        shortest_link(now(ground), centres, from, to, kTurn, 10, LinkSpace::kGrazing);
+    ASSERT_FALSE(link.empty()) << width;
+    EXPECT_LE(length_of(link), 4 * width);
+    for (const Segment& move : link) {
+      EXPECT_GE(move.radius, 0.01 * kTurn - 1e-9);
+      for (int i = 0; i <= 50; ++i) EXPECT_GE(centres.signed_distance(move.point(i / 50.0)), -1e-6);
+    }
+  }
+}
+
 TEST(Links, GoRoundAnIslandThatIsInTheirWay) {
   const Area centres({make_region(rectangle(-20, -20, 20, 20), {shapes::circle({0, -1}, 4)})});
   ClearedGround ground({{-23, -23}, {23, 23}}, kRadius, nullptr);

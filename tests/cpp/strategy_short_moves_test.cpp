@@ -119,6 +119,21 @@ TEST(ShortMoves, OfTheSameCircleBecomeOneArcWithIt) {
   EXPECT_NEAR(smooth[0].radius, 2, 1e-9);
 }
 
+TEST(ShortMoves, OfMicrometresAreTakenUpByShortMovesToo) {
+  Vec2 p{0, 0};
+  double heading = 0.3;
+  const std::vector<Segment> moves{
+      next_move(&p, &heading, 0, 2), next_move(&p, &heading, -0.15, 0.15),
+      next_move(&p, &heading, 6, 0.0028), next_move(&p, &heading, 0, 2)};
+  const std::vector<Segment> smooth = without_short_moves(moves, room());
+  for (std::size_t i = 0; i < smooth.size(); ++i) {
+    EXPECT_GE(smooth[i].length(), 0.05);
+    if (i > 0) EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+    for (int k = 0; k <= 20; ++k)
+      EXPECT_LE(distance_from(smooth[i].point(k / 20.0), moves), 1.05 * kSmoothing);
+  }
+}
+
 TEST(ShortMoves, StayWhereTheyMakeACornerOrATightTurn) {
   Vec2 p{0, 0};
   double heading = 0;
