@@ -17,6 +17,8 @@ namespace {
 constexpr double kSameDirection = 2e-4;
 constexpr double kPosted = 5e-5;
 constexpr double kMostPosted = 5e-3;
+// mm: what kPosted mm turn by a degree and more, at both ends.
+constexpr double kTurnedByPosts = 4e-3;
 // The moves of a bi-arc are so many times as long as the shorter of those that it replaces, or
 // kShortest.
 constexpr double kWorthwhile = 4;
@@ -38,18 +40,22 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others
   return true;
 }
 
-// What can come in place of `a` and `b`; empty where nothing can.
+// What can come in place of `a` and `b`; empty where nothing can. Walls are followed, but for what
+// posts cannot tell from them where a move would be turned.
 std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres,
                                 double smoothing) {
   const double posted =
       std::clamp(kPosted / std::min(a.length(), b.length()), kSameDirection, kMostPosted);
-  if (!is_tangent(a, b, posted) || follows_border(a, centres) || follows_border(b, centres))
-    return {};
+  if (!is_tangent(a, b, posted)) return {};
+  const bool on_wall = follows_border(a, centres) || follows_border(b, centres);
+  if (on_wall && std::min(a.length(), b.length()) > kTurnedByPosts) return {};
+  const double beyond = on_wall ? kPosted : kOnBorder;
+  if (on_wall) smoothing = std::min(smoothing, kPosted);
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
   const auto serves = [&](const std::vector<Segment>& way) {
     return is_near(way, {a, b}, smoothing) && is_near({a, b}, way, smoothing) &&
            std::all_of(way.begin(), way.end(),
-                       [&](const Segment& move) { return is_inside(move, centres, kOnBorder); });
+                       [&](const Segment& move) { return is_inside(move, centres, beyond); });
   };
   const Vec2 chord = to.p - from.p;
   const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));
