@@ -84,7 +84,8 @@ class PieceCost {
 // sample those places are carried along where the last piece may begin. A piece costs no less than
 // its parts do without the prices of their blocks (for means, next to always). So where a piece up
 // to here that began at one place costs as much as the best pieces up to here, it is better from
-// here on to begin another one here: that place is dropped as soon as the other can be a piece.
+// here on to begin another one here: that place is dropped as soon as the other can be a piece, and
+// will be from then on.
 class Division {
  public:
   // Samples [first, last), `load` is theirs.
@@ -151,7 +152,8 @@ class Division {
   }
 
   void lengthen_to(std::size_t end) {
-    if (starts_.front().at + kLongestPiece < end) starts_.erase(starts_.begin());
+    if (!starts_.empty() && starts_.front().at + kLongestPiece < end)
+      starts_.erase(starts_.begin());
     for (Start& start : starts_) {
       start.share = load_.share(start.at, end, start.share);
       start.least_share = std::min(start.least_share, samples_[end - 1].share);
@@ -175,7 +177,8 @@ class Division {
       if (start.beaten_by == kNone && start.cost + start.own + kRounding >= best_[end].cost)
         start.beaten_by = end;
     std::erase_if(starts_, [&](const Start& start) {
-      return start.beaten_by < end && can_be_piece(start.beaten_by, end);
+      return start.beaten_by < end && load_.length(start.beaten_by, end) >= shortest_ &&
+             can_be_piece(start.beaten_by, end);
     });
   }
 

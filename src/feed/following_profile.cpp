@@ -8,7 +8,9 @@ namespace evenload {
 FollowingProfile::FollowingProfile(const ClearedGround& ground, double spacing, LoadShare share)
     : start_(ground), spacing_(spacing), share_(std::move(share)) {}
 
-FollowingProfile::~FollowingProfile() {
+FollowingProfile::~FollowingProfile() { stop(); }
+
+void FollowingProfile::stop() {
   is_wanted_ = false;
   end();
 }
@@ -25,6 +27,8 @@ std::vector<FollowingProfile::Step> FollowingProfile::steps_of(const std::vector
 void FollowingProfile::follow(const std::vector<PlanarRun>& runs, std::size_t first) {
   {
     const std::lock_guard lock(mutex_);
+    has_gap_ |= first > runs_;
+    if (has_gap_) return;
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const std::size_t run = first + i;
       if (run + 1 < runs_) continue;
@@ -82,18 +86,24 @@ bool FollowingProfile::begins(const std::vector<Step>& steps) const {
          std::equal(told_.begin(), told_.end(), steps.begin());
 }
 
+std::vector<LoadSample> FollowingProfile::looked_at_anew(const std::vector<PlanarRun>& runs,
+                                                         ClearedGround& ground) {
+  profiler_.reset();
+  ground_.reset();
+  return load_profile(runs, ground, spacing_, share_);
+}
+
 std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs,
                                                  ClearedGround& ground) {
   const std::vector<Step> steps = steps_of(runs);
-  is_wanted_ = begins(steps);
+  is_wanted_ = looking_.valid() && begins(steps);
   end();
-  if (!looking_.valid()) return load_profile(runs, ground, spacing_, share_);
+  if (!is_wanted_) return looked_at_anew(runs, ground);
   looking_.get();  // throws what was thrown there
-  if (!is_wanted_) return load_profile(runs, ground, spacing_, share_);
   std::for_each(steps.begin() + static_cast<std::ptrdiff_t>(told_.size()), steps.end(),
                 [&](const Step& step) { look_along(step); });
   ground = std::move(*ground_);
-  return profiler_->profile();
+  return profiler_->taken();
 }
 
 }  // namespace evenload

@@ -25,12 +25,16 @@ class FollowingProfile {
   FollowingProfile& operator=(const FollowingProfile&) = delete;
 
   // `runs`: the path so far, from its run numbered `first` on. What was told before is not looked
-  // for again. Not from several threads at once.
+  // for again; after runs that were left out nothing is followed any more. Not from several threads
+  // at once.
   void follow(const std::vector<PlanarRun>& runs, std::size_t first);
+
+  // No more is wanted; waits for the second core to end.
+  void stop();
 
   // The same as load_profile() of the whole path, whatever was told before: where that is not how
   // the path begins, or less than half of it, all is looked at anew. `ground`: the one that was
-  // given first. To be called once, at the end.
+  // given first. To be called once, at the end, and not after stop().
   std::vector<LoadSample> finish(const std::vector<PlanarRun>& runs, ClearedGround& ground);
 
  private:
@@ -41,11 +45,13 @@ class FollowingProfile {
   void look_along(const Step& step);
   void look_along_told();
   void end();
+  std::vector<LoadSample> looked_at_anew(const std::vector<PlanarRun>& runs, ClearedGround& ground);
 
   const ClearedGround& start_;
   const double spacing_;
   const LoadShare share_;
   std::size_t runs_ = 0, moves_ = 0;  // told of, of the last run
+  bool has_gap_ = false;
 
   std::mutex mutex_;
   std::condition_variable is_told_;

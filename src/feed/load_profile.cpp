@@ -266,7 +266,7 @@ std::vector<LoadSample> profile_between(const std::vector<PlanarRun>& runs, Plac
       else
         profiler.look_along(runs[i].moves[j]);
   }
-  return profiler.profile();
+  return profiler.taken();
 }
 
 // Where a second core may begin: about half of the way to be cut comes before, and the load there

@@ -4,6 +4,7 @@
 #include <cstddef>
 #include <functional>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -50,7 +51,8 @@ class LoadProfiler {
   // run on from it without a turn.
   void pass_by(const PlanarMove& move);
 
-  const std::vector<LoadSample>& profile() const { return profile_; }
+  // What was found, once all is told.
+  std::vector<LoadSample> taken() { return std::move(profile_); }
 
  private:
   ClearedGround& ground_;

@@ -44,7 +44,7 @@ bool MeanLoad::limit(std::vector<FeedPiece>& pieces, double nominal) const {
   for (std::size_t k = 0; k < pieces.size(); ++k)
     piece_of.resize(piece_of.size() + pieces[k].last - pieces[k].first, k);
   // A window begins or ends at each place; `ahead` and `behind` are the samples that its other end
-  // is in. Those that begin within a piece are held already.
+  // is in. Those within a piece are held already.
   const std::size_t n = share_.size();
   bool lowered = false;
   for (std::size_t i = 0, ahead = 0, behind = 0; i <= n; ++i) {
@@ -53,8 +53,7 @@ bool MeanLoad::limit(std::vector<FeedPiece>& pieces, double nominal) const {
     while (behind + 1 < n && until_[behind + 1] <= place - window_) ++behind;
     if (i < n && piece_of[i] != piece_of[ahead])
       lowered = limit(pieces, piece_of, place, nominal) || lowered;
-    if (i > 0 && (piece_of[i - 1] != piece_of[behind] ||
-                  before_[i] * pieces[piece_of[behind]].feed > (1 + kRounding) * nominal))
+    if (i > 0 && piece_of[i - 1] != piece_of[behind])
       lowered = limit(pieces, piece_of, place - window_, nominal) || lowered;
   }
   return lowered;

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <initializer_list>
 #include <optional>
 
 #include "geometry/bi_arc.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -27,6 +27,11 @@ constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
 // within less than kLook.
 constexpr double kTurnLook = 0.15;
+// Shares of the wished turn radius: of turns that are tried one after the other, while there is no
+// way; and mm: of the tightest, for gaps of hundredths of a millimetre. Posts write shorter turns
+// of that radius as lines.
+constexpr double kHalf = 0.5, kTighter[] = {0.2, 0.05};
+constexpr double kTightest = kLeastArcRadius + kRadiusMargin;
 // Every so manieth look for material comes first.
 constexpr int kSparseLooks = 8;
 // s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
@@ -212,8 +217,9 @@ struct Candidate {
   double cost = 0;  // mm
 };
 
+// `radii` mm: of turns, the tightest last.
 std::vector<Candidate> candidates(const Pose& from, const Pose& to,
-                                  std::initializer_list<double> radii, double longest) {
+                                  const std::vector<double>& radii, double longest) {
   std::vector<Candidate> result;
   const auto offer = [&](Candidate candidate) {
     const double length = length_of(candidate.moves);
@@ -228,7 +234,7 @@ std::vector<Candidate> candidates(const Pose& from, const Pose& to,
         offer(std::move(candidate));
       }
   Candidate candidate;
-  if (turn_turn(from, to, std::min(radii), candidate.moves)) offer(std::move(candidate));
+  if (turn_turn(from, to, radii.back(), candidate.moves)) offer(std::move(candidate));
   std::stable_sort(result.begin(), result.end(),
                    [](const Candidate& a, const Candidate& b) { return a.cost < b.cost; });
   return result;
@@ -273,10 +279,10 @@ std::vector<std::vector<Segment>> ways_round(const Area& centres, const Pose& fr
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space) {
-  for (const auto& radii : {std::initializer_list<double>{turn_radius, 0.5 * turn_radius},
-                            std::initializer_list<double>{0.2 * turn_radius},
-                            std::initializer_list<double>{0.05 * turn_radius},
-                            std::initializer_list<double>{0.01 * turn_radius}}) {
+  std::vector<std::vector<double>> tries{{turn_radius, kHalf * turn_radius}};
+  for (const double share : kTighter) tries.push_back({share * turn_radius});
+  if (tries.back().back() > kTightest) tries.push_back({kTightest});
+  for (const std::vector<double>& radii : tries) {
     for (const Candidate& candidate : candidates(from, to, radii, longest)) {
       const double ends = space == LinkSpace::kClear ? ends_of(turn_radius) : longest;
       if (is_free(ground, centres, candidate.moves, ends)) return candidate.moves;

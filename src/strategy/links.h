@@ -28,8 +28,8 @@ enum class LinkSpace {
 // The cheapest path of turn, straight and turn, or of two turns, from `from` to `to`, that stays
 // inside `centres` and meets no material: the shortest, where each piece counts a little besides.
 // It turns by `turn_radius` mm or half of that; where there is no such path by a fifth, then by a
-// twentieth, then, as gaps of hundredths of a millimetre need it, by a hundredth. Empty when there
-// is none no longer than `longest` mm.
+// twentieth, then, as gaps of hundredths of a millimetre need it, by 0.008 mm. Empty when there is
+// none no longer than `longest` mm.
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space = LinkSpace::kClear);

@@ -108,6 +108,7 @@ class PassageClearing {
     task.around = {task_.centres};
     task.round_helix = !places_.passages.empty() && places_.passages.front().by_ramp;
     task.before = path_.runs();
+    task.follow = nullptr;  // what it is told of begins with the first room
     const double done = share_done(), all = task_.centres.area();
     room_done_[index] = 1;
     Progress share([&](double part) {

@@ -284,7 +284,10 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
 
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;
-  if (!progress.cancelled()) profile = following.finish(runs, ground);
+  if (progress.cancelled())
+    following.stop();
+  else
+    profile = following.finish(runs, ground);
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
   RemovedByPeriod removed_by_period;

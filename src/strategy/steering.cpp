@@ -18,7 +18,7 @@ constexpr double kFirstStep = 0.2;     // of free steering; adapted from there
 constexpr double kRunOut = 0.1;        // kept of what comes after contact
 constexpr double kContactLook = 0.05;  // between two looks for the end of contact
 constexpr double kContactEnd = 0.01;   // to which the end of contact within a step is found
-// Steps along a wall become one move up to here.
+// Steps along a wall become one move up to here: what is cut back is learnt anew as a whole.
 constexpr double kLongestJoined = 8;
 // Less than this since the furthest overload: the place cannot be entered.
 constexpr double kProgress = 0.01;

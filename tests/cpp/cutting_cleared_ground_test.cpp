@@ -264,6 +264,42 @@ TEST(ClearedGround, UncoversTheSameWhetherAMoveIsAddedWholeOrExtended) {
   }
 }
 
+TEST(ClearedGround, UncoversTheSameWhereExtendedMovesHideEachOther) {
+  std::mt19937 random(37);
+  ClearedGround whole(kField, kRadius, nullptr), extended(kField, kRadius, nullptr);
+  std::vector<AngularInterval> a, b;
+  const auto expect_same = [&](std::size_t last) {
+    for (int look = 0; look < 60; ++look) {
+      const Vec2 p{uniform(random, -12, 12), uniform(random, -5, 7)};
+      whole.uncovered(p, 0, 2 * kPi, a, kCoverTolerance, last);
+      extended.uncovered(p, 0, 2 * kPi, b, kCoverTolerance, last);
+      ASSERT_EQ(a.size(), b.size());
+      for (std::size_t i = 0; i < a.size(); ++i) {
+        EXPECT_EQ(a[i].low, b[i].low);
+        EXPECT_EQ(a[i].high, b[i].high);
+      }
+      const std::size_t first = random() % whole.size();
+      EXPECT_EQ(whole.is_cleared_since(p, first), extended.is_cleared_since(p, first));
+    }
+  };
+  // A fan, of which each line sweeps nearly all that the ones before did.
+  for (int i = 0; i < 100; ++i) {
+    const Segment move = Segment::line({-6, 0}, {6, 0.02 * i});
+    whole.add(move);
+    extended.add(move.part(0, 0.3));
+    extended.extend_last(move.part(0, 0.8), move.part(0.3, 0.8));
+    extended.extend_last(move, move.part(0.8, 1));
+  }
+  expect_same(100);
+  expect_same(50);
+  for (int i = 0; i < 60; ++i) {
+    whole.remove_last();
+    extended.remove_last();
+  }
+  expect_same(40);
+  expect_same(35);
+}
+
 TEST(ClearedGround, SettledUncoversTheSameAndMovesThatAreTriedCanBeTakenBack) {
   std::mt19937 random(23);
   ClearedGround settled(kField, kRadius, nullptr), plain(kField, kRadius, nullptr);

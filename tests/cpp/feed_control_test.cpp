@@ -292,16 +292,20 @@ TEST(FeedControl, DividesMovesSoThatTimeAndBlocksTogetherAreLeast) {
   constexpr double kPricePerMove = 0.0005;
   std::mt19937 random(29);
   int divided = 0;
-  for (int round = 0; round < 60; ++round) {
-    // One cut, straight on, as samples of a fiftieth of a millimetre and more, in moves of any
-    // length; the load climbs, stays and falls.
+  for (int round = 0; round < 1500; ++round) {
+    // One cut, straight on, in moves of any length, or most of them below what a piece may be; the
+    // load climbs, stays and falls.
+    const bool has_tiny = round % 10 > 0;
     std::vector<PlanarRun> runs(1);
     std::vector<LoadSample> profile;
     double x = 0, share = 0.2;
-    for (std::size_t m = 0; m < 12; ++m) {
-      const double length = uniform(random, 0.05, 4), slope = uniform(random, -1, 1);
+    for (std::size_t m = 0; m < (has_tiny ? 30U : 6U); ++m) {
+      const bool is_tiny = has_tiny && random() % 10 > 0;
+      const double length =
+          is_tiny ? uniform(random, 0.005, 0.02) : uniform(random, 0.2, has_tiny ? 1 : 4);
+      const double slope = uniform(random, -1, 1) / std::min(1.0, length);
       const bool is_even = random() % 3 == 0;
-      const int count = 1 + static_cast<int>(length / uniform(random, 0.02, 0.2));
+      const int count = 1 + static_cast<int>(length / uniform(random, 0.02, 0.1));
       runs[0].moves.push_back({MoveKind::kCut, Segment::line({x, 0}, {x + length, 0})});
       x += length;
       for (int i = 0; i < count; ++i) {

@@ -206,5 +206,20 @@ TEST(FollowingProfile, ThrowsWhatIsThrownBehindThePath) {
   EXPECT_THROW(following.finish(all, ground), std::runtime_error);
 }
 
+TEST(FollowingProfile, DoesNotThrowForMovesThatAreNotInThePath) {
+  ClearedGround ground(kRowField, kRadius, nullptr);
+  const LoadShare fails_below = [](const Load& load, const std::vector<AngularInterval>&) {
+    if (load.width > 2) throw std::runtime_error("too wide");
+    return load.width;
+  };
+  std::vector<PlanarRun> deep = rows(9);
+  for (PlanarRun& run : deep)
+    for (PlanarMove& move : run.moves) move.segment = Segment::line({-20, 1.5}, {20, 1.5});
+  FollowingProfile following(ground, 0.3, fails_below);
+  following.follow(deep, 0);
+  ground.add(Segment::line({-20, 0}, {20, 0}));
+  EXPECT_FALSE(following.finish(rows(1), ground).empty());
+}
+
 }  // namespace
 }  // namespace evenload

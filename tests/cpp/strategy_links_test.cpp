@@ -122,21 +122,24 @@ TEST(Links, TakeTwoArcsWhereThreePiecesAreHardlyShorter) {
 }
 
 TEST(Links, TurnAboutInGapsOfHundredthsOfAMillimetre) {
-  for (const double width : {0.5, 0.1, 0.05, 0.03}) {
-    const Area centres({make_region(rectangle(0, 0, 40, width))});
-    ClearedGround ground({{-3, -3}, {43, 3 + width}}, kRadius, nullptr);
-    ground.add(Segment::line({0, 0}, {40, 0}));
-    ground.add(Segment::line({0, width}, {40, width}));
-    const Pose from{{20, width}, kPi}, to{{20, 0}, 0};
-    const std::vector<Segment> link =
-        shortest_link(now(ground), centres, from, to, kTurn, 10, LinkSpace::kGrazing);
-    ASSERT_FALSE(link.empty()) << width;
-    EXPECT_LE(length_of(link), 4 * width);
-    for (const Segment& move : link) {
-      EXPECT_GE(move.radius, 0.01 * kTurn - 1e-9);
-      for (int i = 0; i <= 50; ++i) EXPECT_GE(centres.signed_distance(move.point(i / 50.0)), -1e-6);
+  for (const double radius : {0.5, 3.0, 6.0})
+    for (const double width : {0.5, 0.1, 0.05, 0.03}) {
+      const double turn = 0.3 * radius;
+      const Area centres({make_region(rectangle(0, 0, 40, width))});
+      ClearedGround ground({{-radius, -radius}, {40 + radius, width + radius}}, radius, nullptr);
+      ground.add(Segment::line({0, 0}, {40, 0}));
+      ground.add(Segment::line({0, width}, {40, width}));
+      const Pose from{{20, width}, kPi}, to{{20, 0}, 0};
+      const std::vector<Segment> link =
+          shortest_link(now(ground), centres, from, to, turn, 10, LinkSpace::kGrazing);
+      ASSERT_FALSE(link.empty()) << radius << " " << width;
+      EXPECT_LE(length_of(link), 4 * width);
+      for (const Segment& move : link) {
+        if (move.is_arc()) EXPECT_GE(move.radius, std::min(0.008, 0.05 * turn) - 1e-9);
+        for (int i = 0; i <= 50; ++i)
+          EXPECT_GE(centres.signed_distance(move.point(i / 50.0)), -1e-6);
+      }
     }
-  }
 }
 
 TEST(Links, GoRoundAnIslandThatIsInTheirWay) {

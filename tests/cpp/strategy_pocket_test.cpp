@@ -53,6 +53,47 @@ TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
   EXPECT_EQ(rest.uncut_area, 0);
 }
 
+TEST(PocketTest, WhatIsToldOfAfterEveryPassIsHowTheResultBegins) {
+  const ClearingParams params;
+  RegionTask task = square_task(params);
+  std::vector<std::vector<PlanarRun>> told;
+  task.follow = [&](const std::vector<PlanarRun>& runs) { told.push_back(runs); };
+  Progress progress;
+  const RegionResult whole = clear_region(task, params, progress);
+  ASSERT_EQ(told.size(), static_cast<std::size_t>(whole.passes));
+  for (const std::vector<PlanarRun>& runs : told) {
+    ASSERT_LE(runs.size(), whole.runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) {
+      EXPECT_EQ(runs[i].descent, whole.runs[i].descent);
+      ASSERT_LE(runs[i].moves.size(), whole.runs[i].moves.size());
+      EXPECT_TRUE(
+          std::equal(runs[i].moves.begin(), runs[i].moves.end(), whole.runs[i].moves.begin()));
+    }
+  }
+  ASSERT_EQ(told.back().size(), whole.runs.size());
+  EXPECT_EQ(told.back().back().moves.size(), whole.runs.back().moves.size());
+}
+
+TEST(PocketTest, EndsAtOnceWhenItIsCancelledOrFailsWhileItsLoadIsLookedAt) {
+  const ClearingParams params;
+  const std::vector<Region> regions = {make_region(rectangle(10, 0, 40, 24))};
+  const auto cleared = [&](bool fails) {
+    int looks = 0;
+    Progress progress([&](double) { return ++looks < 5; });
+    const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& given,
+                                      Progress& watch) {
+      RegionResult result = clear_region(task, given, watch);
+      if (fails) throw std::runtime_error("no way on");
+      return result;
+    };
+    return clear_by(clearer, regions, params, progress);
+  };
+  const Toolpath path = cleared(false);
+  EXPECT_EQ(path.report.termination, Termination::kCancelled);
+  EXPECT_GT(path.report.cut_length, 0);
+  EXPECT_THROW(cleared(true), std::runtime_error);
+}
+
 TEST(PocketTest, AClearerSeesClimbMillingAndItsPathIsMirroredBackForConventional) {
   ClearingParams params;
   const std::vector<Region> regions = {make_region(rectangle(10, 0, 40, 24))};
