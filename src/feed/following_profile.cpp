@@ -5,8 +5,8 @@
 
 namespace evenload {
 
-FollowingProfile::FollowingProfile(const ClearedGround& ground, double spacing, LoadShare share)
-    : start_(ground), spacing_(spacing), share_(std::move(share)) {}
+FollowingProfile::FollowingProfile(ClearedGround& ground, double spacing, LoadShare share)
+    : ground_(ground), spacing_(spacing), share_(std::move(share)) {}
 
 FollowingProfile::~FollowingProfile() { stop(); }
 
@@ -42,8 +42,8 @@ void FollowingProfile::follow(const std::vector<PlanarRun>& runs, std::size_t fi
   }
   is_told_.notify_one();
   if (looking_.valid()) return;
-  ground_.emplace(start_);
-  profiler_.emplace(*ground_, spacing_, share_);
+  followed_.emplace(ground_);
+  profiler_.emplace(*followed_, spacing_, share_);
   looking_ = std::async(std::launch::async, [this] { look_along_told(); });
 }
 
@@ -86,23 +86,21 @@ bool FollowingProfile::begins(const std::vector<Step>& steps) const {
          std::equal(told_.begin(), told_.end(), steps.begin());
 }
 
-std::vector<LoadSample> FollowingProfile::looked_at_anew(const std::vector<PlanarRun>& runs,
-                                                         ClearedGround& ground) {
+std::vector<LoadSample> FollowingProfile::looked_at_anew(const std::vector<PlanarRun>& runs) {
   profiler_.reset();
-  ground_.reset();
-  return load_profile(runs, ground, spacing_, share_);
+  followed_.reset();
+  return load_profile(runs, ground_, spacing_, share_);
 }
 
-std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs,
-                                                 ClearedGround& ground) {
+std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs) {
   const std::vector<Step> steps = steps_of(runs);
   is_wanted_ = looking_.valid() && begins(steps);
   end();
-  if (!is_wanted_) return looked_at_anew(runs, ground);
+  if (!is_wanted_) return looked_at_anew(runs);
   looking_.get();  // throws what was thrown there
   std::for_each(steps.begin() + static_cast<std::ptrdiff_t>(told_.size()), steps.end(),
                 [&](const Step& step) { look_along(step); });
-  ground = std::move(*ground_);
+  ground_ = std::move(*followed_);
   return profiler_->taken();
 }
 

@@ -17,8 +17,9 @@ namespace evenload {
 
 class FollowingProfile {
  public:
-  // As load_profile() takes them. `ground`: before the first move; it must outlive this object.
-  FollowingProfile(const ClearedGround& ground, double spacing, LoadShare share);
+  // As load_profile() takes them. `ground`: before the first move; it must outlive this object, and
+  // stays as it is until finish().
+  FollowingProfile(ClearedGround& ground, double spacing, LoadShare share);
   // What was not looked at yet is forgotten.
   ~FollowingProfile();
   FollowingProfile(const FollowingProfile&) = delete;
@@ -33,9 +34,9 @@ class FollowingProfile {
   void stop();
 
   // The same as load_profile() of the whole path, whatever was told before: where that is not how
-  // the path begins, or less than half of it, all is looked at anew. `ground`: the one that was
-  // given first. To be called once, at the end, and not after stop().
-  std::vector<LoadSample> finish(const std::vector<PlanarRun>& runs, ClearedGround& ground);
+  // the path begins, or less than half of it, all is looked at anew. Throws what the share throws
+  // on the path. To be called once, at the end, and not after stop().
+  std::vector<LoadSample> finish(const std::vector<PlanarRun>& runs);
 
  private:
   using Step = std::variant<Descent, PlanarMove>;
@@ -45,9 +46,9 @@ class FollowingProfile {
   void look_along(const Step& step);
   void look_along_told();
   void end();
-  std::vector<LoadSample> looked_at_anew(const std::vector<PlanarRun>& runs, ClearedGround& ground);
+  std::vector<LoadSample> looked_at_anew(const std::vector<PlanarRun>& runs);
 
-  const ClearedGround& start_;
+  ClearedGround& ground_;
   const double spacing_;
   const LoadShare share_;
   std::size_t runs_ = 0, moves_ = 0;  // told of, of the last run
@@ -60,7 +61,7 @@ class FollowingProfile {
   std::atomic<bool> is_wanted_ = true;
 
   // Of the second core until it has ended.
-  std::optional<ClearedGround> ground_;
+  std::optional<ClearedGround> followed_;  // the ground behind the last move that was looked at
   std::optional<LoadProfiler> profiler_;
   std::future<void> looking_;
 };

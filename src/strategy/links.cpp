@@ -27,10 +27,10 @@ constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
 // within less than kLook.
 constexpr double kTurnLook = 0.15;
-// Shares of the wished turn radius: of turns that are tried one after the other, while there is no
-// way; and mm: of the tightest, for gaps of hundredths of a millimetre. Posts write shorter turns
-// of that radius as lines.
-constexpr double kHalf = 0.5, kTighter[] = {0.2, 0.05};
+// Turns that are tried one after the other, while there is no way: as shares of the wished turn
+// radius, and the tightest, for gaps of hundredths of a millimetre, in mm. Posts write what is much
+// less than half a turn of that as lines.
+constexpr double kTighter[] = {0.2, 0.05};
 constexpr double kTightest = kLeastArcRadius + kRadiusMargin;
 // Every so manieth look for material comes first.
 constexpr int kSparseLooks = 8;
@@ -279,7 +279,7 @@ std::vector<std::vector<Segment>> ways_round(const Area& centres, const Pose& fr
 std::vector<Segment> shortest_link(const GroundBefore& ground, const Area& centres,
                                    const Pose& from, const Pose& to, double turn_radius,
                                    double longest, LinkSpace space) {
-  std::vector<std::vector<double>> tries{{turn_radius, kHalf * turn_radius}};
+  std::vector<std::vector<double>> tries{{turn_radius, 0.5 * turn_radius}};
   for (const double share : kTighter) tries.push_back({share * turn_radius});
   if (tries.back().back() > kTightest) tries.push_back({kTightest});
   for (const std::vector<double>& radii : tries) {

@@ -287,7 +287,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   if (progress.cancelled())
     following.stop();
   else
-    profile = following.finish(runs, ground);
+    profile = following.finish(runs);
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
   RemovedByPeriod removed_by_period;

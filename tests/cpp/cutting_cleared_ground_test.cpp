@@ -225,24 +225,29 @@ TEST(ClearedGround, IsAsItWasAfterTheNewestMoveIsTakenBack) {
   }
 }
 
+// To the last bit, as they were before the move numbered `last`.
+void expect_same_looks(const ClearedGround& a, const ClearedGround& b, std::size_t last,
+                       std::mt19937& random) {
+  ASSERT_EQ(a.size(), b.size());
+  std::vector<AngularInterval> arcs, others;
+  for (int look = 0; look < 60; ++look) {
+    const Vec2 p{uniform(random, -12, 12), uniform(random, -12, 12)};
+    a.uncovered(p, 0, 2 * kPi, arcs, kCoverTolerance, last);
+    b.uncovered(p, 0, 2 * kPi, others, kCoverTolerance, last);
+    ASSERT_EQ(arcs.size(), others.size());
+    for (std::size_t i = 0; i < arcs.size(); ++i) {
+      EXPECT_EQ(arcs[i].low, others[i].low);
+      EXPECT_EQ(arcs[i].high, others[i].high);
+    }
+    const std::size_t first = random() % a.size();
+    EXPECT_EQ(a.is_cleared_since(p, first), b.is_cleared_since(p, first));
+  }
+}
+
 TEST(ClearedGround, UncoversTheSameWhetherAMoveIsAddedWholeOrExtended) {
   std::mt19937 random(31);
   for (int round = 0; round < 40; ++round) {
     ClearedGround whole(kField, kRadius, nullptr), extended(kField, kRadius, nullptr);
-    std::vector<AngularInterval> a, b;
-    const auto expect_same = [&] {
-      ASSERT_EQ(whole.size(), extended.size());
-      for (int look = 0; look < 40; ++look) {
-        const Vec2 p{uniform(random, -12, 12), uniform(random, -12, 12)};
-        whole.uncovered(p, 0, 2 * kPi, a);
-        extended.uncovered(p, 0, 2 * kPi, b);
-        ASSERT_EQ(a.size(), b.size());
-        for (std::size_t i = 0; i < a.size(); ++i) {
-          EXPECT_EQ(a[i].low, b[i].low);
-          EXPECT_EQ(a[i].high, b[i].high);
-        }
-      }
-    };
     for (int i = 0; i < 3; ++i) {
       const Segment move = random_move(random).move;
       whole.add(move);
@@ -254,12 +259,12 @@ TEST(ClearedGround, UncoversTheSameWhetherAMoveIsAddedWholeOrExtended) {
         else
           extended.extend_last(k + 1 < parts ? move.part(0, to) : move, move.part(from, to));
       }
-      expect_same();
+      expect_same_looks(whole, extended, whole.size(), random);
     }
     for (int i = 0; i < 2; ++i) {
       whole.remove_last();
       extended.remove_last();
-      expect_same();
+      expect_same_looks(whole, extended, whole.size(), random);
     }
   }
 }
@@ -267,21 +272,6 @@ TEST(ClearedGround, UncoversTheSameWhetherAMoveIsAddedWholeOrExtended) {
 TEST(ClearedGround, UncoversTheSameWhereExtendedMovesHideEachOther) {
   std::mt19937 random(37);
   ClearedGround whole(kField, kRadius, nullptr), extended(kField, kRadius, nullptr);
-  std::vector<AngularInterval> a, b;
-  const auto expect_same = [&](std::size_t last) {
-    for (int look = 0; look < 60; ++look) {
-      const Vec2 p{uniform(random, -12, 12), uniform(random, -5, 7)};
-      whole.uncovered(p, 0, 2 * kPi, a, kCoverTolerance, last);
-      extended.uncovered(p, 0, 2 * kPi, b, kCoverTolerance, last);
-      ASSERT_EQ(a.size(), b.size());
-      for (std::size_t i = 0; i < a.size(); ++i) {
-        EXPECT_EQ(a[i].low, b[i].low);
-        EXPECT_EQ(a[i].high, b[i].high);
-      }
-      const std::size_t first = random() % whole.size();
-      EXPECT_EQ(whole.is_cleared_since(p, first), extended.is_cleared_since(p, first));
-    }
-  };
   // A fan, of which each line sweeps nearly all that the ones before did.
   for (int i = 0; i < 100; ++i) {
     const Segment move = Segment::line({-6, 0}, {6, 0.02 * i});
@@ -290,14 +280,14 @@ TEST(ClearedGround, UncoversTheSameWhereExtendedMovesHideEachOther) {
     extended.extend_last(move.part(0, 0.8), move.part(0.3, 0.8));
     extended.extend_last(move, move.part(0.8, 1));
   }
-  expect_same(100);
-  expect_same(50);
+  expect_same_looks(whole, extended, 100, random);
+  expect_same_looks(whole, extended, 50, random);
   for (int i = 0; i < 60; ++i) {
     whole.remove_last();
     extended.remove_last();
   }
-  expect_same(40);
-  expect_same(35);
+  expect_same_looks(whole, extended, 40, random);
+  expect_same_looks(whole, extended, 35, random);
 }
 
 TEST(ClearedGround, SettledUncoversTheSameAndMovesThatAreTriedCanBeTakenBack) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <stdexcept>
 
@@ -132,7 +133,7 @@ void expect_as_looked_at_anew(const std::vector<PlanarRun>& runs, const std::vec
   const std::vector<LoadSample> expected = load_profile(runs, anew, 0.3);
   FollowingProfile following(ground, 0.3, nullptr);
   for (const Told& more : told) following.follow(more.runs, more.first);
-  const std::vector<LoadSample> found = following.finish(runs, ground);
+  const std::vector<LoadSample> found = following.finish(runs);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i].run, expected[i].run);
@@ -186,8 +187,25 @@ TEST(FollowingProfile, IsThatOfThePathWhateverElseWasTold) {
   expect_as_looked_at_anew(other, {{all}});
 }
 
+TEST(FollowingProfile, LooksAtNothingTwiceThatItWasTold) {
+  const std::vector<PlanarRun> all = rows(9);
+  std::atomic<int> looks = 0;
+  const LoadShare counts = [&](const Load& load, const std::vector<AngularInterval>&) {
+    ++looks;
+    return load.width;
+  };
+  ClearedGround plain(kRowField, kRadius, nullptr), ground(kRowField, kRadius, nullptr);
+  load_profile(all, plain, 0.3, counts);
+  const int once = looks.exchange(0);
+  FollowingProfile following(ground, 0.3, counts);
+  following.follow(first_of(all, 5), 0);
+  following.follow(first_of(all, 8), 0);
+  following.finish(all);
+  EXPECT_EQ(looks, once);
+}
+
 TEST(FollowingProfile, NeedNotBeFinished) {
-  const ClearedGround ground(kRowField, kRadius, nullptr);
+  ClearedGround ground(kRowField, kRadius, nullptr);
   for (int round = 0; round < 20; ++round) {
     FollowingProfile following(ground, 0.01, nullptr);
     if (round % 4) following.follow(rows(9), 0);
@@ -203,7 +221,7 @@ TEST(FollowingProfile, ThrowsWhatIsThrownBehindThePath) {
   const std::vector<PlanarRun> all = rows(9);
   FollowingProfile following(ground, 0.3, fails);
   following.follow(all, 0);
-  EXPECT_THROW(following.finish(all, ground), std::runtime_error);
+  EXPECT_THROW(following.finish(all), std::runtime_error);
 }
 
 TEST(FollowingProfile, DoesNotThrowForMovesThatAreNotInThePath) {
@@ -218,7 +236,7 @@ TEST(FollowingProfile, DoesNotThrowForMovesThatAreNotInThePath) {
   FollowingProfile following(ground, 0.3, fails_below);
   following.follow(deep, 0);
   ground.add(Segment::line({-20, 0}, {20, 0}));
-  EXPECT_FALSE(following.finish(rows(1), ground).empty());
+  EXPECT_FALSE(following.finish(rows(1)).empty());
 }
 
 }  // namespace

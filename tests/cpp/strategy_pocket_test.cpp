@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -74,7 +75,7 @@ TEST(PocketTest, WhatIsToldOfAfterEveryPassIsHowTheResultBegins) {
   EXPECT_EQ(told.back().back().moves.size(), whole.runs.back().moves.size());
 }
 
-TEST(PocketTest, EndsAtOnceWhenItIsCancelledOrFailsWhileItsLoadIsLookedAt) {
+TEST(PocketTest, CanBeCancelledOrFailWhileItsLoadIsLookedAt) {
   const ClearingParams params;
   const std::vector<Region> regions = {make_region(rectangle(10, 0, 40, 24))};
   const auto cleared = [&](bool fails) {
