@@ -10,11 +10,13 @@
 
 namespace evenload {
 
-// How fine the steps are in which the feed changes within moves.
+// How fine the steps are in which the feed changes within moves, and how few moves there are.
 struct FeedSteps {
-  double price = 0.043;   // s: what one more block must save, and one less may cost
-  double shortest = 0.2;  // mm: no piece is shorter, unless its move is; controllers handle a
-                          // limited number of blocks per second
+  double price = 0.015;       // s: what one more block must save for a change of feed
+  double shortest = 0.1;      // mm: no piece is shorter, unless its move is; controllers handle a
+                              // limited number of blocks per second
+  double move_price = 0.043;  // s: what one move more must save, and one less may cost, where the
+                              // path itself can have fewer; at any feed, hence dearer
 };
 
 struct FeedParams {

@@ -26,11 +26,14 @@ constexpr double kThickChip = 1.02;
 constexpr double kManyBlocks = 0.692;
 constexpr double kBlocksPerRun = 3;
 // s: what one more block must save at most where there are many, and how often the least such price
-// is halved in.
+// is looked for that leaves no more than this share of the blocks unused.
 constexpr double kDearest = 0.1;
 constexpr int kPrices = 6;
+constexpr double kUnused = 0.004;
+// Share of two prices' ratio, as a logarithm: the next price is no nearer to either.
+constexpr double kEdge = 0.15;
 // More time than this, as a share, no number of blocks is worth.
-constexpr double kMostSlower = 0.025;
+constexpr double kMostSlower = 0.04;
 
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
@@ -104,41 +107,51 @@ double blocks_down(const Descent& descent, const ClearingParams& params) {
   return kBlocksPerRun + std::ceil(depth / per_half_turn);
 }
 
-bool has_many_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
+// Of a program, as a share of many.
+double share_of_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
   double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
     blocks += blocks_down(run.descent, params) + static_cast<double>(run.moves.size());
     for (const PlanarMove& move : run.moves) length += move.segment.length();
   }
-  return blocks > kManyBlocks * length;
+  return blocks / (kManyBlocks * length);
 }
+
+// A region with its feeds at one price of a block.
+struct Priced {
+  std::vector<PlanarRun> region;
+  std::vector<double> feeds;
+  double log_price = 0, blocks = 0;
+};
 
 // set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
 // that can be in next to the same time and no least load asks for them.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              FeedParams params, const ClearingParams& clearing) {
-  const std::vector<PlanarRun> whole = region;
-  std::vector<double> feeds = set_constant_load(region, samples, params);
-  if (params.least_load > 0 || !has_many_blocks(region, clearing) ||
-      has_many_blocks(whole, clearing))
-    return feeds;
-  const double most = (1 + kMostSlower) * time_of(region);
-  double cheap = params.steps.price, dear = kDearest;
-  for (int i = 0; i <= kPrices; ++i) {
-    params.steps.price = i == 0 ? dear : std::sqrt(cheap * dear);
-    std::vector<PlanarRun> fewer = whole;
-    std::vector<double> slower = set_constant_load(fewer, samples, params);
-    if (has_many_blocks(fewer, clearing)) {
-      if (i == 0) break;
-      cheap = params.steps.price;
-    } else {
-      dear = params.steps.price;
-      if (time_of(fewer) > most) continue;
-      region = std::move(fewer);
-      feeds = std::move(slower);
-    }
+  const auto at = [&](double log_price) {
+    Priced priced{region, {}, log_price, 0};
+    params.steps.price = std::exp(log_price);
+    priced.feeds = set_constant_load(priced.region, samples, params);
+    priced.blocks = share_of_blocks(priced.region, clearing);
+    return priced;
+  };
+  Priced many = at(std::log(params.steps.price));
+  const auto taken = [&](Priced& priced) {
+    region = std::move(priced.region);
+    return std::move(priced.feeds);
+  };
+  if (many.blocks <= 1 || params.least_load > 0 || share_of_blocks(region, clearing) > 1)
+    return taken(many);
+  Priced few = at(std::log(kDearest)), cheapest = many;
+  if (few.blocks > 1) return taken(cheapest);
+  for (int i = 0; i < kPrices && few.blocks < 1 - kUnused; ++i) {
+    const double part =
+        std::clamp((many.blocks - 1) / (many.blocks - few.blocks), kEdge, 1 - kEdge);
+    Priced next = at(many.log_price + part * (few.log_price - many.log_price));
+    (next.blocks > 1 ? many : few) = std::move(next);
   }
-  return feeds;
+  const bool is_slow = time_of(few.region) > (1 + kMostSlower) * time_of(cheapest.region);
+  return taken(is_slow ? cheapest : few);
 }
 
 // The feeds, region by region.

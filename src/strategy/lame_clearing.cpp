@@ -20,7 +20,7 @@ constexpr double kRounding = 1e-3;  // of areas
 constexpr double kStraight = 1e-9;  // steps of a course
 constexpr double kSlow = 1.3;       // ideal times
 // Along a spiral the load changes all the time, a little: steps pay that would not elsewhere.
-constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2};
+constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2, 0.02};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);

@@ -152,5 +152,31 @@ TEST(PocketTest, AGapThatWidensInwardsIsClearedWithoutBitsOfItsBorder) {
   EXPECT_LE(corpus::clear(pocket, pocket.params()).report.retracts, 7);
 }
 
+// Moves per mm of path.
+double blocks_of(const Toolpath& path) {
+  return static_cast<double>(path.moves.size()) /
+         (path.report.cut_length + path.report.link_length);
+}
+
+Toolpath with_feed_steps(const corpus::Case& pocket, const FeedSteps& steps) {
+  ClearingParams params = pocket.params();
+  params.feed_steps = steps;
+  return corpus::clear(pocket, params);
+}
+
+TEST(PocketTest, TheFeedChangesAsOftenAsPaysUpToSevenHundredBlocksPerMetre) {
+  const FeedSteps coarse{0.043, 0.2};
+  const corpus::Case star = corpus::load("star"), square = corpus::load("square60");
+  // Finer steps would make more of them than that.
+  const double of_star = blocks_of(with_feed_steps(star, {}));
+  EXPECT_GT(of_star, 0.685);
+  EXPECT_LE(of_star, 0.7);
+  EXPECT_LT(blocks_of(with_feed_steps(star, {0.1, 0.2})), 0.97 * of_star);
+  const Toolpath fine = with_feed_steps(square, {}), rough = with_feed_steps(square, coarse);
+  EXPECT_LT(blocks_of(fine), 0.4);
+  EXPECT_GT(blocks_of(fine), 1.1 * blocks_of(rough));
+  EXPECT_LT(fine.report.cutting_time, 0.998 * rough.report.cutting_time);
+}
+
 }  // namespace
 }  // namespace evenload
