@@ -18,7 +18,7 @@ constexpr double kNarrowestHelix = 0.02;
 // A room whose border is no longer than this share of the tool's radius is cleared by going round
 // it. Passes behind a helix there would turn in pieces of hundredths of a mm, which are posted with
 // corners.
-constexpr double kTinyBorder = 0.5;
+constexpr double kTinyBorder = 1;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share

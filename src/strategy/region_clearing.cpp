@@ -313,6 +313,8 @@ class RegionClearing {
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
                          exact_, ground_, params_, task_.overload, task_.rows);
+    pass.moves =
+        without_tight_turns_in_the_open(pass.moves, exact_, ground_, params_.engagement_angle);
     std::vector<Segment> way =
         without_tight_turns(pass.moves, exact_, ground_, params_.engagement_angle,
                             most_widening(params_.engagement_angle, radius_, params_.tolerance));

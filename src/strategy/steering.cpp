@@ -36,6 +36,8 @@ constexpr double kThin = 1e-6;
 
 // rad: material that is thinner than a cut is kept by so much on the right of the feed.
 constexpr double kOnRight = 5 * kDegree;
+// rad: an arc that begins nearer to the right of the feed begins there.
+constexpr double kAtRight = 1e-9;
 // rad: less than this is thin stuff on either side.
 constexpr double kLeastLeaning = kDegree;
 
@@ -72,6 +74,7 @@ Steering::Contact Steering::contact(const Pose& at) const {
   // Thin material with nothing beside it on the right could have its far end there and lie on the
   // left, where the limit is beyond a right angle: its middle stays on the right.
   if (theta_ > kPi / 2) result.steer += std::max(0.0, beside - (kPi - theta_) + kOnRight);
+  result.on_right = result.total > kInContact && beside < kAtRight;
   result.steer = std::max(result.steer, result.total);
   result.leans_left = towards_left > 0 && result.total > kLeastLeaning;
   return result;

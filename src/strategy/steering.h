@@ -86,6 +86,7 @@ class Steering {
         0;  // rad from the right to the far end of the main engaged arc, or total if that is more
     Vec2 edge;                // that far end, on the border of what is cleared
     bool leans_left = false;  // more of it lies left of the feed than right of it
+    bool on_right = false;    // the main engaged arc begins at the right of the feed
   };
   struct WallLook {
     double t = 0;  // share of the wall's piece
@@ -124,6 +125,7 @@ class Steering {
   void append(const Segment& move);
   void cut_back(double length);
   bool is_smooth_between(const Contact& a, const Contact& b) const;
+  bool may_peak_between(const Contact& a, const Contact& b) const;
   double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
   void go_to_wall(const WallPlace& place);
   void step_on_wall();

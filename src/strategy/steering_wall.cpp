@@ -25,6 +25,8 @@ constexpr double kCornerShare = 0.7;
 // found exactly.
 constexpr int kHeadOnLooks = 4;
 constexpr double kNearLimit = 5 * kDegree;
+// Of the limit: between looks that meet less there is no peak above it.
+constexpr double kHighShare = 0.75;
 constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
 
 }  // namespace
@@ -61,13 +63,13 @@ void Steering::step_on_wall() {
   Contact end = contact_at(t1);
   if (before_cusp || step > fine) {
     const Contact here = met_here_ ? *met_here_ : contact_at(wall_.t);
-    bool is_smooth = is_smooth_between(here, end);
+    bool is_smooth = !may_peak_between(here, end);
     if (!is_smooth && step > fine) {
       rough_until_ = t1 * length;
       step = fine;
       t1 = wall_.t + step / length;
       end = contact_at(t1);
-      is_smooth = is_smooth_between(here, end);
+      is_smooth = !may_peak_between(here, end);
     }
     if (!is_smooth && turn_ > 0)
       if (const std::optional<double> cusp = cusp_between(wall, {wall_.t, here}, {t1, end})) {
@@ -139,6 +141,15 @@ void Steering::step_on_wall() {
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
+// True where the front has a cusp between two looks, or where the tool's right side, along the
+// wall, comes free on the way, not far below the limit: until then the engaged arc has grown at its
+// far end, from there on it is lost at the other.
+bool Steering::may_peak_between(const Contact& a, const Contact& b) const {
+  const bool comes_free =
+      a.on_right && !b.on_right && std::max(a.total, b.total) > kHighShare * theta_;
+  return comes_free || !is_smooth_between(a, b);
+}
+
 // The last look before a cusp between two looks at `wall`, if more is met there than at the second:
 // the engagement may peak at the cusp.
 std::optional<double> Steering::cusp_between(const Segment& wall, const WallLook& first,
@@ -147,7 +158,7 @@ std::optional<double> Steering::cusp_between(const Segment& wall, const WallLook
   for (double high = second.t; (high - before.t) * wall.length() > kCuspWidth * theta_ * radius_;) {
     const double middle = 0.5 * (before.t + high);
     const Contact there = contact({wall.point(middle), angle_of(wall.tangent(middle))});
-    if (is_smooth_between(before.contact, there))
+    if (!may_peak_between(before.contact, there))
       before = {middle, there};
     else
       high = middle;

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <optional>
 
+#include "cutting/engagement.h"
 #include "strategy/move_checks.h"
 #include "strategy/turn_demands.h"
 #include "strategy/wider_bi_arc.h"
@@ -36,6 +37,13 @@ constexpr double kSameReach = 1e-10;
 
 // Of unit vectors: where a new arc ends, and along what follows it.
 constexpr double kSameDirection = 1e-5;
+
+// Turns in the open: how far they are from the border, as a share of the tool's radius; the
+// thickest that may be left, as a share of the side step, and in mm: a sharp right angle needs
+// 0.031.
+constexpr double kInTheOpen = 0.1;
+constexpr double kOpenShare = 0.25;
+constexpr double kThickestInTheOpen = 0.035;
 
 // rad: corners of a wall that turn by less are followed as they are; a pass widens them by next to
 // nothing.
@@ -205,6 +213,16 @@ std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, cons
                                          ClearedGround& ground, double engagement,
                                          double widening) {
   return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement});
+}
+
+std::vector<Segment> without_tight_turns_in_the_open(const std::vector<Segment>& moves,
+                                                     const Area& centres, ClearedGround& ground,
+                                                     double engagement) {
+  const double radius = ground.tool_radius();
+  const double widening =
+      std::min(kThickestInTheOpen, kOpenShare * side_step(std::min(engagement, 0.5 * kPi), radius));
+  return widened(
+      moves, {centres, centres, widening, kThickest, 0, &ground, engagement, kInTheOpen * radius});
 }
 
 std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact) {

@@ -64,7 +64,9 @@ bool can_stay(const Segment& move, double from, double to) {
 
 bool may_give_way(const Segment& move, const TurnDemands& demands) {
   return move.is_arc() && std::abs(move.sweep) >= demands.least_turn &&
-         !follows_border(move, demands.exact);
+         !follows_border(move, demands.exact) &&
+         (demands.clearance <= 0 ||
+          demands.exact.signed_distance(move.point(0.5)) > demands.clearance + move.length());
 }
 
 std::vector<Segment> parts_between(const std::vector<Segment>& moves, const MoveCut& from,

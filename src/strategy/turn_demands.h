@@ -18,6 +18,7 @@ struct TurnDemands {
   double least_turn;      // rad: of the turns that are replaced
   ClearedGround* ground;  // before the moves; null where nothing is cut
   double engagement;      // rad, the most that is met
+  double clearance = 0;   // mm: turns nearer to the border of `exact` must not be replaced either
 };
 
 // A place of a row of moves, as the share `t` of one of them.
@@ -33,7 +34,8 @@ inline constexpr double kSmoothJoint = 6e-3;
 // What stays of a move is long enough to be posted as it is, and no tight turn itself.
 bool can_stay(const Segment& move, double from, double to);
 
-// True for an arc that turns by `least_turn` or more and lies off the border of `exact`.
+// True for an arc that turns by `least_turn` or more, lies off the border of `exact`, and no nearer
+// to it than `clearance`.
 bool may_give_way(const Segment& move, const TurnDemands& demands);
 
 // The moves from one place to the other, the first and the last as parts.

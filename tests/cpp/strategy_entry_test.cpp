@@ -56,7 +56,7 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
 
 TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   ClearingParams params;
-  const Region tiny = rectangle(0, 0, 0.35, 0.17);
+  const Region tiny = rectangle(0, 0, 1.22, 0.16);
   const Area centres({tiny});
   ASSERT_GT(widest(tiny).radius, 0.02 * 0.5 * params.tool_diameter);  // a helix would fit
   const std::optional<Entry> entry = descend_within(centres, widest(tiny), params);

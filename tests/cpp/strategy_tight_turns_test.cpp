@@ -83,6 +83,26 @@ TEST(TightTurns, BecomeTangentArcsThatStayArcs) {
   }
 }
 
+// A notch of the stock's edge: passes turn there at a radius of some hundredths of a millimetre by
+// a right angle, and others follow further in. Beside a wall nothing follows.
+TEST(TightTurns, InTheOpenLeaveWhatTheNextPassTakes) {
+  ClearedGround ground = cleared_ground();
+  const std::vector<Segment> moves = turn(0.4, 0.03, 1.5);
+  ASSERT_TRUE(has_corners(moves));
+  EXPECT_TRUE(has_corners(widened(moves, ground)));
+  const std::vector<Segment> wide =
+      without_tight_turns_in_the_open(moves, Area({room()}), ground, kTheta);
+  ASSERT_EQ(wide.size(), 3u);
+  EXPECT_FALSE(has_corners(wide));
+  for (std::size_t i = 1; i < wide.size(); ++i)
+    EXPECT_TRUE(is_tangent(wide[i - 1], wide[i], 1e-5)) << i;
+  // What is left is a share of the next side step, which is next to nothing at a small angle.
+  EXPECT_TRUE(
+      has_corners(without_tight_turns_in_the_open(moves, Area({room()}), ground, kPi / 30)));
+  const Region beside = make_region(rectangle(-50, -50, moves[1].b.x + 0.3, 50));
+  EXPECT_TRUE(has_corners(without_tight_turns_in_the_open(moves, Area({beside}), ground, kTheta)));
+}
+
 // From the tighter arc to the line no one arc leads: that arc gives way, too.
 TEST(TightTurns, GiveWayTogetherWithATighterArcBesideThem) {
   ClearedGround ground = cleared_ground();
