@@ -15,10 +15,11 @@ namespace {
 
 // A helix narrower than this share of the tool's radius rubs; a ramp takes its place.
 constexpr double kNarrowestHelix = 0.02;
-// A room whose border is no longer than this share of the tool's radius is cleared by going round
-// it. Passes behind a helix there would turn in pieces of hundredths of a mm, which are posted with
-// corners.
+// A room whose border is no longer than this share of the tool's radius, or twice as long where the
+// room is narrow, is cleared by going round it. Passes behind a helix there would turn in pieces of
+// hundredths of a mm, which are posted with corners.
 constexpr double kTinyBorder = 1;
+constexpr double kNarrowRoom = 0.05;  // share of the tool's radius: of the largest circle in it
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
@@ -187,8 +188,8 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params) {
   Entry entry;
   const double r = 0.5 * params.tool_diameter;
-  if (params.entry != EntryKind::kHelix && ramp_round_border(centres, kTinyBorder * r, entry))
-    return entry;
+  const double tiny = (room.radius < kNarrowRoom * r ? 2 : 1) * kTinyBorder * r;
+  if (params.entry != EntryKind::kHelix && ramp_round_border(centres, tiny, entry)) return entry;
   const bool helix_fits = kHelixRoom * room.radius >= kNarrowestHelix * r;
   if (helix_fits && params.entry != EntryKind::kRamp) {
     entry.descent.kind = DescentKind::kHelix;

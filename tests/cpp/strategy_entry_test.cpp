@@ -56,7 +56,7 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
 
 TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   ClearingParams params;
-  const Region tiny = rectangle(0, 0, 1.22, 0.16);
+  const Region tiny = rectangle(0, 0, 1.22, 0.16), narrow = rectangle(0, 0, 2.5, 0.25);
   const Area centres({tiny});
   ASSERT_GT(widest(tiny).radius, 0.02 * 0.5 * params.tool_diameter);  // a helix would fit
   const std::optional<Entry> entry = descend_within(centres, widest(tiny), params);
@@ -68,6 +68,8 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   params.entry = EntryKind::kHelix;
   EXPECT_EQ(descend_within(centres, widest(tiny), params)->descent.kind, DescentKind::kHelix);
   params.entry = EntryKind::kAutomatic;
+  EXPECT_EQ(descend_within(Area({narrow}), widest(narrow), params)->descent.kind,
+            DescentKind::kRamp);
   const Region larger = rectangle(0, 0, 1, 1);
   EXPECT_EQ(descend_within(Area({larger}), widest(larger), params)->descent.kind,
             DescentKind::kHelix);
