@@ -16,7 +16,8 @@ struct FeedSteps {
   double shortest = 0.1;      // mm: no piece is shorter, unless its move is; controllers handle a
                               // limited number of blocks per second
   double move_price = 0.043;  // s: what one move more must save, and one less may cost, where the
-                              // path itself can have fewer; at any feed, hence dearer
+                              // path itself can have fewer; the more of those there are, the
+                              // fewer changes of feed a program has room for
 };
 
 struct FeedParams {

@@ -20,6 +20,8 @@ constexpr double kNarrowestHelix = 0.02;
 // hundredths of a mm, which are posted with corners.
 constexpr double kTinyBorder = 1;
 constexpr double kNarrowRoom = 0.05;  // share of the tool's radius: of the largest circle in it
+// Times the circle in it: a room with a shorter border is round, and a helix fills it.
+constexpr double kRoundBorder = 1.15;
 // A helix stays this share of its room away from the walls.
 constexpr double kHelixRoom = 0.98;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
@@ -189,8 +191,11 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   Entry entry;
   const double r = 0.5 * params.tool_diameter;
   const double tiny = (room.radius < kNarrowRoom * r ? 2 : 1) * kTinyBorder * r;
-  if (params.entry != EntryKind::kHelix && ramp_round_border(centres, tiny, entry)) return entry;
   const bool helix_fits = kHelixRoom * room.radius >= kNarrowestHelix * r;
+  const bool is_round = helix_fits && !centres.empty() &&
+                        centres.curves().front().length() < kRoundBorder * 2 * kPi * room.radius;
+  if (params.entry != EntryKind::kHelix && !is_round && ramp_round_border(centres, tiny, entry))
+    return entry;
   if (helix_fits && params.entry != EntryKind::kRamp) {
     entry.descent.kind = DescentKind::kHelix;
     entry.descent.centre = room.centre;

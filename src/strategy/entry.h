@@ -28,11 +28,12 @@ double widest_helix(const ClearingParams& params);
 std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
                                       const ClearingParams& params);
 
-// A helix in `room`. Where none fits, a ramp round the border of `centres` where that is short: it
-// leaves nothing to be cut beside walls, where half the tool would be engaged at once. Where it is
-// longer, or a ramp is asked for, a ramp from the room's centre along the longest free line. Empty
-// when there is not even room for a ramp: the tool never plunges. Laws: the descent stays inside
-// `centres`; a ramp is no longer than kLongestRamp tool diameters, one way.
+// A helix in `room`. Where none fits, or the room is tiny and not round, a ramp round the border of
+// `centres` where that is short: it leaves nothing to be cut beside walls, where half the tool
+// would be engaged at once. Where it is longer, or a ramp is asked for, a ramp from the room's
+// centre along the longest free line. Empty when there is not even room for a ramp: the tool never
+// plunges. Laws: the descent stays inside `centres`; a ramp is no longer than kLongestRamp tool
+// diameters, one way.
 std::optional<Entry> descend_within(const Area& centres, const Circle& room,
                                     const ClearingParams& params);
 inline constexpr double kLongestRamp = 1.5;

@@ -25,12 +25,12 @@ constexpr double kThickChip = 1.02;
 // and what a program has where the tool comes down, beside the half turns of a helix.
 constexpr double kManyBlocks = 0.692;
 constexpr double kBlocksPerRun = 3;
-// s: what one more block must save at most where there are many, and how often the least such price
-// is looked for that leaves no more than this share of the blocks unused.
+// s: the dearest price of a block that is tried; how often the feeds are divided in search of the
+// least price that leaves few; the share of the blocks that may stay unused; and the part of an
+// interval of prices, in logarithms, that the next one keeps off its ends.
 constexpr double kDearest = 0.1;
 constexpr int kPrices = 6;
-constexpr double kUnused = 0.004;
-// Share of two prices' ratio, as a logarithm: the next price is no nearer to either.
+constexpr double kUnused = 0.002;
 constexpr double kEdge = 0.15;
 // More time than this, as a share, no number of blocks is worth.
 constexpr double kMostSlower = 0.04;
@@ -107,7 +107,7 @@ double blocks_down(const Descent& descent, const ClearingParams& params) {
   return kBlocksPerRun + std::ceil(depth / per_half_turn);
 }
 
-// Of a program, as a share of many.
+// Blocks per mm of a program, over kManyBlocks.
 double share_of_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
   double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
@@ -121,33 +121,36 @@ double share_of_blocks(const std::vector<PlanarRun>& runs, const ClearingParams&
 struct Priced {
   std::vector<PlanarRun> region;
   std::vector<double> feeds;
-  double log_price = 0, blocks = 0;
+  double log_price = 0;
+  double blocks = 0;  // as share_of_blocks() has them
 };
 
 // set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
-// that can be in next to the same time and no least load asks for them.
+// that can be without much more time and no least load asks for them. Condition: they have a price.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              FeedParams params, const ClearingParams& clearing) {
-  const auto at = [&](double log_price) {
-    Priced priced{region, {}, log_price, 0};
-    params.steps.price = std::exp(log_price);
+  const auto at = [&](double price) {
+    Priced priced{region, {}, std::log(price), 0};
+    params.steps.price = price;
     priced.feeds = set_constant_load(priced.region, samples, params);
     priced.blocks = share_of_blocks(priced.region, clearing);
     return priced;
   };
-  Priced many = at(std::log(params.steps.price));
+  Priced many = at(params.steps.price);
   const auto taken = [&](Priced& priced) {
     region = std::move(priced.region);
     return std::move(priced.feeds);
   };
   if (many.blocks <= 1 || params.least_load > 0 || share_of_blocks(region, clearing) > 1)
     return taken(many);
-  Priced few = at(std::log(kDearest)), cheapest = many;
+  Priced few = at(kDearest), cheapest = many;
   if (few.blocks > 1) return taken(cheapest);
   for (int i = 0; i < kPrices && few.blocks < 1 - kUnused; ++i) {
+    // Numbers of blocks are interpolated, or the interval is halved, in turn.
     const double part =
-        std::clamp((many.blocks - 1) / (many.blocks - few.blocks), kEdge, 1 - kEdge);
-    Priced next = at(many.log_price + part * (few.log_price - many.log_price));
+        i % 2 == 1 ? 0.5
+                   : std::clamp((many.blocks - 1) / (many.blocks - few.blocks), kEdge, 1 - kEdge);
+    Priced next = at(std::exp(many.log_price + part * (few.log_price - many.log_price)));
     (next.blocks > 1 ? many : few) = std::move(next);
   }
   const bool is_slow = time_of(few.region) > (1 + kMostSlower) * time_of(cheapest.region);

@@ -125,6 +125,7 @@ class Steering {
   void append(const Segment& move);
   void cut_back(double length);
   bool is_smooth_between(const Contact& a, const Contact& b) const;
+  bool changes_between(const Contact& a, const Contact& b) const;
   bool may_peak_between(const Contact& a, const Contact& b) const;
   double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
   void go_to_wall(const WallPlace& place);

@@ -25,8 +25,9 @@ constexpr double kCornerShare = 0.7;
 // found exactly.
 constexpr int kHeadOnLooks = 4;
 constexpr double kNearLimit = 5 * kDegree;
-// Of the limit: between looks that meet less there is no peak above it.
-constexpr double kHighShare = 0.75;
+// Share of the limit, and rad: by so much a peak between two looks may exceed both.
+constexpr double kLowShare = 0.25;
+constexpr double kHighestPeak = 6 * kDegree;
 constexpr double kSharp = 0.02;  // of unit vectors along the wall on both sides of a corner
 
 }  // namespace
@@ -141,24 +142,28 @@ void Steering::step_on_wall() {
   if (idle() > (has_cut() ? kIdleAfterCut : kIdleBeforeCut) * radius_) mode_ = Mode::kEnd;
 }
 
-// True where the front has a cusp between two looks, or where the tool's right side, along the
-// wall, comes free on the way, not far below the limit: until then the engaged arc has grown at its
-// far end, from there on it is lost at the other.
-bool Steering::may_peak_between(const Contact& a, const Contact& b) const {
-  const bool comes_free =
-      a.on_right && !b.on_right && std::max(a.total, b.total) > kHighShare * theta_;
-  return comes_free || !is_smooth_between(a, b);
+// True where the front may have a cusp between two looks, or where the tool's right side, along the
+// wall, comes free on the way: until then the engaged arc has grown at its far end, from there on
+// it is lost at the other.
+bool Steering::changes_between(const Contact& a, const Contact& b) const {
+  return (a.on_right && !b.on_right) || !is_smooth_between(a, b);
 }
 
-// The last look before a cusp between two looks at `wall`, if more is met there than at the second:
-// the engagement may peak at the cusp.
+// The same, but that a side that comes free does not count far below the limit.
+bool Steering::may_peak_between(const Contact& a, const Contact& b) const {
+  const double high = theta_ - std::max(kLowShare * theta_, kHighestPeak);
+  return std::max(a.total, b.total) > high ? changes_between(a, b) : !is_smooth_between(a, b);
+}
+
+// The last look before a cusp, or before the right side comes free, between two looks at `wall`, if
+// more is met there than at the second: the engagement may peak there.
 std::optional<double> Steering::cusp_between(const Segment& wall, const WallLook& first,
                                              const WallLook& second) const {
   WallLook before = first;
   for (double high = second.t; (high - before.t) * wall.length() > kCuspWidth * theta_ * radius_;) {
     const double middle = 0.5 * (before.t + high);
     const Contact there = contact({wall.point(middle), angle_of(wall.tangent(middle))});
-    if (!may_peak_between(before.contact, there))
+    if (!changes_between(before.contact, there))
       before = {middle, there};
     else
       high = middle;

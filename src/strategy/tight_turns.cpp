@@ -38,10 +38,11 @@ constexpr double kSameReach = 1e-10;
 // Of unit vectors: where a new arc ends, and along what follows it.
 constexpr double kSameDirection = 1e-5;
 
-// Turns in the open: how far they are from the border, as a share of the tool's radius; the
-// thickest that may be left, as a share of the side step, and in mm: a sharp right angle needs
-// 0.031.
+// Turns in the open: how far they are from the border, as a share of the tool's radius, and in mm,
+// which is more than what is replaced reaches; the thickest that may be left, as a share of the
+// side step, and in mm: a sharp right angle needs 0.031.
 constexpr double kInTheOpen = 0.1;
+constexpr double kLeastInTheOpen = 0.45;
 constexpr double kOpenShare = 0.25;
 constexpr double kThickestInTheOpen = 0.035;
 
@@ -218,11 +219,12 @@ std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, cons
 std::vector<Segment> without_tight_turns_in_the_open(const std::vector<Segment>& moves,
                                                      const Area& centres, ClearedGround& ground,
                                                      double engagement) {
+  if (first_left_behind(moves) > 0) return moves;
   const double radius = ground.tool_radius();
   const double widening =
       std::min(kThickestInTheOpen, kOpenShare * side_step(std::min(engagement, 0.5 * kPi), radius));
-  return widened(
-      moves, {centres, centres, widening, kThickest, 0, &ground, engagement, kInTheOpen * radius});
+  return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement,
+                         std::max(kInTheOpen * radius, kLeastInTheOpen)});
 }
 
 std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact) {

@@ -26,10 +26,10 @@ double most_widening(double engagement, double tool_radius, double tolerance);
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement, double widening);
 
-// The same for turns in the open, as in a notch of the stock's edge: those so far from the border
-// of `centres` that other passes follow beyond them, which take what is left. It may be much
-// thicker, but no more than a quarter of the side step at `engagement`; so the wider turns must be
-// what is added to the ground.
+// The same for turns in the open, as in a notch of the stock's edge: so far from the border of
+// `centres` that other passes are likely to follow beyond them, which take what is left. That may
+// be much thicker, up to a quarter of the side step at `engagement`; so the wider turns must be
+// what is added to the ground. Passes that come back to what they leave stay as they are.
 std::vector<Segment> without_tight_turns_in_the_open(const std::vector<Segment>& moves,
                                                      const Area& centres, ClearedGround& ground,
                                                      double engagement);

@@ -6,6 +6,7 @@
 #include <string>
 
 #include "corpus.h"
+#include "geometry_shapes.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/entry.h"
 #include "toolpath/helix.h"
@@ -56,7 +57,7 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
 
 TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   ClearingParams params;
-  const Region tiny = rectangle(0, 0, 1.22, 0.16), narrow = rectangle(0, 0, 2.5, 0.25);
+  const Region tiny = rectangle(0, 0, 1.22, 0.16);
   const Area centres({tiny});
   ASSERT_GT(widest(tiny).radius, 0.02 * 0.5 * params.tool_diameter);  // a helix would fit
   const std::optional<Entry> entry = descend_within(centres, widest(tiny), params);
@@ -68,8 +69,14 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   params.entry = EntryKind::kHelix;
   EXPECT_EQ(descend_within(centres, widest(tiny), params)->descent.kind, DescentKind::kHelix);
   params.entry = EntryKind::kAutomatic;
-  EXPECT_EQ(descend_within(Area({narrow}), widest(narrow), params)->descent.kind,
-            DescentKind::kRamp);
+  for (const Region& other : {rectangle(0, 0, 0.7, 0.7), rectangle(0, 0, 0.25, 2.5)})
+    EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
+              DescentKind::kRamp);
+  // A helix fills a round one.
+  for (const Region& other : {rectangle(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
+                              make_region(shapes::circle({0, 0}, 0.45))})
+    EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
+              DescentKind::kHelix);
   const Region larger = rectangle(0, 0, 1, 1);
   EXPECT_EQ(descend_within(Area({larger}), widest(larger), params)->descent.kind,
             DescentKind::kHelix);
