@@ -72,7 +72,7 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   for (const Region& other : {rectangle(0, 0, 0.7, 0.7), rectangle(0, 0, 0.25, 2.5)})
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
               DescentKind::kRamp);
-  // A helix fills a round one.
+  // Longer ones have passes; round ones are filled by a helix.
   for (const Region& other : {rectangle(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
                               make_region(shapes::circle({0, 0}, 0.45))})
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
