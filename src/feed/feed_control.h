@@ -10,14 +10,11 @@
 
 namespace evenload {
 
-// How fine the steps are in which the feed changes within moves, and how few moves there are.
+// How fine the steps are in which the feed changes within moves.
 struct FeedSteps {
-  double price = 0.015;       // s: what one more block must save for a change of feed
-  double shortest = 0.1;      // mm: no piece is shorter, unless its move is; controllers handle a
-                              // limited number of blocks per second
-  double move_price = 0.043;  // s: what one move more must save, and one less may cost, where the
-                              // path itself can have fewer; the more of those there are, the
-                              // fewer changes of feed a program has room for
+  double price = 0.015;   // s: what one more block must save
+  double shortest = 0.1;  // mm: no piece is shorter, unless its move is; controllers handle a
+                          // limited number of blocks per second
 };
 
 struct FeedParams {

@@ -228,7 +228,7 @@ class FewerMoves {
 
   // s: of a way's blocks, and of the corners that posts make of its tight turns.
   double price_of(const std::vector<Segment>& way) const {
-    return params_.feed_steps.move_price * static_cast<double>(way.size()) +
+    return params_.move_price * static_cast<double>(way.size()) +
            kCornerPrice * static_cast<double>(corners_of(way));
   }
 

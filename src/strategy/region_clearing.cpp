@@ -23,7 +23,6 @@
 #include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
 #include "support/errors.h"
-#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -314,17 +313,10 @@ class RegionClearing {
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
                          exact_, ground_, params_, task_.overload, task_.rows);
-    const auto widened = [&] {
-      return without_tight_turns(
-          pass.moves, exact_, ground_, params_.engagement_angle,
-          most_widening(params_.engagement_angle, radius_, params_.tolerance));
-    };
-    std::vector<Segment> way = widened();
-    if (std::any_of(way.begin(), way.end(), is_tight)) {
-      pass.moves =
-          without_tight_turns_in_the_open(pass.moves, exact_, ground_, params_.engagement_angle);
-      way = widened();
-    }
+    WidenedPass widened =
+        with_wide_turns(pass.moves, exact_, ground_, params_.engagement_angle, params_.tolerance);
+    pass.moves = std::move(widened.cut);
+    std::vector<Segment> way = std::move(widened.posted);
     slivers_.expect(pass.moves, way, ground_);
     // What the wider turns left is met by the next turn of a pass that comes back to them.
     if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);

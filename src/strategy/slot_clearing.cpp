@@ -41,6 +41,7 @@ ClearingParams for_passes(ClearingParams params) {
   const double limit = params.engagement_angle;
   params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
   params.feed_steps = kSlotFeedSteps;
+  params.move_price = kSlotFeedSteps.price;
   return params;
 }
 
@@ -70,7 +71,10 @@ class SlotClearing {
     repeat(Use::kSlots);
     if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
       opening_.notes.push_back(circles_note(shown_place(task_, *circles_at_)));
-    if (!is_repeated()) passes_.feed_steps = params_.feed_steps;
+    if (!is_repeated()) {
+      passes_.feed_steps = params_.feed_steps;
+      passes_.move_price = params_.move_price;
+    }
     RegionResult result = clear_rest();
     if (!is_repeated() && !progress_.cancelled()) result.notes.push_back(told_fallback());
     return result;

@@ -203,6 +203,16 @@ std::vector<Segment> widened(const std::vector<Segment>& moves, const TurnDemand
   return result;
 }
 
+std::vector<Segment> widened_in_the_open(const std::vector<Segment>& moves, const Area& centres,
+                                         ClearedGround& ground, double engagement) {
+  if (first_left_behind(moves) > 0) return moves;
+  const double radius = ground.tool_radius();
+  const double widening =
+      std::min(kThickestInTheOpen, kOpenShare * side_step(std::min(engagement, 0.5 * kPi), radius));
+  return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement,
+                         std::max(kInTheOpen * radius, kLeastInTheOpen)});
+}
+
 }  // namespace
 
 double most_widening(double engagement, double tool_radius, double tolerance) {
@@ -216,15 +226,18 @@ std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, cons
   return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement});
 }
 
-std::vector<Segment> without_tight_turns_in_the_open(const std::vector<Segment>& moves,
-                                                     const Area& centres, ClearedGround& ground,
-                                                     double engagement) {
-  if (first_left_behind(moves) > 0) return moves;
-  const double radius = ground.tool_radius();
-  const double widening =
-      std::min(kThickestInTheOpen, kOpenShare * side_step(std::min(engagement, 0.5 * kPi), radius));
-  return widened(moves, {centres, centres, widening, kThickest, 0, &ground, engagement,
-                         std::max(kInTheOpen * radius, kLeastInTheOpen)});
+WidenedPass with_wide_turns(const std::vector<Segment>& moves, const Area& centres,
+                            ClearedGround& ground, double engagement, double tolerance) {
+  const auto posted = [&](const std::vector<Segment>& cut) {
+    const double widening = most_widening(engagement, ground.tool_radius(), tolerance);
+    return without_tight_turns(cut, centres, ground, engagement, widening);
+  };
+  WidenedPass pass{moves, posted(moves)};
+  if (std::any_of(pass.posted.begin(), pass.posted.end(), is_tight)) {
+    pass.cut = widened_in_the_open(moves, centres, ground, engagement);
+    pass.posted = posted(pass.cut);
+  }
+  return pass;
 }
 
 std::vector<Region> without_tight_corners(const std::vector<Region>& regions, const Area& exact) {

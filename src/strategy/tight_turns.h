@@ -26,13 +26,19 @@ double most_widening(double engagement, double tool_radius, double tolerance);
 std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, const Area& centres,
                                          ClearedGround& ground, double engagement, double widening);
 
-// The same for turns in the open, as in a notch of the stock's edge: so far from the border of
-// `centres` that other passes are likely to follow beyond them, which take what is left. That may
-// be much thicker, up to a quarter of the side step at `engagement`; so the wider turns must be
-// what is added to the ground. Passes that come back to what they leave stay as they are.
-std::vector<Segment> without_tight_turns_in_the_open(const std::vector<Segment>& moves,
-                                                     const Area& centres, ClearedGround& ground,
-                                                     double engagement);
+// A pass as the ground is to know it, and the way to be posted, which leaves what no pass comes
+// back for.
+struct WidenedPass {
+  std::vector<Segment> cut, posted;
+};
+
+// `moves` without tight turns, widened by most_widening(). Where that does not do, turns in the
+// open are widened by more, as in a notch of the stock's edge: so far from the border of `centres`
+// that other passes are likely to follow beyond them, which take what is left, up to a quarter of
+// the side step at `engagement` rad and 0.035 mm. Passes that come back to what they leave stay as
+// they are there. `tolerance`: mm.
+WidenedPass with_wide_turns(const std::vector<Segment>& moves, const Area& centres,
+                            ClearedGround& ground, double engagement, double tolerance);
 
 // The same for the sharp corners of regions' borders, inside the regions and however far from the
 // corner; tight turns along the border of `exact` stay as they are.

@@ -93,7 +93,7 @@ struct PatternFigures {
 };
 // The load changes all along a period, and there are hundreds of them: steps of the feed that a
 // long pass would hardly gain by are a good part of their time. 0.1 mm take 6 ms at 1000 mm/min.
-inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1, 0.002};
+inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 

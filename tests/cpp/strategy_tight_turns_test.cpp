@@ -90,17 +90,24 @@ TEST(TightTurns, InTheOpenLeaveWhatTheNextPassTakes) {
   const std::vector<Segment> moves = turn(0.4, 0.03, 1.5);
   ASSERT_TRUE(has_corners(moves));
   EXPECT_TRUE(has_corners(widened(moves, ground)));
-  const std::vector<Segment> wide =
-      without_tight_turns_in_the_open(moves, Area({room()}), ground, kTheta);
+  const auto cut = [&](const std::vector<Segment>& pass, const Region& places, double theta) {
+    return with_wide_turns(pass, Area({places}), ground, theta, 0.005).cut;
+  };
+  const std::vector<Segment> wide = cut(moves, room(), kTheta);
   ASSERT_EQ(wide.size(), 3u);
   EXPECT_FALSE(has_corners(wide));
   for (std::size_t i = 1; i < wide.size(); ++i)
     EXPECT_TRUE(is_tangent(wide[i - 1], wide[i], 1e-5)) << i;
   // What is left is a share of the next side step, which is next to nothing at a small angle.
-  EXPECT_TRUE(
-      has_corners(without_tight_turns_in_the_open(moves, Area({room()}), ground, kPi / 30)));
+  EXPECT_TRUE(has_corners(cut(moves, room(), kPi / 30)));
   const Region beside = make_region(rectangle(-50, -50, moves[1].b.x + 0.3, 50));
-  EXPECT_TRUE(has_corners(without_tight_turns_in_the_open(moves, Area({beside}), ground, kTheta)));
+  EXPECT_TRUE(has_corners(cut(moves, beside, kTheta)));
+  // Its own next turn was steered for what the tight one left.
+  std::vector<Segment> coming_back = moves;
+  const Vec2 end = moves.back().b, along = moves.back().tangent(1);
+  coming_back.push_back(
+      Segment::arc(end + 5.0 * left_normal(along), 5, angle_of(along) - kPi / 2, 6));
+  EXPECT_TRUE(has_corners(cut(coming_back, room(), kTheta)));
 }
 
 // From the tighter arc to the line no one arc leads: that arc gives way, too.
