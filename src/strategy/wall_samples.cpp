@@ -102,8 +102,19 @@ void WallSamples::take_samples(double spacing) {
       }
       track.count = samples_.size() - track.first;
       tracks_.push_back(track);
+      own_first_shared(track);
     }
   }
+}
+
+// Where a stage's own stretch of wall ends, the first sample that it shares with the stage before
+// is its own as well. In a gap that widens the wall of the stage before begins further on than any
+// sample of the stretch lies, and nothing else would lead there.
+void WallSamples::own_first_shared(const Track& track) {
+  std::vector<std::size_t> first;
+  for (std::size_t i = track.first; i < track.first + track.count; ++i)
+    if (samples_[i].shared && !samples_[neighbour(i, 1)].shared) first.push_back(i);
+  for (const std::size_t i : first) samples_[i].shared = false;
 }
 
 // What lies within a tool's radius in an earlier stage is cut first.

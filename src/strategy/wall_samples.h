@@ -68,6 +68,7 @@ class WallSamples {
   static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
   static bool blocks(const Sample& sample);
   void take_samples(double spacing);
+  void own_first_shared(const Track& track);
   void order_by_stage();
   std::vector<PassStart> starts(const std::set<std::size_t>& from) const;
   std::vector<PassStart> earliest(const std::vector<PassStart>& starts) const;

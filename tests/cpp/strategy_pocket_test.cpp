@@ -152,6 +152,15 @@ TEST(PocketTest, AGapThatWidensInwardsIsClearedWithoutBitsOfItsBorder) {
   EXPECT_LE(corpus::clear(pocket, pocket.params()).report.retracts, 7);
 }
 
+TEST(PocketTest, AGapThatWidensBehindItsMouthIsEnteredThroughIt) {
+  const corpus::Case pocket = corpus::load("gap_that_widens_outwards");
+  const Toolpath path = corpus::clear(pocket, pocket.params());
+  int entries = 0;
+  for (std::size_t i = 1; i < path.moves.size(); ++i)
+    entries += path.moves[i].kind == MoveKind::kEntry && path.moves[i - 1].kind != MoveKind::kEntry;
+  EXPECT_EQ(entries, 1);
+}
+
 // Moves per mm of path.
 double blocks_of(const Toolpath& path) {
   return static_cast<double>(path.moves.size()) /

@@ -105,6 +105,11 @@ class ScannedWalls {
       }
     }
     counts_.resize(marks_.size(), marks_.size() - first);
+    // Where a stretch of its own ends the first mark behind it is the stage's own, too.
+    const std::vector<Mark> before(marks_.begin() + static_cast<std::ptrdiff_t>(first),
+                                   marks_.end());
+    for (std::size_t i = 0; i < before.size(); ++i)
+      if (!before[(i + before.size() - 1) % before.size()].shared) marks_[first + i].shared = false;
   }
 
   void look(Mark& mark) {
