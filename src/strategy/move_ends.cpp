@@ -22,7 +22,7 @@ bool continues(const Segment& a, const Segment& b) {
   if (a.is_arc() != b.is_arc()) return false;
   if (!a.is_arc()) return norm(a.tangent(1) - b.tangent(0)) < 1e-9;
   return distance(a.centre, b.centre) < 1e-9 && std::abs(a.radius - b.radius) < 1e-9 &&
-         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < kPi;
+         (a.sweep > 0) == (b.sweep > 0) && std::abs(a.sweep + b.sweep) < kLargestSweep;
 }
 
 Segment joined(const Segment& a, const Segment& b) {

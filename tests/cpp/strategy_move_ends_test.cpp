@@ -30,6 +30,15 @@ TEST(MoveEnds, AreShortenedOnTheirLineOrCircle) {
 }
 
 // Of a turn by 100 degrees at 0.08 mm a half would be posted as lines.
+TEST(MoveEnds, JoinUpToHalfATurn) {
+  const Segment whole = Segment::arc({1, 2}, 0.1, 0.3, kPi);
+  const std::vector<Segment> both = joined({whole.part(0, 0.9), whole.part(0.9, 1)});
+  ASSERT_EQ(both.size(), 1u);
+  EXPECT_NEAR(both.front().sweep, kPi, 1e-12);
+  const Segment more = Segment::arc({1, 2}, 0.1, 0.3, 1.01 * kPi);
+  EXPECT_EQ(joined({more.part(0, 0.9), more.part(0.9, 1)}).size(), 2u);
+}
+
 TEST(MoveEnds, KeepAnArcWholeOfWhichTheRestWouldBePostedAsLines) {
   const std::vector<Segment> way = way_that_ends_in_a_turn(0.08, 1.75);
   ASSERT_FALSE(is_tight(way.back()));
