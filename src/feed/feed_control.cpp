@@ -132,7 +132,8 @@ class Division {
   struct Start {
     std::size_t at = 0;
     double cost = 0;  // s: of the pieces before
-    double share = 0, least_share = std::numeric_limits<double>::infinity();
+    double mean = 0, peak = 0, share = 0;  // share: what its feed follows from
+    double least_share = std::numeric_limits<double>::infinity();
     double own = 0;                 // s
     std::size_t beaten_by = kNone;  // a later place
   };
@@ -155,7 +156,9 @@ class Division {
     if (!starts_.empty() && starts_.front().at + kLongestPiece < end)
       starts_.erase(starts_.begin());
     for (Start& start : starts_) {
-      start.share = load_.share(start.at, end, start.share);
+      start.mean = load_.share(start.at, end, start.mean);
+      start.peak = std::max(start.peak, samples_[end - 1].share);
+      start.share = std::max(start.mean, start.peak / kMostPeak);
       start.least_share = std::min(start.least_share, samples_[end - 1].share);
     }
   }

@@ -39,7 +39,7 @@ struct ClearingParams {
   double least_load = 0;        // 0 to kMostLeastLoad, of the nominal, where slower than the cap
   double rapid_feed = 5000;     // mm/min, > 0: only for the report's times
   FeedSteps feed_steps;         // of the feed control
-  double move_price = 0.043;    // s: what one move more must save, and one less may cost; the fewer
+  double move_price = 0.025;    // s: what one move more must save, and one less may cost; the fewer
                                 // there are, the more changes of feed a program has room for
   double roll_radius = 0.9;     // mm, > 0: a wish
   double minimum_radius = 0.9;  // mm, > 0: a wish

@@ -177,13 +177,11 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
     FeedParams own{params.feed, params.maximum_feed, params.link_feed, params.feed_steps};
     own.least_load = params.least_load;
     const bool is_repeated = repeats(region);
-    if (is_repeated) {
-      own.steps = kSlotFeedSteps;
-      // In longer parts means gain little, and forces peak a fifth higher; with a least load the
-      // whole mean must be near the worst sample anyway.
-      if (params.feed_control == FeedControl::kConstantRemovalRate && params.least_load <= 0)
-        own.mean_length = kMeanLength;
-    }
+    if (is_repeated) own.steps = kSlotFeedSteps;
+    // With a least load the whole mean must be near the worst sample anyway.
+    if (params.feed_control == FeedControl::kConstantRemovalRate && own.steps.means &&
+        params.least_load <= 0)
+      own.mean_length = kMeanLength;
     const std::vector<double> found = is_repeated ? set_constant_load(region, samples, own)
                                                   : set_load(region, samples, own, params);
     feeds.insert(feeds.end(), found.begin(), found.end());

@@ -20,8 +20,8 @@ constexpr double kRounding = 1e-3;  // of areas
 constexpr double kStraight = 1e-9;  // steps of a course
 constexpr double kSlow = 1.3;       // ideal times
 // Along a spiral the load changes all the time, a little; its curve is chosen with blocks at this
-// price (lame_opening.cpp).
-constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2};
+// price (lame_opening.cpp), and means gain nothing.
+constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2, false};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
