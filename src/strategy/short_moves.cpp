@@ -7,6 +7,7 @@
 
 #include "geometry/bi_arc.h"
 #include "strategy/move_checks.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -48,7 +49,8 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
       std::clamp(kPosted / std::min(a.length(), b.length()), kSameDirection, kMostPosted);
   if (!is_tangent(a, b, posted)) return {};
   const bool on_wall = follows_border(a, centres) || follows_border(b, centres);
-  if (on_wall && std::min(a.length(), b.length()) > kTurnedByPosts) return {};
+  const Segment& shorter = a.length() < b.length() ? a : b;
+  if (on_wall && shorter.length() > kTurnedByPosts && !is_tight(shorter)) return {};
   const double beyond = on_wall ? kPosted : kOnBorder;
   if (on_wall) smoothing = std::min(smoothing, kPosted);
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
@@ -64,8 +66,11 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
     if (norm(one.tangent(1) - to.direction) < posted && serves({one})) return {one};
   }
   const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
-  const double shortest = std::min(kShortest, kWorthwhile * std::min(a.length(), b.length()));
-  if (!two || std::min(two->first.length(), two->second.length()) < shortest) return {};
+  if (!two) return {};
+  const double shortest = std::min(kShortest, kWorthwhile * shorter.length());
+  const bool is_long = std::min(two->first.length(), two->second.length()) >= shortest;
+  const bool is_wider = is_tight(shorter) && !is_tight(two->first) && !is_tight(two->second);
+  if (!is_long && !is_wider) return {};
   const std::vector<Segment> way{two->first, two->second};
   return serves(way) ? way : std::vector<Segment>{};
 }

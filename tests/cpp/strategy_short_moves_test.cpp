@@ -4,6 +4,7 @@
 
 #include "geometry_shapes.h"
 #include "strategy/short_moves.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -163,6 +164,37 @@ TEST(ShortMoves, AlongAWallAndBesideItNeverLeaveIt) {
   EXPECT_EQ(smooth[1].b, moves[1].b);
   for (const Segment& move : smooth)
     for (int k = 0; k <= 20; ++k) EXPECT_GE(centres.signed_distance(move.point(k / 20.0)), -1e-6);
+}
+
+// A wall that turns left by arcs of these curvatures, 1/mm, and lengths, mm, and the way along it.
+TEST(ShortMoves, OfAWallThatPostsWouldWriteAsLinesAreTakenUpByTheWallBesideThem) {
+  using Pieces = std::vector<std::pair<double, double>>;
+  for (const Pieces& pieces : {Pieces{{1 / 0.38, 0.0374}, {1 / 0.1495, 0.0079}, {1 / 0.15, 0.0632}},
+                               Pieces{{1 / 0.35, 0.0459}, {1 / 0.307, 0.0162}, {1 / 0.152, 0.114}}}) {
+    Vec2 p{0, 0};
+    double heading = 0;
+    std::vector<Segment> way{next_move(&p, &heading, 0, 1)};
+    for (const auto& [curvature, length] : pieces)
+      way.push_back(next_move(&p, &heading, curvature, length));
+    way.push_back(next_move(&p, &heading, 0, 1));
+    std::vector<Vertex> outline;
+    for (const Segment& s : way) outline.push_back({s.a, s.bulge(), false});
+    outline.push_back({p, 0, false});
+    outline.push_back({{-3, 3}, 0, false});
+    outline.push_back({{-3, 0}, 0, false});
+    const Area centres({make_region(Curve(outline, true))});
+    ASSERT_TRUE(is_tight(way[2]));
+    const std::vector<Segment> smooth = without_short_moves(way, centres);
+    EXPECT_EQ(smooth.back().b, way.back().b);
+    for (std::size_t i = 0; i < smooth.size(); ++i) {
+      EXPECT_FALSE(is_tight(smooth[i]));
+      if (i > 0) EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+      for (int k = 0; k <= 20; ++k) {
+        EXPECT_LE(distance_from(smooth[i].point(k / 20.0), way), 5.1e-5);
+        EXPECT_GE(centres.signed_distance(smooth[i].point(k / 20.0)), -5.1e-5);
+      }
+    }
+  }
 }
 
 }  // namespace
