@@ -158,7 +158,7 @@ class Division {
     for (Start& start : starts_) {
       start.mean = load_.share(start.at, end, start.mean);
       start.peak = std::max(start.peak, samples_[end - 1].share);
-      start.share = std::max(start.mean, start.peak / kMostPeak);
+      start.share = std::max(start.mean, start.peak / params_.steps.most_peak);
       start.least_share = std::min(start.least_share, samples_[end - 1].share);
     }
   }

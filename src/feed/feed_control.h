@@ -15,7 +15,11 @@ struct FeedSteps {
   double price = 0.006;   // s: what one more block must save
   double shortest = 0.1;  // mm: no piece is shorter, unless its move is; controllers handle a
                           // limited number of blocks per second
-  bool means = true;      // a removal rate is held as a mean over a tenth of a mm
+  // Where the load is held as a mean no sample is above so much of the nominal one, >= 1; 1: every
+  // sample is held. With 1.1 the star's largest force at a constant removal rate is 1.46 times the
+  // straight cut's, with 1.15 it is 1.53, without a bound 1.70; most of the time that means save is
+  // saved with 1.15.
+  double most_peak = 1.15;
 };
 
 struct FeedParams {
@@ -23,18 +27,14 @@ struct FeedParams {
   double maximum_feed = 510;  // mm/min
   double link_feed = 1500;    // mm/min
   FeedSteps steps;
-  double mean_length = 0;  // mm: the load is held as a mean over so much of the path, and never above
-                           // kMostPeak; 0: everywhere
+  double mean_length = 0;  // mm: the load is held as a mean over so much of the path, within
+                           // steps.most_peak; 0: everywhere
   // 0 to kMostLeastLoad: within a piece below `maximum_feed` no load is a smaller share of the
   // largest, as far as moves can be divided; pieces may then be as short as that asks for.
   double least_load = 0;
 };
 
 inline constexpr double kMostLeastLoad = 0.95;
-// Where the load is held as a mean no sample is above so much of the nominal one: with 1.1 the
-// star's largest force at a constant removal rate is 1.46 times the straight cut's, with 1.15 it is
-// 1.53, without a bound 1.70; most of the time that means save is saved with 1.15.
-inline constexpr double kMostPeak = 1.15;
 
 // Every cut at `feed`, every link at `link_feed`.
 void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);

@@ -179,7 +179,7 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
     const bool is_repeated = repeats(region);
     if (is_repeated) own.steps = kSlotFeedSteps;
     // With a least load the whole mean must be near the worst sample anyway.
-    if (params.feed_control == FeedControl::kConstantRemovalRate && own.steps.means &&
+    if (params.feed_control == FeedControl::kConstantRemovalRate && own.steps.most_peak > 1 &&
         params.least_load <= 0)
       own.mean_length = kMeanLength;
     const std::vector<double> found = is_repeated ? set_constant_load(region, samples, own)

@@ -21,7 +21,7 @@ constexpr double kStraight = 1e-9;  // steps of a course
 constexpr double kSlow = 1.3;       // ideal times
 // Along a spiral the load changes all the time, a little; its curve is chosen with blocks at this
 // price (lame_opening.cpp), and means gain nothing.
-constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2, false};
+constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2, 1};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);

@@ -188,8 +188,8 @@ TEST(FeedControl, HoldsNoSampleFarAboveTheLoadWhereMeansCount) {
       if (feeds[i] != params.link_feed)
         worst = std::max(worst, profile[i].share * feeds[i] / params.feed);
   }
-  EXPECT_LE(worst, kMostPeak + 1e-9);
-  EXPECT_GT(worst, kMostPeak - 0.01);
+  EXPECT_LE(worst, FeedSteps().most_peak + 1e-9);
+  EXPECT_GT(worst, FeedSteps().most_peak - 0.01);
 }
 
 double seconds(const std::vector<PlanarRun>& runs) {
