@@ -69,7 +69,8 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
   if (!two) return {};
   const double shortest = std::min(kShortest, kWorthwhile * shorter.length());
   const bool is_long = std::min(two->first.length(), two->second.length()) >= shortest;
-  const bool is_wider = is_tight(shorter) && !is_tight(two->first) && !is_tight(two->second);
+  const bool is_wider =
+      on_wall && is_tight(shorter) && !is_tight(two->first) && !is_tight(two->second);
   if (!is_long && !is_wider) return {};
   const std::vector<Segment> way{two->first, two->second};
   return serves(way) ? way : std::vector<Segment>{};

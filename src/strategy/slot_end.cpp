@@ -66,8 +66,9 @@ std::optional<Region> end_room(const Region& region, const Area& centres, const 
   // Beyond the stretch a round end is narrower, and a front across it would meet it in corners.
   const double from =
       std::max(0.0, back.middle.length() - place_of(way, last_period) - way.reach.back);
-  std::optional<Region> room = room_behind(region, centres, round_front(back, from));
-  return room && is_end(*room, back, from) ? std::move(room) : std::nullopt;
+  const std::vector<Segment> front = round_front(back, from);
+  std::optional<Region> room = room_behind(region, centres, front);
+  return room && is_end(*room, back, front) ? std::move(room) : std::nullopt;
 }
 
 std::unique_ptr<EarlyEnd> EarlyEnd::begin(const RegionTask& task, const Area& centres,

@@ -8,7 +8,8 @@
 namespace evenload {
 namespace {
 
-// Half rooms squared: an end of a slot that has more besides its stretch is no mere end.
+// Half rooms squared: an end of a slot that has more besides its stretch, as far as the front
+// reaches, is no mere end.
 constexpr double kLongestEnd = 8;
 
 std::optional<WallPlace> place_on_wall(const Area& centres, Vec2 p) {
@@ -69,16 +70,20 @@ std::optional<Region> room_between(const Region& region, const Area& centres,
   return closed_room(region, border);
 }
 
-bool is_end(const Region& room, const SlotStretch& stretch, double s) {
+bool is_end(const Region& room, const SlotStretch& stretch, const std::vector<Segment>& front) {
+  double furthest = 0;  // share of the stretch
+  for (const Segment& piece : front)
+    for (const double t : {0.5, 1.0})
+      furthest = std::max(furthest, stretch.middle.nearest(piece.point(t)));
   const double h = stretch.half_room;
-  return room.area() < kLongestEnd * h * h + 2 * h * s;
+  return room.area() < kLongestEnd * h * h + 2 * h * furthest * stretch.middle.length();
 }
 
 std::optional<StartRoom> start_room(const Region& region, const Area& centres,
                                     const SlotStretch& stretch, double s,
                                     const std::vector<Segment>& front) {
   std::optional<Region> room = room_behind(region, centres, front);
-  if (room && is_end(*room, stretch, s)) return StartRoom{std::move(*room), true};
+  if (room && is_end(*room, stretch, front)) return StartRoom{std::move(*room), true};
   room = room_between(region, centres, stretch, std::max(0.0, s - stretch.half_room), front);
   if (!room) return std::nullopt;
   return StartRoom{std::move(*room), false};

@@ -150,6 +150,20 @@ TEST(SlotRooms, AreTheEndBehindAFrontAndTheStretchBetweenTwo) {
   EXPECT_NEAR(between->area(), 20 * 6 + 2 * cap, 1e-6);
 }
 
+// In a slot hardly wider than the tool passes at large angles bulge by several times its room.
+TEST(SlotRooms, BehindAFrontThatBulgesAreTheEndAllTheSame) {
+  const Region centres = make_region(shapes::rectangle(0, 0, 60, 0.5));
+  const Area area({centres});
+  const SlotStretch stretch{Segment::line({0.25, 0.25}, {59.75, 0.25}), 0.25};
+  const std::vector<Segment> front{Segment::line({18, 0}, {19.7, 0.02}),
+                                   Segment::line({19.7, 0.02}, {19.8, 0.45}),
+                                   Segment::line({19.8, 0.45}, {18.3, 0.5})};
+  const auto end = start_room(centres, area, stretch, 18, front);
+  ASSERT_TRUE(end);
+  EXPECT_TRUE(end->is_end);
+  EXPECT_GT(end->room.area(), 18 * 0.5);
+}
+
 // The stretch ends where one wall turns away; what is beyond is bounded by a wall of its own, which
 // comes nearer than the slot is wide.
 TEST(SlotRooms, BegunNearTheStretchesStartStayWithinTheWalls) {
