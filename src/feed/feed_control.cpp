@@ -131,7 +131,7 @@ class Division {
   // Where the last piece may begin, and that piece up to the sample that was looked at last.
   struct Start {
     std::size_t at = 0;
-    double cost = 0;  // s: of the pieces before
+    double cost = 0;                       // s: of the pieces before
     double mean = 0, peak = 0, share = 0;  // share: what its feed follows from
     double least_share = std::numeric_limits<double>::infinity();
     double own = 0;                 // s

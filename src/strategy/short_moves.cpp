@@ -23,6 +23,8 @@ constexpr double kTurnedByPosts = 4e-3;
 // The moves of a bi-arc are so many times as long as the shorter of those that it replaces, or
 // kShortest.
 constexpr double kWorthwhile = 4;
+// The same along the border, where they stay arcs in posted programs and the shorter one did not.
+constexpr double kWider = 1.5;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
 // rad: a way off the border and back that turns by less, all in all, is none.
@@ -67,11 +69,10 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
   }
   const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
   if (!two) return {};
-  const double shortest = std::min(kShortest, kWorthwhile * shorter.length());
-  const bool is_long = std::min(two->first.length(), two->second.length()) >= shortest;
   const bool is_wider =
       on_wall && is_tight(shorter) && !is_tight(two->first) && !is_tight(two->second);
-  if (!is_long && !is_wider) return {};
+  const double shortest = std::min(kShortest, (is_wider ? kWider : kWorthwhile) * shorter.length());
+  if (std::min(two->first.length(), two->second.length()) < shortest) return {};
   const std::vector<Segment> way{two->first, two->second};
   return serves(way) ? way : std::vector<Segment>{};
 }

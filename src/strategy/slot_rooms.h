@@ -20,8 +20,8 @@ std::vector<Segment> round_front(const SlotStretch& stretch, double s);
 std::optional<Region> room_behind(const Region& region, const Area& centres,
                                   const std::vector<Segment>& front);
 
-// True where a room behind a front is the end of a slot, and no more. In slots hardly wider than the
-// tool a front may bulge by several times the slot's room.
+// True where a room behind a front is the end of a slot, and no more. In slots hardly wider than
+// the tool a front may bulge by several times the slot's room.
 bool is_end(const Region& room, const SlotStretch& stretch, const std::vector<Segment>& front);
 
 // What lies between `front` and half a circle behind `s` mm along the stretch. Nothing where the

@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "geometry_shapes.h"
@@ -169,8 +170,9 @@ TEST(ShortMoves, AlongAWallAndBesideItNeverLeaveIt) {
 // A wall that turns left by arcs of these curvatures, 1/mm, and lengths, mm, and the way along it.
 TEST(ShortMoves, OfAWallThatPostsWouldWriteAsLinesAreTakenUpByTheWallBesideThem) {
   using Pieces = std::vector<std::pair<double, double>>;
-  for (const Pieces& pieces : {Pieces{{1 / 0.38, 0.0374}, {1 / 0.1495, 0.0079}, {1 / 0.15, 0.0632}},
-                               Pieces{{1 / 0.35, 0.0459}, {1 / 0.307, 0.0162}, {1 / 0.152, 0.114}}}) {
+  for (const Pieces& pieces :
+       {Pieces{{1 / 0.38, 0.0374}, {1 / 0.1495, 0.0079}, {1 / 0.15, 0.0632}},
+        Pieces{{1 / 0.35, 0.0459}, {1 / 0.307, 0.0162}, {1 / 0.152, 0.114}}}) {
     Vec2 p{0, 0};
     double heading = 0;
     std::vector<Segment> way{next_move(&p, &heading, 0, 1)};
@@ -195,6 +197,39 @@ TEST(ShortMoves, OfAWallThatPostsWouldWriteAsLinesAreTakenUpByTheWallBesideThem)
       }
     }
   }
+}
+
+// Walls of many tiny arcs, as offsets have them where a drawing has short lines: there is an end to
+// what gives way to what.
+TEST(ShortMoves, OfWallsOfTinyArcsComeToAnEnd) {
+  std::mt19937 random(21);
+  int fewer_tight = 0;
+  for (int round = 0; round < 300; ++round) {
+    Vec2 p{0, 0};
+    double heading = 0;
+    std::vector<Segment> way{next_move(&p, &heading, 0, 1)};
+    while (heading < 0.6 * kPi) {
+      const double radius = uniform(random, 0.02, 0.4);
+      way.push_back(next_move(&p, &heading, 1 / radius, uniform(random, 0.05, 0.4) * radius));
+    }
+    way.push_back(next_move(&p, &heading, 0, 1));
+    std::vector<Vertex> outline;
+    for (const Segment& s : way) outline.push_back({s.a, s.bulge(), false});
+    outline.push_back({p, 0, false});
+    outline.push_back({{-20, p.y + 20}, 0, false});
+    outline.push_back({{-20, 0}, 0, false});
+    const Area centres({make_region(Curve(outline, true))});
+    const std::vector<Segment> smooth = without_short_moves(way, centres);
+    EXPECT_EQ(smooth.back().b, way.back().b);
+    const auto tight = [](const std::vector<Segment>& moves) {
+      return std::count_if(moves.begin(), moves.end(), is_tight);
+    };
+    EXPECT_LE(tight(smooth), tight(way));
+    fewer_tight += tight(smooth) < tight(way);
+    for (const Segment& move : smooth)
+      EXPECT_LE(distance_from(move.point(0.5), way), 20 * 5e-5);  // some were replaced repeatedly
+  }
+  EXPECT_GT(fewer_tight, 30);
 }
 
 }  // namespace
