@@ -29,7 +29,7 @@ constexpr double kBlocksPerRun = 3;
 // least price that leaves few; the share of the blocks that may stay unused; and the part of an
 // interval of prices, in logarithms, that the next one keeps off its ends.
 constexpr double kDearest = 0.1;
-constexpr int kPrices = 6;
+constexpr int kPrices = 9;
 constexpr double kUnused = 0.002;
 constexpr double kEdge = 0.15;
 // More time than this, as a share, no number of blocks is worth.

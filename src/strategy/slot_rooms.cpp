@@ -8,8 +8,8 @@
 namespace evenload {
 namespace {
 
-// Half rooms squared: an end of a slot that has more besides its stretch, as far as the front
-// reaches, is no mere end.
+// Half rooms squared: an end of a slot that has more besides its stretch, up to the furthest place
+// of the front, is no mere end.
 constexpr double kLongestEnd = 8;
 
 std::optional<WallPlace> place_on_wall(const Area& centres, Vec2 p) {

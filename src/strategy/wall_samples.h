@@ -3,8 +3,9 @@
 // Every front between cleared ground and material ends on walls. So along each wall, in the
 // direction of climb milling, cleared and uncleared stretches alternate, and each change from
 // cleared to uncleared is where a pass can start. Samples are taken along the walls of every stage;
-// what a stage shares with the one before is sampled once. Our own; the source orders its passes by
-// the medial axis [Jacsó 2021, hybrid path].
+// what a stage shares with the one before is sampled once, but for the first sample behind each
+// stretch of its own. Our own; the source orders its passes by the medial axis [Jacsó 2021, hybrid
+// path].
 //
 // A look costs as much as there is uncleared near it, and a list of starts as much as it has
 // entries, however long the walls are: only samples that have changed are looked at again.

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <random>
 
 #include "feed/load_profile.h"
@@ -163,7 +164,7 @@ TEST(FeedControl, HoldsNoMeanAboveTheLoadWhereOnlyMeansCount) {
       const std::vector<LoadSample> profile = random_profile(random, before);
       std::vector<PlanarRun> after = before;
       FeedParams params;
-      params.steps = {0.002, 0.1};
+      params.steps = {0.002, 0.1, std::numeric_limits<double>::infinity()};
       params.mean_length = length;
       const std::vector<double> feeds = set_constant_load(after, profile, params);
       for (const LoadedWay& way : loaded_ways(before, profile, feeds))

@@ -29,7 +29,6 @@ TEST(MoveEnds, AreShortenedOnTheirLineOrCircle) {
   EXPECT_EQ(way.size(), 1u);
 }
 
-// Of a turn by 100 degrees at 0.08 mm a half would be posted as lines.
 TEST(MoveEnds, JoinUpToHalfATurn) {
   const Segment whole = Segment::arc({1, 2}, 0.1, 0.3, kPi);
   const std::vector<Segment> both = joined({whole.part(0, 0.9), whole.part(0.9, 1)});
@@ -39,6 +38,7 @@ TEST(MoveEnds, JoinUpToHalfATurn) {
   EXPECT_EQ(joined({more.part(0, 0.9), more.part(0.9, 1)}).size(), 2u);
 }
 
+// Of a turn by 100 degrees at 0.08 mm a half would be posted as lines.
 TEST(MoveEnds, KeepAnArcWholeOfWhichTheRestWouldBePostedAsLines) {
   const std::vector<Segment> way = way_that_ends_in_a_turn(0.08, 1.75);
   ASSERT_FALSE(is_tight(way.back()));

@@ -159,6 +159,7 @@ TEST(PocketTest, AGapThatWidensBehindItsMouthIsEnteredThroughIt) {
   for (std::size_t i = 1; i < path.moves.size(); ++i)
     entries += path.moves[i].kind == MoveKind::kEntry && path.moves[i - 1].kind != MoveKind::kEntry;
   EXPECT_EQ(entries, 1);
+  EXPECT_EQ(path.report.uncut_area, 0);
 }
 
 // Moves per mm of path.

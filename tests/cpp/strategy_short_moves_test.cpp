@@ -227,7 +227,10 @@ TEST(ShortMoves, OfWallsOfTinyArcsComeToAnEnd) {
     EXPECT_LE(tight(smooth), tight(way));
     fewer_tight += tight(smooth) < tight(way);
     for (const Segment& move : smooth)
-      EXPECT_LE(distance_from(move.point(0.5), way), 20 * 5e-5);  // some were replaced repeatedly
+      for (int k = 0; k <= 20; ++k) {
+        EXPECT_LE(distance_from(move.point(k / 20.0), way), 1.05 * kSmoothing);
+        EXPECT_GE(centres.signed_distance(move.point(k / 20.0)), -1.1e-4);
+      }
   }
   EXPECT_GT(fewer_tight, 30);
 }
