@@ -26,8 +26,7 @@ inline constexpr double kSmoothing = 1e-3;
 // is shorter than kShortest and turns by less than 0.6 degrees all in all.
 // Laws: the moves follow each other as before, and end where they ended; other moves along the
 // border stay as they are, but for those beside one that posts would turn by a degree, or write as
-// lines with corners, which change by less than posts round,
-// each time.
+// lines with corners, which change by less than posts round each time.
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
                                          double smoothing = kSmoothing);
 
