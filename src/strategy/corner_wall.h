@@ -19,9 +19,10 @@ struct CornerWall {
   WallPlace start;  // on its wall
 };
 
-// For a pass that starts at `start` on the wall of `stage` before a corner between straight walls,
-// which is cleared up to an arc. Nothing where the wall does not lead into such a corner, or no
-// more than what the stage's own wall takes is to be taken at `engagement` rad.
+// For a pass that starts at `start` on the wall of `stage` before a corner between walls that are
+// straight or nearly so, which is cleared up to an arc. Nothing where the wall does not lead into
+// such a corner, or no more than what the stage's own wall takes is to be taken at `engagement`
+// rad.
 std::optional<CornerWall> corner_wall(const Stage& stage, const WallPlace& start,
                                       const ClearedGround& ground, double engagement);
 

@@ -28,8 +28,12 @@ namespace evenload {
 namespace {
 
 // Left turns are never tighter than this share of the tool's radius, but at the exact border's
-// corners.
-constexpr double kTightestTurn = 0.001;
+// corners. Rooms that ask for less are cleared along the exact border, bit by bit, which is
+// quicker.
+constexpr double kTightestTurn = 0.004;
+// mm: nor are they tighter than this. A posted program holds no arcs of 0.008 mm and less, to which
+// half turns shrink where such a room narrows.
+constexpr double kTightestPosted = 0.012;
 // The same for turns that the walls do not need.
 constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
@@ -60,7 +64,7 @@ class RegionClearing {
         ground_(ground_of(task, radius_)),
         slivers_(radius_),
         stages_(stages()),
-        choice_(ground_, stages_, params, {limits().widest, kTightestTurn * radius_}),
+        choice_(ground_, stages_, params, {limits().widest, limits().tightest}),
         samples_(stages_, ground_) {
     for (const PlanarRun& run : task.before) add_to_ground(run);
   }
@@ -104,7 +108,7 @@ class RegionClearing {
 
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
-    const double tightest = kTightestTurn * 0.5 * params_.tool_diameter;
+    const double tightest = std::max(kTightestTurn * radius_, kTightestPosted);
     return {std::max(wish, tightest),
             tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),

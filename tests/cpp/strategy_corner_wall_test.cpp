@@ -17,6 +17,12 @@ Region wedge(double angle) {
   return make_region(shapes::polygon({{0, 0}, {10, 0}, 10 * unit(angle)}));
 }
 
+// The same between two arcs that bend away from each other.
+Region horn() {
+  const double half = std::asin(0.125), bulge = -std::tan(0.5 * half);
+  return make_region(Curve({{{0, 0}, bulge}, {{5, 0}, 0}, {5 * unit(40 * kDegree), bulge}}, true));
+}
+
 Stage stage_of(const Region& centres, double turn) {
   Stage stage;
   stage.turn_radius = turn;
@@ -27,11 +33,15 @@ Stage stage_of(const Region& centres, double turn) {
 }
 
 // Cleared along both walls, and round the corner by an arc of `radius`.
-ClearedGround ground_up_to(double radius, double angle) {
+ClearedGround ground_up_to(double radius, const Region& centres) {
   ClearedGround ground({{-4, -4}, {14, 14}}, kRadius, nullptr);
-  const Stage cleared = stage_of(wedge(angle), radius / kOpeningRatio);
+  const Stage cleared = stage_of(centres, radius / kOpeningRatio);
   for (const Segment& piece : cleared.centres.curves().front().segments()) ground.add(piece);
   return ground;
+}
+
+ClearedGround ground_up_to(double radius, double angle) {
+  return ground_up_to(radius, wedge(angle));
 }
 
 // On the wall that leads to the corner, `before` mm from it.
@@ -88,14 +98,37 @@ TEST(CornerWall, LeadsToTheTipInPassesThatAllKeepToTheEngagement) {
   EXPECT_GT(passes, 20);
 }
 
-TEST(CornerWall, IsNoneWhereNothingOrTooLittleIsCleared) {
+TEST(CornerWall, LiesBetweenWallsThatBend) {
+  const double cleared = 0.1, angle = 40 * kDegree;
+  const double tip = angle - 2 * std::asin(0.125);  // rad, between the arcs' tangents
+  const Stage stage = stage_of(horn(), 0.04);
+  ClearedGround ground = ground_up_to(cleared, horn());
+  const double before = 1.2 * cleared / std::tan(0.5 * tip);
+  const auto wall = corner_wall(stage, on_wall(stage, before, angle), ground, kTheta);
+  ASSERT_TRUE(wall);
+  EXPECT_NEAR(arc_of(*wall), held_ratio(0.5 * tip, kTheta) * cleared, 0.005 * cleared);
+  Steering steering(ground, wall->stage, kTheta);
+  const Pass pass = steering.along_wall(wall->start);
+  ASSERT_FALSE(pass.empty());
+  EXPECT_GT(pass.cut_area, 0);
+  const Area place({horn()});
+  int tight = 0;
+  for (const Segment& move : pass.moves) {
+    tight += move.is_arc() && move.radius < 1;
+    for (const double t : {0.0, 0.5, 1.0}) EXPECT_GT(place.signed_distance(move.point(t)), -1e-6);
+  }
+  EXPECT_EQ(tight, 1);
+}
+
+TEST(CornerWall, IsNoneWhereNothingOrTooLittleOrFarMoreIsCleared) {
   const double angle = 10 * kDegree;
   const Stage stage = stage_of(wedge(angle), 0.02);
   const WallPlace place = on_wall(stage, 2, angle);
   const ClearedGround untouched({{-4, -4}, {14, 14}}, kRadius, nullptr);
   EXPECT_FALSE(corner_wall(stage, place, untouched, kTheta));
-  EXPECT_FALSE(corner_wall(stage, place, ground_up_to(0.1, angle), kTheta));  // begins far off
   EXPECT_FALSE(corner_wall(stage, place, ground_up_to(0.02, angle), kTheta));
+  EXPECT_TRUE(corner_wall(stage, place, ground_up_to(0.1, angle), kTheta));
+  EXPECT_FALSE(corner_wall(stage, place, ground_up_to(0.15, angle), kTheta));
 }
 
 }  // namespace

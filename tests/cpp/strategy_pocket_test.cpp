@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -13,6 +14,7 @@
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -160,6 +162,17 @@ TEST(PocketTest, AGapThatWidensBehindItsMouthIsEnteredThroughIt) {
     entries += path.moves[i].kind == MoveKind::kEntry && path.moves[i - 1].kind != MoveKind::kEntry;
   EXPECT_EQ(entries, 1);
   EXPECT_EQ(path.report.uncut_area, 0);
+}
+
+TEST(PocketTest, ATipOfMicrometresIsClearedWithoutTurnsThatPostsCannotWrite) {
+  const corpus::Case pocket = corpus::load("tip_of_micrometres");
+  const Toolpath path = corpus::clear(pocket, pocket.params());
+  EXPECT_EQ(path.report.uncut_area, 0);
+  const auto corners = std::count_if(path.moves.begin(), path.moves.end(), [](const Move& move) {
+    return move.kind == MoveKind::kCut && move.sweep != 0 &&
+           becomes_corners(std::hypot(move.x - move.cx, move.y - move.cy), move.sweep);
+  });
+  EXPECT_LE(corners, 4);
 }
 
 // Moves per mm of path.
