@@ -7,6 +7,8 @@
 #include <sstream>
 #include <utility>
 
+#include "cutting/engagement.h"
+#include "feed/feed_control.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
@@ -15,6 +17,7 @@
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
+#include "strategy/move_checks.h"
 #include "strategy/move_ends.h"
 #include "strategy/pass_choice.h"
 #include "strategy/pass_ends.h"
@@ -52,6 +55,11 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
+// mm: of a move that is divided.
+constexpr double kShortestPart = 0.003;
+// Cosine between the directions of a start and of the pass that ran through it.
+constexpr double kSameWay = 1 - 1e-6;
+
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -332,21 +340,43 @@ class RegionClearing {
   // ground before the pass. False when it cuts next to nothing.
   bool go_and_take(Pass pass, double turn_radius, std::size_t before) {
     std::vector<Segment> way = smooth(pass);
+    const double from_contact = length_of(pass.moves) - pass.idle_before;
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
     for (std::vector<Segment>* moves : {&shorter, &way})
       begin_earlier(*moves, {ground_, before, &slivers_}, exact_);
     const Pose nearest = start_of(shorter), start = start_of(way);
-    if (link_to(nearest, before)) {
+    if (link_to(nearest, before) || back_to(nearest)) {
       way = std::move(shorter);
-    } else if (!link_to(start, before)) {
+    } else if (!link_to(start, before) && !back_to(start)) {
       take_back(ground_, pass);  // the tool comes down before the pass is cut
       if (!come_down_at(start)) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
+    if (turn_radius <= 0) divide_run_up(way, length_of(way) - from_contact, pass);
     pass.moves = std::move(way);
     return take(std::move(pass), turn_radius);
+  }
+
+  // Feeds change within no move as short as a run-up of `length` mm and the bit of the exact border
+  // behind it, which is cut slowly where the tool stands in a front. So these are two moves, if
+  // that is worth one and both can be written.
+  void divide_run_up(std::vector<Segment>& way, double length, const Pass& pass) const {
+    const Segment first = way.front();
+    const double cut = length_of(way) - length - pass.idle_after;
+    if (length < kShortestPart || first.length() - length < kShortestPart || cut <= 0 ||
+        params_.feed_control == FeedControl::kConstantFeed)
+      return;
+    const double width = pass.cut_area / cut;
+    FeedParams feeds;
+    feeds.feed = params_.feed;
+    feeds.maximum_feed = params_.maximum_feed;
+    const double feed = allowed_feed(width / side_step(params_.engagement_angle, radius_), feeds);
+    const double saved = 60 * length * (1 / feed - 1 / params_.maximum_feed);  // s
+    if (saved < params_.move_price) return;
+    way.front() = first.part(length / first.length(), 1);
+    way.insert(way.begin(), first.part(0, length / first.length()));
   }
 
   static Pose start_of(const std::vector<Segment>& way) {
@@ -394,6 +424,32 @@ class RegionClearing {
     add_moves(MoveKind::kLink, link);
     ++result_.links;
     return true;
+  }
+
+  // Back along the pass just made, to where it ran through `to`: from a front at the end of a gap,
+  // where no turn fits. False where it did not, or where to go up and down is quicker.
+  bool back_to(const Pose& to) {
+    if (result_.runs.empty()) return false;
+    const std::vector<PlanarMove>& moves = result_.runs.back().moves;
+    const double longest = length_of_retract(distance(here_.p, to.p), params_);
+    std::vector<Segment> back;
+    double length = 0;
+    for (auto move = moves.rbegin(); move != moves.rend() && move->kind == MoveKind::kCut; ++move) {
+      const Segment& cut = move->segment;
+      const double t = cut.nearest(to.p);
+      const bool is_there = distance(cut.point(t), to.p) < kOnBorder &&
+                            dot(cut.tangent(t), unit(to.heading)) > kSameWay;
+      const double kept = is_there ? t : 0;
+      if (kept < 1) back.push_back(cut.part(kept, 1).reversed());
+      length += (1 - kept) * cut.length();
+      if (length > longest) return false;
+      if (!is_there) continue;
+      add_moves(MoveKind::kLink, joined(back));
+      here_ = to;
+      result_.links += !back.empty();
+      return true;
+    }
+    return false;
   }
 
   // Up, and down where the ground is clear. False when the tool cannot come down there.

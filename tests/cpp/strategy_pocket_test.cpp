@@ -175,6 +175,44 @@ TEST(PocketTest, ATipOfMicrometresIsClearedWithoutTurnsThatPostsCannotWrite) {
   EXPECT_LE(corners, 4);
 }
 
+// Cuts of one move or two that begin by going back along the cut before.
+struct WaysBack {
+  int count = 0, divided = 0;
+  double longest = 0;  // mm
+};
+
+WaysBack ways_back(const std::vector<Move>& moves) {
+  WaysBack result;
+  const auto along = [&](std::size_t i) {
+    return Vec2{moves[i].x - moves[i - 1].x, moves[i].y - moves[i - 1].y};
+  };
+  for (std::size_t i = 2; i + 1 < moves.size(); ++i) {
+    if (moves[i].kind != MoveKind::kLink || moves[i].sweep != 0) continue;
+    if (moves[i - 1].kind != MoveKind::kCut || moves[i + 1].kind != MoveKind::kCut) continue;
+    const Vec2 back = along(i), on = along(i + 1);
+    if (dot(normalized(back), normalized(on)) > -0.99) continue;
+    ++result.count;
+    result.divided += moves[i + 2].kind == MoveKind::kCut && moves[i + 1].feed > moves[i + 2].feed;
+    result.longest = std::max(result.longest, norm(back));
+  }
+  return result;
+}
+
+TEST(PocketTest, BitsOfATipAreReachedByGoingBackAndARunUp) {
+  const corpus::Case pocket = corpus::load("tip_of_micrometres");
+  ClearingParams params = pocket.params();
+  params.feed_control = FeedControl::kConstantRemovalRate;
+  const Toolpath path = corpus::clear(pocket, params);
+  const WaysBack ways = ways_back(path.moves);
+  EXPECT_GT(ways.count, 10);
+  EXPECT_GT(ways.divided, 5);
+  EXPECT_LT(ways.longest, 1);
+  EXPECT_LE(path.report.retracts, 10);  // one for each bit otherwise
+  // A run-up is a move of its own for its feed only.
+  params.feed_control = FeedControl::kConstantFeed;
+  EXPECT_EQ(ways_back(corpus::clear(pocket, params).moves).divided, 0);
+}
+
 // Moves per mm of path.
 double blocks_of(const Toolpath& path) {
   return static_cast<double>(path.moves.size()) /
