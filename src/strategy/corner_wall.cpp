@@ -22,6 +22,7 @@ constexpr double kTangent = 1e-3;  // rad
 // count, so that they are nearly straight there.
 constexpr double kFlat = 4;
 constexpr double kMostBend = 0.5;
+constexpr double kShareOfBend = 0.8;  // of what a blunt corner's chord allows
 // mm: by which a wall may be too short for an arc to touch it.
 constexpr double kTouching = 1e-9;
 
@@ -40,11 +41,13 @@ struct Corner {
   // mm from the tip to where an arc leaves the walls.
   double along(double arc) const { return arc / std::tan(half); }
   Vec2 tip() const { return in.b + along(radius) * in.tangent(1); }
-  // mm from the tip along the shorter wall, but no more than are nearly straight.
+  // mm from the tip along the shorter wall, but no more than are nearly straight: so far the chord
+  // between their ends meets neither.
   double length() const {
     double least = std::min(in.length(), out.length());
+    const double bend = std::min(kMostBend, kShareOfBend * (0.5 * kPi - half));
     for (const Segment& wall : {in, out})
-      if (wall.is_arc()) least = std::min(least, kMostBend * wall.radius);
+      if (wall.is_arc()) least = std::min(least, bend * wall.radius);
     return along(radius) + least;
   }
 };
@@ -101,19 +104,34 @@ Vec2 next_to_corner(const Corner& corner, const Rounding& rounding, double radiu
   return rounding.centre - radius * normalized(inward);
 }
 
+// mm: the widest arc that is looked for.
+double widest_cleared(const Corner& corner) {
+  double widest = kWidestCleared * corner.radius;
+  for (const Segment& wall : {corner.in, corner.out})
+    if (wall.is_arc()) widest = std::min(widest, wall.radius / kFlat);
+  return widest;
+}
+
 // mm: the radius of the tightest arc in the corner along which the ground is cleared.
 std::optional<double> cleared_radius(const Corner& corner, const ClearedGround& ground) {
-  const auto is_clear = [&](double arc) {
+  // Arcs too wide for the walls count as `beyond`.
+  const auto is_clear = [&](double arc, bool beyond) {
     const std::optional<Rounding> rounding = rounded_by(corner, arc);
-    return rounding && ground.is_clear(next_to_corner(corner, *rounding, arc));
+    return rounding ? ground.is_clear(next_to_corner(corner, *rounding, arc)) : beyond;
   };
-  double low = corner.radius, high = kWidestCleared * corner.radius;
-  if (is_clear(low) || !is_clear(high)) return std::nullopt;
+  double low = corner.radius, high = widest_cleared(corner);
+  if (is_clear(low, false) || !is_clear(high, true)) return std::nullopt;
   while (high - low > kExactRadius * high) {
     const double middle = 0.5 * (low + high);
-    (is_clear(middle) ? high : low) = middle;
+    (is_clear(middle, true) ? high : low) = middle;
   }
   return high;
+}
+
+// rad: by how much an arc that rounds the corner turns.
+double turn_of(const Corner& corner, const Rounding& rounding) {
+  return wrap_positive(angle_of(corner.out.tangent(rounding.out)) -
+                       angle_of(corner.in.tangent(rounding.in)));
 }
 
 }  // namespace
@@ -124,9 +142,11 @@ std::optional<CornerWall> corner_wall(const Stage& stage, const WallPlace& start
   const std::optional<Corner> corner = corner_ahead(wall, start);
   if (!corner) return std::nullopt;
   const std::optional<double> cleared = cleared_radius(*corner, ground);
-  if (!cleared || !is_flat(corner->in, *cleared) || !is_flat(corner->out, *cleared))
-    return std::nullopt;
-  const double radius = held_ratio(corner->half, engagement) * *cleared;
+  if (!cleared) return std::nullopt;
+  const std::optional<Rounding> around = rounded_by(*corner, *cleared);
+  if (!around) return std::nullopt;
+  const double half = 0.5 * (kPi - turn_of(*corner, *around));
+  const double radius = held_ratio(half, engagement) * *cleared;
   if (radius <= corner->radius || radius > kLeastProgress * *cleared) return std::nullopt;
   const Vec2 from = wall.segment(start.segment).point(start.t);
   const double reach = corner->along(*cleared);
@@ -136,9 +156,12 @@ std::optional<CornerWall> corner_wall(const Stage& stage, const WallPlace& start
   const std::optional<Rounding> rounding = rounded_by(*corner, radius);
   if (!rounding) return std::nullopt;
   const double straight = length - corner->along(corner->radius);  // mm of both walls
-  const Segment in = corner->in.part(1 - straight / corner->in.length(), rounding->in);
-  const Segment out = corner->out.part(rounding->out, straight / corner->out.length());
-  const double turn = wrap_positive(angle_of(out.tangent(0)) - angle_of(in.tangent(1)));
+  const double from_in = 1 - straight / corner->in.length(),
+               to_out = straight / corner->out.length();
+  if (from_in >= rounding->in || rounding->out >= to_out) return std::nullopt;
+  const Segment in = corner->in.part(from_in, rounding->in);
+  const Segment out = corner->out.part(rounding->out, to_out);
+  const double turn = turn_of(*corner, *rounding);
   const Region region = make_region(Curve(
       {{in.a, in.bulge()}, {in.b, std::tan(0.25 * turn)}, {out.a, out.bulge()}, {out.b, 0}}, true));
   CornerWall result;

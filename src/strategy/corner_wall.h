@@ -1,9 +1,10 @@
 // Walls between two stages in one corner.
 //
-// In corners of some degrees passes that turn round the corner by one arc each, which posts can
-// write however tight it is, would need more stages than all the rest of a region together. So
-// there they follow walls of their own: the corner alone, rounded by an arc that is as much tighter
-// than what is cleared as keeps them to the engagement angle. Our own.
+// In corners of some degrees, and in all whose stages are far apart, passes that turn round the
+// corner by one arc each, which posts can write however tight it is, would need more stages than
+// all the rest of a region together. So there they follow walls of their own: the corner alone,
+// rounded by an arc that is as much tighter than what is cleared as keeps them to the engagement
+// angle. Our own.
 #pragma once
 
 #include <optional>

@@ -26,15 +26,15 @@
 #include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
 #include "support/errors.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
 
-// Left turns are never tighter than this share of the tool's radius, but at the exact border's
-// corners. Rooms that ask for less are cleared along the exact border, bit by bit, which is
-// quicker.
+// No stage turns more tightly than this share of the tool's radius, but along the exact border,
+// which clears narrower rooms sooner, bit by bit.
 constexpr double kTightestTurn = 0.004;
-// mm: nor are they tighter than this. A posted program holds no arcs of 0.008 mm and less, to which
+// mm: nor than this. A posted program holds no arcs of 0.008 mm and less, to which
 // half turns shrink where such a room narrows.
 constexpr double kTightestPosted = 0.012;
 // The same for turns that the walls do not need.
@@ -56,8 +56,9 @@ constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // mm: of a move that is divided.
-constexpr double kShortestPart = 0.003;
-// Cosine between the directions of a start and of the pass that ran through it.
+constexpr double kShortestPart = 0.006;
+// mm, and the cosine between directions: a start and the place where a cut ran through it.
+constexpr double kSamePlace = 1e-6;
 constexpr double kSameWay = 1 - 1e-6;
 
 class RegionClearing {
@@ -120,7 +121,7 @@ class RegionClearing {
     return {std::max(wish, tightest),
             tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
-            kSpareTurn * radius_,
+            std::max(kSpareTurn * radius_, tightest),
             is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius(),
             params_.engagement_angle};
   }
@@ -375,8 +376,11 @@ class RegionClearing {
     const double feed = allowed_feed(width / side_step(params_.engagement_angle, radius_), feeds);
     const double saved = 60 * length * (1 / feed - 1 / params_.maximum_feed);  // s
     if (saved < params_.move_price) return;
-    way.front() = first.part(length / first.length(), 1);
-    way.insert(way.begin(), first.part(0, length / first.length()));
+    const double t = length / first.length();
+    const Segment run_up = first.part(0, t), bit = first.part(t, 1);
+    if (is_tight(run_up) || is_tight(bit)) return;
+    way.front() = bit;
+    way.insert(way.begin(), run_up);
   }
 
   static Pose start_of(const std::vector<Segment>& way) {
@@ -426,8 +430,9 @@ class RegionClearing {
     return true;
   }
 
-  // Back along the pass just made, to where it ran through `to`: from a front at the end of a gap,
-  // where no turn fits. False where it did not, or where to go up and down is quicker.
+  // Back along the cuts since the last link, to where they ran through `to`: from a front at the
+  // end of a gap, where no turn fits. The only links that are not tangent to what they join. False
+  // where it did not, or where to go up and down is quicker.
   bool back_to(const Pose& to) {
     if (result_.runs.empty()) return false;
     const std::vector<PlanarMove>& moves = result_.runs.back().moves;
@@ -437,7 +442,7 @@ class RegionClearing {
     for (auto move = moves.rbegin(); move != moves.rend() && move->kind == MoveKind::kCut; ++move) {
       const Segment& cut = move->segment;
       const double t = cut.nearest(to.p);
-      const bool is_there = distance(cut.point(t), to.p) < kOnBorder &&
+      const bool is_there = distance(cut.point(t), to.p) < kSamePlace &&
                             dot(cut.tangent(t), unit(to.heading)) > kSameWay;
       const double kept = is_there ? t : 0;
       if (kept < 1) back.push_back(cut.part(kept, 1).reversed());

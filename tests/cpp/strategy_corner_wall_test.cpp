@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <optional>
+#include <random>
 #include <vector>
 
 #include "geometry_shapes.h"
@@ -118,6 +119,39 @@ TEST(CornerWall, LiesBetweenWallsThatBend) {
     for (const double t : {0.0, 0.5, 1.0}) EXPECT_GT(place.signed_distance(move.point(t)), -1e-6);
   }
   EXPECT_EQ(tight, 1);
+}
+
+TEST(CornerWall, IsAPlainRegionBetweenWallsOfAnyBendAndLength) {
+  std::mt19937 random(7);
+  const auto between = [&](double low, double high) {
+    return std::uniform_real_distribution<double>(low, high)(random);
+  };
+  int walls = 0;
+  for (int i = 0; i < 400; ++i) {
+    SCOPED_TRACE(i);
+    const double angle = between(20, 110) * kDegree;
+    const Vec2 a{between(0.3, 4), 0}, b = between(0.6, 1.6) * a.x * unit(angle);
+    const double most = 0.1 * std::min(1.0, angle);  // of bulges: the walls do not cross
+    const Region place = make_region(
+        Curve({{{0, 0}, between(-most, most)}, {a, 0}, {b, between(-most, most)}}, true));
+    const Stage stage = stage_of(place, between(0.005, 0.03));
+    if (stage.rooms.empty()) continue;
+    const double cleared = between(0.02, 0.12);
+    if (offset({place}, -1.05 * cleared).empty()) continue;
+    const ClearedGround ground = ground_up_to(cleared, place);
+    const double before = between(1, 4) * cleared / std::tan(0.5 * angle);
+    const double theta = between(15, 60) * kDegree;
+    const BoundaryIndex::Hit hit = stage.centres.nearest(before * normalized(b));
+    std::optional<CornerWall> wall;
+    ASSERT_NO_THROW(wall = corner_wall(stage, {hit.curve, hit.segment, hit.t}, ground, theta));
+    if (!wall) continue;
+    ++walls;
+    EXPECT_EQ(wall->stage.rooms.size(), 1u);
+    EXPECT_GT(wall->stage.rooms.front().outer.signed_area(), 0);
+    for (const Vec2 p : wall->stage.rooms.front().outer.flattened(1e-3))
+      EXPECT_GT(Area({place}).signed_distance(p), -1e-3);
+  }
+  EXPECT_GT(walls, 20);
 }
 
 TEST(CornerWall, IsNoneWhereNothingOrTooLittleOrFarMoreIsCleared) {
