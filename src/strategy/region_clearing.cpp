@@ -348,14 +348,15 @@ class RegionClearing {
     for (std::vector<Segment>* moves : {&shorter, &way})
       begin_earlier(*moves, {ground_, before, &slivers_}, exact_);
     const Pose nearest = start_of(shorter), start = start_of(way);
-    if (link_to(nearest, before) || back_to(nearest)) {
+    const bool is_bit = turn_radius <= 0;  // of the exact border
+    if (link_to(nearest, before) || (is_bit && back_to(nearest))) {
       way = std::move(shorter);
-    } else if (!link_to(start, before) && !back_to(start)) {
+    } else if (!link_to(start, before) && !(is_bit && back_to(start))) {
       take_back(ground_, pass);  // the tool comes down before the pass is cut
       if (!come_down_at(start)) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
-    if (turn_radius <= 0) divide_run_up(way, length_of(way) - from_contact, pass);
+    if (is_bit) divide_run_up(way, length_of(way) - from_contact, pass);
     pass.moves = std::move(way);
     return take(std::move(pass), turn_radius);
   }
@@ -431,7 +432,7 @@ class RegionClearing {
   }
 
   // Back along the cuts since the last link, to where they ran through `to`: from a front at the
-  // end of a gap, where no turn fits. The only links that are not tangent to what they join. False
+  // end of a gap, where no turn fits: the only links that turn about at their ends. False
   // where it did not, or where to go up and down is quicker.
   bool back_to(const Pose& to) {
     if (result_.runs.empty()) return false;
