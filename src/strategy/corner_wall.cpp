@@ -143,10 +143,7 @@ std::optional<CornerWall> corner_wall(const Stage& stage, const WallPlace& start
   if (!corner) return std::nullopt;
   const std::optional<double> cleared = cleared_radius(*corner, ground);
   if (!cleared) return std::nullopt;
-  const std::optional<Rounding> around = rounded_by(*corner, *cleared);
-  if (!around) return std::nullopt;
-  const double half = 0.5 * (kPi - turn_of(*corner, *around));
-  const double radius = held_ratio(half, engagement) * *cleared;
+  const double radius = held_ratio(corner->half, engagement) * *cleared;
   if (radius <= corner->radius || radius > kLeastProgress * *cleared) return std::nullopt;
   const Vec2 from = wall.segment(start.segment).point(start.t);
   const double reach = corner->along(*cleared);

@@ -221,23 +221,15 @@ Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   return best;
 }
 
-// Where a stage's own wall cannot be followed within the limit by turns that posts can write: as
-// far towards it as one that leads round the corner by one arc gets. The start's own stage may be
-// cleared but for less than counts; then towards the next.
+// Where the stage's own wall cannot be followed within the limit by turns that posts can write: as
+// far towards it as one that leads round the corner by one arc gets.
 Pass PassChoice::between_stages(const PassStart& start, double* turn_radius) {
-  const std::size_t end = std::min(start.stage + 2, stages_.size());
-  for (std::size_t k = start.stage; k < end && stages_[k].turn_radius > 0; ++k) {
-    const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-    if (hit.distance > kSamePlace) break;
-    const WallPlace place =
-        k == start.stage ? start.place : WallPlace{hit.curve, hit.segment, hit.t};
-    const std::optional<CornerWall> wall =
-        corner_wall(stages_[k], place, ground_, params_.engagement_angle);
-    if (!wall) continue;
-    *turn_radius = wall->stage.turn_radius;
-    return steering_on(wall->stage).along_wall(wall->start);
-  }
-  return {};
+  if (stages_[start.stage].turn_radius <= 0) return {};
+  const std::optional<CornerWall> wall =
+      corner_wall(stages_[start.stage], start.place, ground_, params_.engagement_angle);
+  if (!wall) return {};
+  *turn_radius = wall->stage.turn_radius;
+  return steering_on(wall->stage).along_wall(wall->start);
 }
 
 // The last place of the exact border before the nearest one to `p` where the tool is clear.
