@@ -7,11 +7,10 @@
 #include <sstream>
 #include <utility>
 
-#include "cutting/engagement.h"
-#include "feed/feed_control.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
+#include "strategy/border_bits.h"
 #include "strategy/entry.h"
 #include "strategy/fewer_moves.h"
 #include "strategy/free_place.h"
@@ -26,7 +25,6 @@
 #include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
 #include "support/errors.h"
-#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -55,12 +53,6 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
-// mm: of a move that is divided.
-constexpr double kShortestPart = 0.006;
-// mm, and the cosine between directions: a start and the place where a cut ran through it.
-constexpr double kSamePlace = 1e-6;
-constexpr double kSameWay = 1 - 1e-6;
-
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -356,32 +348,9 @@ class RegionClearing {
       if (!come_down_at(start)) return false;
       for (const Segment& move : pass.moves) ground_.add(move);
     }
-    if (is_bit) divide_run_up(way, length_of(way) - from_contact, pass);
+    if (is_bit) divide_run_up(way, length_of(way) - from_contact, pass, params_);
     pass.moves = std::move(way);
     return take(std::move(pass), turn_radius);
-  }
-
-  // Feeds change within no move as short as a run-up of `length` mm and the bit of the exact border
-  // behind it, which is cut slowly where the tool stands in a front. So these are two moves, if
-  // that is worth one and both can be written.
-  void divide_run_up(std::vector<Segment>& way, double length, const Pass& pass) const {
-    const Segment first = way.front();
-    const double cut = length_of(way) - length - pass.idle_after;
-    if (length < kShortestPart || first.length() - length < kShortestPart || cut <= 0 ||
-        params_.feed_control == FeedControl::kConstantFeed)
-      return;
-    const double width = pass.cut_area / cut;
-    FeedParams feeds;
-    feeds.feed = params_.feed;
-    feeds.maximum_feed = params_.maximum_feed;
-    const double feed = allowed_feed(width / side_step(params_.engagement_angle, radius_), feeds);
-    const double saved = 60 * length * (1 / feed - 1 / params_.maximum_feed);  // s
-    if (saved < params_.move_price) return;
-    const double t = length / first.length();
-    const Segment run_up = first.part(0, t), bit = first.part(t, 1);
-    if (is_tight(run_up) || is_tight(bit)) return;
-    way.front() = bit;
-    way.insert(way.begin(), run_up);
   }
 
   static Pose start_of(const std::vector<Segment>& way) {
@@ -431,31 +400,17 @@ class RegionClearing {
     return true;
   }
 
-  // Back along the cuts since the last link, to where they ran through `to`: from a front at the
-  // end of a gap, where no turn fits: the only links that turn about at their ends. False
-  // where it did not, or where to go up and down is quicker.
+  // Back along the cuts since the last link: the only links that turn about at their ends. False
+  // where these did not run through `to`, or where to go up and down is quicker.
   bool back_to(const Pose& to) {
     if (result_.runs.empty()) return false;
-    const std::vector<PlanarMove>& moves = result_.runs.back().moves;
     const double longest = length_of_retract(distance(here_.p, to.p), params_);
-    std::vector<Segment> back;
-    double length = 0;
-    for (auto move = moves.rbegin(); move != moves.rend() && move->kind == MoveKind::kCut; ++move) {
-      const Segment& cut = move->segment;
-      const double t = cut.nearest(to.p);
-      const bool is_there = distance(cut.point(t), to.p) < kSamePlace &&
-                            dot(cut.tangent(t), unit(to.heading)) > kSameWay;
-      const double kept = is_there ? t : 0;
-      if (kept < 1) back.push_back(cut.part(kept, 1).reversed());
-      length += (1 - kept) * cut.length();
-      if (length > longest) return false;
-      if (!is_there) continue;
-      add_moves(MoveKind::kLink, joined(back));
-      here_ = to;
-      result_.links += !back.empty();
-      return true;
-    }
-    return false;
+    const WayBack back = way_back(result_.runs.back().moves, to, longest);
+    if (!back.found) return false;
+    add_moves(MoveKind::kLink, back.moves);
+    here_ = to;
+    result_.links += !back.moves.empty();
+    return true;
   }
 
   // Up, and down where the ground is clear. False when the tool cannot come down there.

@@ -135,8 +135,8 @@ double direction_at(const Move& from, const Move& move, bool at_end) {
   return std::atan2(y, x) + std::copysign(kPi / 2, move.sweep);
 }
 
-// Law: the tool never turns on the spot where a link begins or ends.
-TEST(ReducedFeed, JoinsWaysByLinksThatAreTangentToThem) {
+// Law: the tool never turns on the spot where a link begins or ends, but goes back on its cut.
+TEST(ReducedFeed, JoinsWaysByLinksThatAreTangentToThemOrGoBackOnThem) {
   int joints = 0, ways_back = 0;
   for (const double width : {6.01, 6.05, 6.3, 7.0})
     for (const Case& pocket : {slot(width), slot(width, 0.3), two_rooms(width), dead_end(width),
