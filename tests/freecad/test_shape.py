@@ -4,7 +4,7 @@ from itertools import permutations
 
 import Part
 import pytest
-from evenload import shape
+from evenload import open_edges, planar, shape
 from FreeCAD import Vector
 from models import circle, face_of, rectangle
 
@@ -89,13 +89,13 @@ def test_the_edges_of_an_object_belong_together_though_others_were_picked_betwee
 
 def test_points_of_a_chain_stay_near_its_arcs():
     for chain in (circle(3, 4, 5), [(0, 0, -0.4), (10, 0, 3.0), (4, 8, 0)]):
-        points = shape.flattened(chain)
+        points = planar.flattened(chain)
         area = face_of(chain).Area
         assert abs(_area(points)) == pytest.approx(area, abs=0.3)
         wire = face_of(chain).OuterWire
         for a, b in zip(points, [*points[1:], points[0]]):
             middle = Part.Vertex(*(a + b) / 2, 0)
-            assert wire.distToShape(middle)[0] <= shape.DEFLECTION + 1e-9
+            assert wire.distToShape(middle)[0] <= planar.DEFLECTION + 1e-9
 
 
 def _area(points):
@@ -104,10 +104,10 @@ def _area(points):
 
 
 def judged(solid, name, found=None):
-    """The one floor of a solid's face: as it is, or with what _enclosed says set to `found`."""
+    """The one floor of a solid's face: as it is, or with what enclosed() says set to `found`."""
     with pytest.MonkeyPatch.context() as patch:
         if found is not None:
-            patch.setattr(shape, "_enclosed", lambda *_: found)
+            patch.setattr(open_edges, "enclosed", lambda *_: found)
         made = shape.floors([(solid, (name,))], [solid.Shape], solid.Shape, 6.0, 0.005)
     return made[0]
 
