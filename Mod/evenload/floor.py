@@ -12,6 +12,7 @@ from evenload.planar import DEFLECTION, flattened
 
 UP = FreeCAD.Vector(0, 0, 1)
 SAME_HEIGHT = 1e-5  # mm: faces nearer than this are at one height
+LEAST_OVERLAP = 1e-4  # mm2: less of two floors that touch is rounding
 ABOVE_FLOOR = (
     0.01  # mm: walls are looked for this far above a face; finds the foot of a fillet, too
 )

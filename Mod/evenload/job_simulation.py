@@ -23,12 +23,13 @@ from FreeCAD import Vector
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
+from evenload.floor import UP
 
 PRISMATIC = 1e-3  # share of the volume that a body may differ by from the prisms that stand for it
 MOST_SLABS = 200  # sections of a model; a body with more is a mesh or a free form
 SAME_LEVEL = 1e-3  # mm: vertices nearer in height bound no slab of their own
-# mm: how far beyond a floor's open sides nothing must stay. More than shape.BESIDE, from where on
-# shape.py has seen that there is nothing, and than the tolerance of curves.
+# mm: how far beyond a floor's open sides nothing must stay. More than BESIDE of open_edges.py, from
+# where on that has seen that there is nothing, and than the tolerance of curves.
 BEYOND = 0.1
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
 # exact at any.
@@ -246,7 +247,7 @@ def _stock(stock, notes):
 
 def _section(body, z):
     """The Regions of a body's section at a height. Raises ValueError where they cannot be had."""
-    wires = body.slice(shape.UP, z)
+    wires = body.slice(UP, z)
     return _regions(Part.Compound(wires)) if wires else []
 
 
@@ -254,7 +255,7 @@ def _regions(body):
     """The Regions of a shape's level faces and closed edges."""
     core, occt = compiled.core(), compiled.occt()
     try:
-        found = occt.regions_from_brep(body.exportBrepToString(), shape.DEFLECTION)
+        found = occt.regions_from_brep(body.exportBrepToString(), planar.DEFLECTION)
     except occt.ShapeError as error:
         raise ValueError(str(error)) from None
     return [core.Region(outer, islands) for _, outer, islands in found]

@@ -7,13 +7,12 @@ import math
 import numpy
 import Part
 
-from evenload import compiled
+from evenload import compiled, stock_beyond
 from evenload.floor import ABOVE_FLOOR, SAME_HEIGHT, UP, inside, oriented, points_of
 from evenload.planar import flattened
 
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
-MOST_BLOCKED_NOTES = 4  # open sides of a floor that get a note each where stock stands beyond them
 MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
 UPRIGHT = 1e-9  # of unit vectors: what rises in a right angle
 ACROSS = 10  # rows of points on the ground up to there
@@ -78,6 +77,13 @@ class Walls:
             self._sections[key] = polygons
         return self._sections[key]
 
+    def model_faces(self, height, z):
+        """What the model covers at a height, as faces at the height z."""
+        return _section_faces(self.models, height, z)
+
+    def stock_faces(self, height, z):
+        return _section_faces([self.stock] if self.stock else [], height, z)
+
     def heights_above(self, z):
         """Heights, one between each two at which the model has a vertex."""
         levels = {round(v.Z, 4) for m in self.models for v in m.Vertexes if v.Z > z + ABOVE_FLOOR}
@@ -116,38 +122,51 @@ def judge(floor, walls, tool_diameter, tolerance):
 
     reach = REACH * tool_diameter
     free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
-    if all(free):
-        _open_all_round(floor, walls, z, tolerance)
-        return
-    blocked = []
-    for i, is_free in enumerate(free):
-        if not is_free:
-            continue
-        if walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
-            blocked.append(outer[i][:2])
-        else:
-            outer[i] = (*outer[i][:3], True)
-    floor.notes += _blocked_notes(floor.name, blocked)
-
-
-def _blocked_notes(name, places):
-    """One for each of a few open sides with stock beyond; one for all of the many short sides that
-    a curve may be drawn as.
-    """
-    if len(places) > MOST_BLOCKED_NOTES:
-        return [
-            "%s has stock beyond %d of its open sides, the first near (%.3f, %.3f): they are "
-            "treated as walls." % (name, len(places), *places[0])
-        ]
-    return [
-        "%s has stock beyond its open side near (%.3f, %.3f): it is treated as a wall."
-        % (name, *place)
-        for place in places
+    # A boss on the floor itself does not close a side near it.
+    off_floor = [flattened(outer)]
+    near = 0.5 * tool_diameter
+    bare = [
+        f or not _walled(outer, i, walls, z, near, off_floor=off_floor) for i, f in enumerate(free)
     ]
+    if all(bare) and _open_all_round(floor, walls, z, all(free), tolerance):
+        return
+    blocked = [
+        i
+        for i, is_bare in enumerate(bare)
+        if is_bare and walls.any_inside(_beside(outer, i), walls.stock_at(z)).any()
+    ]
+    if blocked:
+        heights = [z, *walls.heights_above(z)]
+        walled = [not is_bare for is_bare in bare]
+        floor.outer, floor.islands = stock_beyond.continued(
+            floor, walled, walls, heights, tool_diameter
+        )
+        floor.notes.append(_note_beyond(floor.name, [outer[i][:2] for i in blocked]))
+        outer = floor.outer
+        free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
+    for i, is_free in enumerate(free):
+        if is_free and not walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
+            outer[i] = (*outer[i][:3], True)
 
 
-def _open_all_round(floor, walls, z, tolerance):
-    """A floor without walls reaches to the edge of the stock."""
+def _note_beyond(name, places):
+    if len(places) == 1:
+        return "%s has stock beyond its open side near (%.3f, %.3f): it is cleared beyond it." % (
+            name,
+            *places[0],
+        )
+    return "%s has stock beyond %d of its open sides, the first near (%.3f, %.3f): %s" % (
+        name,
+        len(places),
+        *places[0],
+        "it is cleared beyond them.",
+    )
+
+
+def _open_all_round(floor, walls, z, is_free, tolerance):
+    """Whether a floor without walls is open all round: it reaches to the edge of the stock, if
+    nothing else of the model stands there. `is_free`: nothing does within REACH of the floor.
+    """
     pieces = range(len(floor.outer))
     beside = numpy.vstack([_beside(floor.outer, i) for i in pieces])
     if walls.any_inside(beside, walls.stock_at(z)).any():
@@ -163,22 +182,38 @@ def _open_all_round(floor, walls, z, tolerance):
             if not inside(polygon, outline).all()
         ]
         if len(around) != 1 or others:
-            floor.notes.append(
-                "%s has stock beyond its open sides: they are treated as walls." % floor.name
-            )
-            return
+            return False
+        is_free = True
         ((_, chain, _),) = compiled.occt().regions_from_brep(
             around[0].exportBrepToString(), tolerance
         )
         floor.outer = oriented(list(chain), counter_clockwise=True)
-    floor.outer = [(x, y, bulge, True) for x, y, bulge, _ in floor.outer]
+    if is_free:
+        floor.outer = [(x, y, bulge, True) for x, y, bulge, _ in floor.outer]
+    return is_free
 
 
-def _walled(chain, i, walls, z, reach):
-    """Whether a wall of the model stands beside piece i of a chain, at any height above z."""
+def _section_faces(shapes, height, z):
+    faces = []
+    for shape in shapes:
+        if shape.BoundBox.ZMin < height < shape.BoundBox.ZMax:
+            wires = [wire for wire in shape.slice(UP, height) if wire.isClosed()]
+            if wires:
+                faces += Part.makeFace(wires, "Part::FaceMakerBullseye").Faces
+    for face in faces:
+        face.translate(UP * (z - height))
+    return faces
+
+
+def _walled(chain, i, walls, z, reach, off_floor=()):
+    """Whether a wall of the model stands beside piece i of a chain, at any height above z; only off
+    the floor within nested polygons.
+    """
     if walls.any_inside(_beside(chain, i), walls.model_at(z)).any():
         return True
     beside = _beside(chain, i, reach)
+    if off_floor:
+        beside = beside[~inside(beside, off_floor)]
     return any(
         walls.any_inside(beside, walls.model_at(height)).any()
         for height in [z, *walls.heights_above(z)]

@@ -10,13 +10,20 @@ from dataclasses import dataclass
 import Part
 
 from evenload import compiled, open_edges
-from evenload.floor import ABOVE_FLOOR, SAME_HEIGHT, UP, Floor, face_of, wire_of
+from evenload.floor import (
+    ABOVE_FLOOR,
+    LEAST_OVERLAP,
+    SAME_HEIGHT,
+    UP,
+    Floor,
+    face_of,
+    wire_of,
+)
 
 # Share of the tolerance within which arcs follow an ellipse or a spline. They leave it to both
 # sides, and the tool keeps as far away from them: together that is half of the tolerance, and the
 # output has the rest.
 CURVE_SHARE = 0.25
-LEAST_OVERLAP = 1e-4  # mm2: less of two floors that touch is rounding
 
 
 def floors(base, models, stock, tool_diameter, tolerance, slot=None):

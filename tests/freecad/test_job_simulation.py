@@ -464,21 +464,7 @@ def test_freecads_own_operations_can_be_read(square, kind):
     assert min(box[0], box[2]) >= 2.9 and max(box[1], box[3]) <= 27.1
 
 
-def has_stock_beyond(case):
-    """Whether an open pocket's outline is not that of the job's stock, which is a box: what is beyond
-    the outline is no part of the model, but of no floor either.
-    """
-    points = [point[:2] for point in case["outer"]]
-    corners = [[f(p[k] for p in points) for f in (min, max)] for k in (0, 1)]
-    return bool(case.get("open")) and any(
-        all(abs(p[k] - end) > 1e-6 for k in (0, 1) for end in corners[k]) for p in points
-    )
-
-
-@pytest.mark.parametrize(
-    "name",
-    sorted(p.stem for p in CORPUS.glob("*.json") if not has_stock_beyond(corpus_case(p.stem))),
-)
+@pytest.mark.parametrize("name", sorted(p.stem for p in CORPUS.glob("*.json")))
 def test_floors_and_model_agree_on_what_must_stay(bench, name):
     case = corpus_case(name)
     z = -case["axial_depth"]

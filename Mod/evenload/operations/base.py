@@ -28,7 +28,7 @@ class Computation:
     document.
     """
 
-    floors: list  # of shape.Floor
+    floors: list  # of Floor
     regions: list  # the core's
     toolpath: object
     tool: object  # tool.Tool
@@ -273,7 +273,7 @@ class Operation(host.operation_base()):
             self._quietly(obj, name, value)
 
     def floors(self, obj, tool):
-        """The shape.Floor of every region that the base geometry describes. Raises ValueError with
+        """The Floor of every region that the base geometry describes. Raises ValueError with
         a sentence that names the geometry.
         """
         return shape.floors(
