@@ -8,6 +8,8 @@ ENTRY, CUT = 2, 3  # kinds of moves
 IN_MATERIAL = 1.0  # degrees of engagement
 KINK = math.radians(1)
 OUTLIERS = 0.02  # mm of path: rapids and plunges shorter than this touch by rounding
+DECIMALS = 4  # of heights in posted programs that are worth looking at
+ON_FLOOR = 1e-3  # mm
 MINIMUM_RADIUS = 0.15  # of the tool's diameter: the operation's own MinimumRadius
 
 
@@ -47,6 +49,19 @@ def kinks(run, moves):
         after = _heading(moves[i - 1], moves[i], False)
         if before is not None and after is not None and abs(_wrapped(after - before)) > KINK:
             count += 1
+    return count
+
+
+def level_entries(moves, top, floor):
+    """How many moves of entries do not descend between the stock's top and the floor, in mm: level
+    in the middle of material.
+    """
+    count = 0
+    for before, move in zip(moves, moves[1:]):
+        goes = math.dist(before[1:3], move[1:3]) > 10**-DECIMALS
+        descends = round(move[3], DECIMALS) < round(before[3], DECIMALS)
+        between = floor + ON_FLOOR < move[3] < top - ON_FLOOR
+        count += move[0] == ENTRY and before[0] == ENTRY and between and goes and not descends
     return count
 
 

@@ -45,6 +45,11 @@ constexpr double kStretch = 1e-3;
 constexpr double kSameTurns = 1e-6;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
+// mm: by which a line of a ramp must descend to do so in a posted program, written to 0.0001 mm,
+// also where the way down is a little longer than it must be; and the longest that is left out for
+// that.
+constexpr double kHeightGrid = 2.5e-4;
+constexpr double kLongestDrop = 0.01;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
 
@@ -106,17 +111,23 @@ Vec2 longest_line(const Area& centres, Vec2 from, double limit) {
 
 // A ramp along the border of `centres`, where that is no longer than `longest` mm: no room is so
 // narrow, but for its corners, and nothing is left of it. False where it is longer.
-bool ramp_round_border(const Area& centres, double longest, Entry& entry) {
+bool ramp_round_border(const Area& centres, double longest, const ClearingParams& params,
+                       Entry& entry) {
   if (centres.curves().size() != 1) return false;
   const Curve& curve = centres.curves().front();
   if (curve.length() > longest) return false;
-  const std::vector<Vec2> border = curve.flattened(kRampChord);
-  Descent ramp;
-  ramp.kind = DescentKind::kRamp;
-  ramp.at = border.front();
-  ramp.ramp_by.assign(border.begin() + 1, border.end());
+  const Descent ramp = ramp_along(curve, params);
   if (ramp_length(ramp) < 2 * kShortestRamp) return false;
   entry = {ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}};
+  return true;
+}
+
+// Whether all points between two of `points` lie within kRampChord of the line from one to the
+// other.
+bool is_straight(const std::vector<Vec2>& points, std::size_t from, std::size_t to) {
+  const Segment line = Segment::line(points[from], points[to]);
+  for (std::size_t i = from + 1; i < to; ++i)
+    if (distance(line.point(line.nearest(points[i])), points[i]) > kRampChord) return false;
   return true;
 }
 
@@ -164,6 +175,24 @@ double sought_stretch(double helix_radius, const ClearingParams& params) {
 
 }  // namespace
 
+Descent ramp_along(const Curve& border, const ClearingParams& params) {
+  const double shortest = std::min(kLongestDrop, kHeightGrid / std::tan(params.helix_angle));
+  std::vector<Vec2> points = border.flattened(kRampChord);
+  points.push_back(points.front());
+  Descent ramp;
+  ramp.kind = DescentKind::kRamp;
+  ramp.at = points.front();
+  std::size_t last = 0;  // of those that stay
+  for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+    const bool is_short =
+        std::min(distance(points[last], points[i]), distance(points[i], points[i + 1])) < shortest;
+    if (is_short && is_straight(points, last, i + 1)) continue;
+    ramp.ramp_by.push_back(points[i]);
+    last = i;
+  }
+  return ramp;
+}
+
 double widest_helix(const ClearingParams& params) {
   return kWidestHelix * 0.5 * params.tool_diameter;
 }
@@ -194,7 +223,8 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   const bool helix_fits = kHelixRoom * room.radius >= kNarrowestHelix * r;
   const bool is_round = helix_fits && !centres.empty() &&
                         centres.curves().front().length() < kRoundBorder * 2 * kPi * room.radius;
-  if (params.entry != EntryKind::kHelix && !is_round && ramp_round_border(centres, tiny, entry))
+  if (params.entry != EntryKind::kHelix && !is_round &&
+      ramp_round_border(centres, tiny, params, entry))
     return entry;
   if (helix_fits && params.entry != EntryKind::kRamp) {
     entry.descent.kind = DescentKind::kHelix;
@@ -206,7 +236,7 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   }
   // The longest ramp to and fro is as long as such a border may be.
   const double longest = kLongestRamp * params.tool_diameter;
-  if (!helix_fits && ramp_round_border(centres, 2 * longest, entry)) return entry;
+  if (!helix_fits && ramp_round_border(centres, 2 * longest, params, entry)) return entry;
   entry.descent.kind = DescentKind::kRamp;
   // The ramp begins and ends where there is most room, so that the tool can turn there.
   const Vec2 line = longest_line(centres, room.centre, longest);

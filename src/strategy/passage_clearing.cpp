@@ -159,16 +159,12 @@ class PassageClearing {
 
   // Between rooms that are clear; the way round the border leaves nothing.
   void ramp_through(const Passage& neck) {
-    Descent ramp;
-    ramp.kind = DescentKind::kRamp;
-    const std::vector<Vec2> border = neck.centres.outer.flattened(kRampChord);
-    ramp.at = border.front();
-    ramp.ramp_by.assign(border.begin() + 1, border.end());
+    Descent ramp = ramp_along(neck.centres.outer, params_);
     Leftover left;
     left.prepare(Area({neck.centres}),
                  grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
     ramp.new_area = left.area(path_.ground());
-    path_.begin(ramp, {ramp.at, angle_of(border[1] - ramp.at)}, path_.runs().empty());
+    path_.begin(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}, path_.runs().empty());
   }
 
   void clear_rooms_beside(std::size_t k) {

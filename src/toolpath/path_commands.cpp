@@ -120,12 +120,14 @@ class Writer {
     if (z < at_.z) rapid_z(z);
   }
 
+  // Whether the next moves belong to an entry: all of a ramp descends, its shortest lines as well.
+  void set_entering(bool enters) { enters_ = enters; }
+
   void line(const Position& exact, double feed) {
     const Position to{on_grid(exact.x), on_grid(exact.y), height(exact.z)};
-    lower_to(to.z);
-    if (std::hypot(to.x - at_.x, to.y - at_.y) >= kShortestLine ||
-        std::abs(to.z - at_.z) >= kShortestLine)
-      go(1, to, std::nullopt, feed);
+    const bool is_short = std::hypot(to.x - at_.x, to.y - at_.y) < kShortestLine;
+    if (is_short || !enters_) lower_to(to.z);
+    if (!is_short || std::abs(to.z - at_.z) >= kShortestLine) go(1, to, std::nullopt, feed);
   }
 
   // An arc, or a helix when z changes. It may go round more than once.
@@ -164,7 +166,7 @@ class Writer {
 
   // Feed moves name all three axes: FreeCAD's dressups look for them.
   void go(int code, Position to, const std::optional<Vec2>& centre, double feed) {
-    lower_to(to.z);
+    if (!enters_) lower_to(to.z);
     if (to.z > at_.z && to.z - at_.z < kShortestLine) to.z = at_.z;
     PathCommand command{code, to.x, to.y, to.z, std::nullopt, std::nullopt, feed};
     if (centre) {
@@ -203,6 +205,7 @@ class Writer {
 
   Position at_;
   bool known_;
+  bool enters_ = false;
   double lowered_ = 0;  // mm, of the last command
 };
 
@@ -295,6 +298,7 @@ std::vector<PathCommand> path_commands(const std::vector<Move>& moves,
       move = with_beginning(moves[number + 1], moves[number - 1], move);
       ++number;
     }
+    writer.set_entering(move.kind == MoveKind::kEntry);
     if (move.kind == MoveKind::kRapid)
       writer.rapid(move);
     else if (move.sweep != 0)

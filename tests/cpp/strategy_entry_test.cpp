@@ -10,6 +10,7 @@
 #include "strategy/constant_engagement.h"
 #include "strategy/entry.h"
 #include "toolpath/helix.h"
+#include "toolpath/ramp.h"
 
 namespace evenload {
 namespace {
@@ -80,6 +81,29 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   const Region larger = rectangle(0, 0, 1, 1);
   EXPECT_EQ(descend_within(Area({larger}), widest(larger), params)->descent.kind,
             DescentKind::kHelix);
+}
+
+// Half a micrometre of a border, on which a ramp of three degrees would hardly descend, and a small
+// fillet, whose lines are longer.
+TEST(Entry, HasNoLineOnARampRoundABorderThatAPostWouldWriteLevel) {
+  ClearingParams params;
+  const auto shortest = [](const Descent& ramp) {
+    double least = 1e9;
+    for (const Segment& line : ramp_round(ramp)) least = std::min(least, line.length());
+    return least;
+  };
+  const Curve border({{{0, 0}}, {{2, 0}}, {{2, 0.3}}, {{1.9, 0.4}}, {{1.8996, 0.4003}}, {{0, 0.4}}},
+                     true);
+  const Descent ramp = ramp_along(border, params);
+  EXPECT_EQ(ramp.ramp_by.size(), 4u);
+  EXPECT_GT(shortest(ramp), 0.002);
+  const Curve round({{{0, 0}}, {{2, 0}, std::tan(kPi / 8)}, {{2.05, 0.05}}, {{2.05, 0.4}}}, true);
+  const Descent rounded = ramp_along(round, params);
+  EXPECT_GT(rounded.ramp_by.size(), 4u);
+  EXPECT_GT(shortest(rounded), 0.002);
+  // A corner stays, however short its side.
+  const Curve corner({{{0, 0}}, {{2, 0}}, {{2, 0.001}}, {{0, 0.4}}}, true);
+  EXPECT_EQ(ramp_along(corner, params).ramp_by.size(), 3u);
 }
 
 TEST(Entry, KeepsItsHelixRoundWhereThatRemovesAsMuchAsACut) {

@@ -201,6 +201,16 @@ TEST(PathCommands, NoRapidAndNoSingleMoveTakesShortDescents) {
   EXPECT_NEAR(at_feed, 0.004, 1e-9);
 }
 
+// Or it would be level, in the middle of material.
+TEST(PathCommands, EveryLineOfARampDescends) {
+  std::vector<Move> moves{rapid_to(0, 0, 0)};
+  for (int i = 1; i <= 40; ++i)
+    moves.push_back({MoveKind::kEntry, 0.005 * i, 0, -0.0003 * i, 0, 0, 0, 255});
+  const auto made = path_commands(moves, Position{0, 0, 5});
+  ASSERT_EQ(made.size(), 41u);
+  for (std::size_t i = 1; i < made.size(); ++i) EXPECT_NEAR(*made[i].z, -0.0003 * i, 1e-9);
+}
+
 TEST(PathCommands, ACutBeforeThePlaceIsKnownIsRefused) {
   EXPECT_THROW(path_commands({cut_to(1, 2)}, {}), std::invalid_argument);
   EXPECT_NO_THROW(path_commands({cut_to(1, 2)}, kStart));

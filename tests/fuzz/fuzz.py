@@ -31,6 +31,7 @@ from path_laws import (  # noqa: E402
     beyond_rounding,
     entry_share,
     kinks,
+    level_entries,
     sharp_corners,
     wrong_side,
 )
@@ -44,6 +45,7 @@ LIMITS = {
     "rate": 1.05,  # removal rate over the nominal
     "rapid": 0.0,  # mm of rapids in material
     "plunge": 0.0,  # mm of plunges in material
+    "level": 0,  # moves of helices and ramps that do not descend
     "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region; see limits_for
     "kinks": 0,  # turns over a degree between cuts in material, beyond one for each sharp corner
 }
@@ -93,6 +95,7 @@ def figures_of(case, path, scene, step=STEP):
         "rate": run.removal_rate_peak / nominal,
         "rapid": beyond_rounding(run.rapid_in_material_mm),
         "plunge": beyond_rounding(run.plunge_in_material_mm),
+        "level": level_entries(moves, 0.0, -case["axial_depth"]),
         "entry": entry_share(run, case) / regions,
         "climb": climb_share(case, run),
         "kinks": kinks(run, moves) - max(sharp_corners(case), corners_of_centres(case)),

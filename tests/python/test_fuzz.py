@@ -16,6 +16,7 @@ import fuzz  # noqa: E402
 import kinds  # noqa: E402
 import posted  # noqa: E402
 import shapes  # noqa: E402
+from evenload import planar  # noqa: E402
 
 FINE = {**{name: 0.0 for name in fuzz.LIMITS}, "climb": 1.0, "ratio": 1.1}
 
@@ -250,3 +251,24 @@ def test_a_case_of_an_operation_is_cleared_and_judged(operation):
     _, case = next(fuzz.cases(1, 0, operation))
     answer = fuzz.judge(case, twice=True)
     assert fuzz.faults(case, answer) == [] and "figures" in answer
+
+
+@pytest.mark.parametrize("name", ["ramp_with_half_a_micrometre", "ramp_round_small_fillets"])
+def test_every_line_of_a_posted_ramp_descends(name):
+    import pocket_case
+
+    case = json.loads((ROOT / "tests" / "corpus" / (name + ".json")).read_text())
+    moves = posted.posted(pocket_case.path_of(case).moves)
+    ramps = [move for move in moves if move[0] == planar.ENTRY and move[4] == 0]
+    assert len(ramps) > 50
+    assert fuzz.level_entries(moves, 0.0, -case["axial_depth"]) == 0
+
+
+def test_a_level_line_of_a_ramp_is_seen():
+    def entry(x, z):
+        return (planar.ENTRY, x, 0.0, z, 0.0, 0.0, 0.0, 255.0)
+
+    above = (planar.RAPID, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
+    moves = [above, entry(1, -0.5), entry(1.01, -0.50003), entry(2, -1), entry(3, -1)]
+    assert fuzz.level_entries(moves, 0.0, -1.0) == 1
+    assert faults({"level": 1}) == ["level 1 above 0"]
