@@ -35,6 +35,8 @@ constexpr int kLongerTries = 2;
 constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 // The engagement that the last step is taken to have ended with, from the limit.
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
+// rad: where less is met than the limit less this, no peak between two looks is above it.
+constexpr double kNearPeak = 6 * kDegree;
 constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
 constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
 
@@ -180,8 +182,12 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   // Where the engagement falls on the way, or the front has a cusp, it may have risen before: looks
   // close in on the cusp from both sides.
   const auto may_rise_between = [&](const Look& a, const Look& b) {
-    return (b.t - a.t) * length > (steady ? kCuspWidth * theta_ : kCuspLook) * radius_ &&
-           !(steady && is_smooth_between(a.contact, b.contact));
+    const double apart = (b.t - a.t) * length;
+    if (apart <= kCuspWidth * theta_ * radius_) return false;
+    if (steady) return !is_smooth_between(a.contact, b.contact);
+    if (apart > kCuspLook * radius_) return true;
+    const double most = std::max(a.contact.total, b.contact.total);
+    return most > theta_ - kNearPeak && changes_between(a.contact, b.contact);
   };
   while (taken.size() > 1 && error.share <= enough) {
     const Look after = taken.back(), before = taken[taken.size() - 2];
