@@ -6,7 +6,7 @@ import Part
 import pytest
 from evenload import shape
 from FreeCAD import Vector
-from models import case_model, corpus_case, face_of, floors_of
+from models import face_of, floors_of, rectangle
 
 TOOL, Z = 6.0, -3.0
 
@@ -98,15 +98,20 @@ def test_walls_that_rise_from_a_fillet_keep_their_foot(doc):
 
 
 def test_a_floor_with_nothing_but_bosses_is_cleared_to_the_edge_of_the_stock(bench):
-    case = corpus_case("open_gear_with_bosses")
-    part = case_model(case)
-    on = bench(part, tool=case["tool"])
-    (floor,) = floors_of(part, -case["axial_depth"])
-    op = on.operation([(on.model, (floor,))], FinalDepth=-case["axial_depth"])
-    op.EngagementAngle = case["engagement_deg"]
+    gear = []
+    for k in range(12):
+        for turn, radius in ((-0.17, 21), (-0.14, 30), (0.14, 30), (0.17, 21)):
+            angle = math.pi * k / 6 + turn
+            gear.append((radius * math.cos(angle), radius * math.sin(angle), 0))
+    bosses = [rectangle(-14, -16, -3, -6), rectangle(5, -8, 18, 4)]  # beside the teeth
+    floor = face_of(gear).extrude(Vector(0, 0, -7)).translated(Vector(0, 0, Z))
+    part = floor.fuse([block(*boss[0][:2], *boss[2][:2], bottom=Z) for boss in bosses])
+    part = part.removeSplitter()
+    on = bench(part, tool=TOOL)
+    op = on.operation([(on.model, tuple(floors_of(part, Z)))], FinalDepth=Z)
     on.done(op)
     assert op.UncutArea.Value == 0
     box = part.BoundBox
-    bosses = sum(face_of(island).Area for island in case["islands"])
-    assert op.Proxy.last.regions[0].area == pytest.approx(box.XLength * box.YLength - bosses)
+    left = sum(face_of(boss).Area for boss in bosses)
+    assert op.Proxy.last.regions[0].area == pytest.approx(box.XLength * box.YLength - left)
     assert all(vertex[3] for vertex in op.Proxy.last.floors[0].outer)
