@@ -138,28 +138,28 @@ def judge(floor, walls, tool_diameter, tolerance):
     if blocked:
         heights = [z, *walls.heights_above(z)]
         walled = [not is_bare for is_bare in bare]
-        floor.outer, floor.islands = stock_beyond.continued(
-            floor, walled, walls, heights, tool_diameter
-        )
-        floor.notes.append(_note_beyond(floor.name, [outer[i][:2] for i in blocked]))
-        outer = floor.outer
-        free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
+        grown = stock_beyond.continued(floor, walled, walls, heights, tool_diameter)
+        floor.notes.append(_note_beyond(floor.name, [outer[i][:2] for i in blocked], bool(grown)))
+        if grown:
+            outer, floor.islands = grown
+            floor.outer = outer
+            free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
     for i, is_free in enumerate(free):
         if is_free and not walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
             outer[i] = (*outer[i][:3], True)
 
 
-def _note_beyond(name, places):
-    if len(places) == 1:
-        return "%s has stock beyond its open side near (%.3f, %.3f): it is cleared beyond it." % (
-            name,
-            *places[0],
-        )
-    return "%s has stock beyond %d of its open sides, the first near (%.3f, %.3f): %s" % (
+def _note_beyond(name, places, is_cleared):
+    """Of a floor with stock beyond the sides that begin in `places`."""
+    sides = "its open side near (%.3f, %.3f)" % places[0]
+    if len(places) > 1:
+        sides = "%d of its open sides, the first near (%.3f, %.3f)" % (len(places), *places[0])
+    what = "cleared beyond" if is_cleared else "cleared no further than"
+    return "%s has stock beyond %s: it is %s %s." % (
         name,
-        len(places),
-        *places[0],
-        "it is cleared beyond them.",
+        sides,
+        what,
+        "them" if len(places) > 1 else "it",
     )
 
 

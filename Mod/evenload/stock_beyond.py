@@ -28,7 +28,8 @@ AT_CENTRE = 1e-3  # share of an arc's radius: so near its centre there is no gro
 def continued(floor, walled, walls, heights, tool_diameter):
     """(outer chain, islands) of `floor` with the ground beyond those pieces of its outer chain that
     are not `walled`, a truth value each. On that ground stands the stock at the first of `heights`,
-    mm, the lowest first, and the model at none of them.
+    mm, the lowest first, and the model at none of them. None where the floor would not stay one
+    piece, as where the stock has gaps in it.
     """
     face = face_of(floor)
     stock = walls.stock_faces(heights[0], floor.z)
@@ -46,10 +47,12 @@ def continued(floor, walled, walls, heights, tool_diameter):
         grown = compiled.core().offset([_region(floor.outer)], distance * tool_diameter)
         ground = Part.Compound([_face(each, floor.z) for each in grown]).common(stock)
         regions = _regions(ground.cut(standing) if standing else ground)
-        (own,) = [r for r in regions if face.common(_face(r, floor.z)).Area > LEAST_OVERLAP]
-        return own
+        own = [r for r in regions if face.common(_face(r, floor.z)).Area > LEAST_OVERLAP]
+        return own[0] if len(own) == 1 else None
 
     region = region_with(TO_THE_EDGE)
+    if region is None:
+        return None
     if region_with(NONE_UP_TO).area > region.area + LEAST_OVERLAP:
         region, further = region_with(LITTLE), region_with(ENOUGH)
         if _reached(further, face, tool_diameter) > _reached(region, face, tool_diameter):

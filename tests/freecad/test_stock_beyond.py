@@ -72,6 +72,14 @@ def test_it_goes_on_by_the_diameter_where_a_boss_at_the_edge_leaves_no_way_round
     assert box_of(floor) == [-6, -6, 46, 20]
 
 
+def test_a_floor_of_which_the_stock_holds_two_pieces_stays_as_it_is(doc):
+    stock = block(-1, -1, 41, 31).cut(block(18, -2, 22, 21, bottom=-5))  # an old slot across it
+    floor = floor_of(doc, step(), stock)
+    assert floor.region().area == pytest.approx(800)
+    (note,) = floor.notes
+    assert note.endswith("it is cleared no further than them.")
+
+
 def test_nothing_is_cleared_beyond_a_thin_wall(doc):
     part = block(0, 0, 40, 30).cut(block(1, -1, 40, 20, bottom=Z))  # its wall ends with the step
     floor = floor_of(doc, part, block(-20, -0.5, 41, 30))
@@ -103,7 +111,7 @@ def test_a_floor_with_nothing_but_bosses_is_cleared_to_the_edge_of_the_stock(ben
         for turn, radius in ((-0.17, 21), (-0.14, 30), (0.14, 30), (0.17, 21)):
             angle = math.pi * k / 6 + turn
             gear.append((radius * math.cos(angle), radius * math.sin(angle), 0))
-    bosses = [rectangle(-14, -16, -3, -6), rectangle(5, -8, 18, 4)]  # beside the teeth
+    bosses = [rectangle(-14, -14, -4, -6), rectangle(5, -8, 18, 4)]  # beside the teeth
     floor = face_of(gear).extrude(Vector(0, 0, -7)).translated(Vector(0, 0, Z))
     part = floor.fuse([block(*boss[0][:2], *boss[2][:2], bottom=Z) for boss in bosses])
     part = part.removeSplitter()
