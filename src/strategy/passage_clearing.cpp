@@ -160,6 +160,7 @@ class PassageClearing {
   // Between rooms that are clear; the way round the border leaves nothing.
   void ramp_through(const Passage& neck) {
     Descent ramp = ramp_along(neck.centres.outer, params_);
+    if (ramp.ramp_by.empty()) return;  // some 0.0001 mm: no more than passes leave in corners
     Leftover left;
     left.prepare(Area({neck.centres}),
                  grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
