@@ -45,10 +45,7 @@ constexpr double kStretch = 1e-3;
 constexpr double kSameTurns = 1e-6;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
-// mm: by which a line of a ramp must descend to do so in a posted program, written to 0.0001 mm,
-// also where the way down is a little longer than it must be; and the longest that is left out for
-// that.
-constexpr double kHeightGrid = 2.5e-4;
+// mm: the longest line of a ramp that is joined to others for being too short to descend.
 constexpr double kLongestDrop = 0.01;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
@@ -176,7 +173,7 @@ double sought_stretch(double helix_radius, const ClearingParams& params) {
 }  // namespace
 
 Descent ramp_along(const Curve& border, const ClearingParams& params) {
-  const double shortest = std::min(kLongestDrop, kHeightGrid / std::tan(params.helix_angle));
+  const double shortest = std::min(kLongestDrop, kLeastDescent / std::tan(params.helix_angle));
   std::vector<Vec2> points = border.flattened(kRampChord);
   points.push_back(points.front());
   Descent ramp;

@@ -40,11 +40,9 @@ inline constexpr double kLongestRamp = 1.5;
 // mm: by which a ramp's lines in place of the arcs of a border leave them, and as much again where
 // lines are joined; together a part of kWallGap.
 inline constexpr double kRampChord = 2e-4;
-// A ramp once round a closed border. Law: where its lines are so short that posts would round them
-// to level moves, in the middle of material, they are a part of others, unless that moves the ramp
-// by more than kRampChord, as at a chamfer of a thousandth of a millimetre, or the helix angle is
-// below 1.4 degrees, where lines of kRampChord themselves descend by too little. `ramp_by` is empty
-// for a border of that size.
+// A ramp once round a closed border; `ramp_by` is empty for one of kRampChord or so. Lines that are
+// so short that they would descend by less than kLeastDescent are a part of others, unless that
+// moves the ramp by more than kRampChord.
 Descent ramp_along(const Curve& border, const ClearingParams& params);
 // The same entry, but a helix stretched in the direction with the most room, until it removes as
 // much in a time as a cut at the engagement angle, or as far as there is room: it goes down no

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "toolpath/helix.h"
 #include "toolpath/ramp.h"
@@ -234,15 +235,16 @@ class Assembler {
   // Down on the way round, and round once more, level.
   void ramp(const Descent& descent, double from, double level) {
     const std::vector<Segment> round = ramp_round(descent);
-    const double length = ramp_length(descent);
+    const std::vector<double> shares = ramp_shares(descent, params_.helix_angle);
+    const double length = std::accumulate(shares.begin(), shares.end(), 0.0);
     const double rounds =
         std::max(1.0, std::ceil((from - level) / (std::tan(params_.helix_angle) * length)));
     double left = rounds * length;  // mm down to the level
     for (int i = 0; i <= static_cast<int>(rounds); ++i)
-      for (const Segment& leg : round) {
-        left -= leg.length();
+      for (std::size_t k = 0; k < round.size(); ++k) {
+        left -= shares[k];
         const double z = level + (from - level) * std::max(0.0, left / (rounds * length));
-        line(leg.b, i < static_cast<int>(rounds) ? z : level, MoveKind::kEntry,
+        line(round[k].b, i < static_cast<int>(rounds) ? z : level, MoveKind::kEntry,
              params_.entry.plunge);
       }
   }

@@ -1,5 +1,6 @@
 #include "toolpath/ramp.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace evenload {
@@ -19,6 +20,13 @@ double ramp_length(const Descent& ramp) {
   double length = 0;
   for (const Segment& line : ramp_round(ramp)) length += line.length();
   return length;
+}
+
+std::vector<double> ramp_shares(const Descent& ramp, double angle) {
+  const double least = kLeastDescent / std::tan(angle);
+  std::vector<double> shares;
+  for (const Segment& line : ramp_round(ramp)) shares.push_back(std::max(line.length(), least));
+  return shares;
 }
 
 double ramp_area(const Descent& ramp, double tool_radius) {

@@ -240,6 +240,29 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
     }
 }
 
+// Posts write heights to 0.0001 mm: a line of two micrometres would be level at the angle itself.
+TEST(Assemble, DescendsOnTheShortestLineOfARampAndHoldsTheAngleOnTheOthers) {
+  PlanarRun run = ramp_run();
+  run.descent.ramp_by = {{0.1, 0}, {0.1, 0.0018}, {0, 0.05}};
+  for (const double degrees : {0.3, 1.0, 3.0, 20.0}) {
+    AssemblyParams params = two_levels();
+    params.helix_angle = degrees * kPi / 180;
+    const std::vector<Move> moves = assemble({run}, params);
+    int lines = 0;
+    for (std::size_t i = 1; i < moves.size(); ++i) {
+      const Move &from = moves[i - 1], &to = moves[i];
+      const double flat = flat_length(from, to), drop = from.z - to.z;
+      const bool is_level_round =
+          std::min(std::abs(from.z - params.levels[0]), std::abs(from.z - params.levels[1])) < 1e-9;
+      if (to.kind != MoveKind::kEntry || flat == 0 || is_level_round) continue;
+      ++lines;
+      EXPECT_GE(drop, 1e-4) << degrees;
+      EXPECT_LE(drop, std::max(std::tan(params.helix_angle) * flat, kLeastDescent) + 1e-9);
+    }
+    EXPECT_GT(lines, 8);
+  }
+}
+
 TEST(Assemble, TakesWhatTheSlopeLeftFasterWhereItThinsOut) {
   AssemblyParams params = two_levels();
   params.entry = {255, 400, 1.5 * 255};

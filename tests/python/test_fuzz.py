@@ -253,12 +253,14 @@ def test_a_case_of_an_operation_is_cleared_and_judged(operation):
     assert fuzz.faults(case, answer) == [] and "figures" in answer
 
 
-def test_every_line_of_a_posted_ramp_descends():
+@pytest.mark.parametrize("helix_angle", (0.3, 1.0, 3.0))
+@pytest.mark.parametrize("name", ("tiny_room_with_fillets", "tiny_room_with_a_chamfer"))
+def test_every_line_of_a_posted_ramp_descends(name, helix_angle):
     import pocket_case
 
-    corpus = ROOT / "tests" / "corpus"
-    case = json.loads((corpus / "tiny_room_with_fillets.json").read_text())
-    moves = posted.posted(pocket_case.path_of(case).moves)
+    case = json.loads((ROOT / "tests" / "corpus" / (name + ".json")).read_text())
+    path = pocket_case.path_of(case, helix_angle=math.radians(helix_angle))
+    moves = posted.posted(path.moves)
     ramps = [move for move in moves if move[0] == planar.ENTRY and move[4] == 0]
     assert len(ramps) > 50
     assert fuzz.level_entries(moves, 0.0, -case["axial_depth"]) == 0
