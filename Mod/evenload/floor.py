@@ -16,6 +16,12 @@ LEAST_OVERLAP = 1e-4  # mm2: less of two floors that touch is rounding
 ABOVE_FLOOR = (
     0.01  # mm: walls are looked for this far above a face; finds the foot of a fillet, too
 )
+# Share of the tolerance within which arcs follow an ellipse or a spline. They leave it to both
+# sides, and the tool keeps as far away from them: together that is half of the tolerance, and the
+# output has the rest.
+CURVE_SHARE = 0.25
+LEAST_POINTS = 9  # on a curve: chords leave it by a 64th of its own height then
+AT_ONCE = 1 << 20  # pairs of a point and an edge that are looked at together: 100 MB
 
 
 @dataclass
@@ -30,6 +36,9 @@ class Floor:
     enclosed: bool = False  # by upright walls of the model, all round
     slack: float = 0.0  # mm, by which the chains may leave the geometry, to either side
     notes: list = field(default_factory=list)
+    parts: list = field(default_factory=list)  # of (label, sub-element) of faces, as for name_of
+    grown: bool = False  # it goes on beyond its geometry, where stock stands
+    beyond: list = field(default_factory=list)  # of stock_beyond.Beyond, where it does
 
     def region(self):
         """The core's Region. Raises ValueError, naming the geometry, for one that is crossed or
@@ -46,11 +55,33 @@ class Floor:
         return bool(inside(numpy.array([[x, y]]), polygons)[0])
 
 
+def name_of(parts):
+    """Such as 'Face7, Face9 of Model'. parts: of (label of an object, sub-element or '')."""
+    labels = list(dict.fromkeys(label for label, _ in parts))
+    names = [", ".join(n for other, n in parts if other == label) for label in labels]
+    return " and ".join("%s of %s" % (n, k) if n else k for n, k in zip(names, labels))
+
+
+def in_order(parts):
+    """Parts by label and number: Face9 before Face10."""
+    return sorted(parts, key=lambda part: (part[0], len(part[1]), part[1]))
+
+
+def is_exact(shape):
+    """Whether chains have all of a shape's curves exactly, not within a tolerance."""
+    return all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in shape.Edges)
+
+
 def face_of(floor):
     """A floor as a face of FreeCAD's."""
     face = Part.Face(wire_of(floor.outer, floor.z))
     holes = [Part.Face(wire_of(island, floor.z)) for island in floor.islands]
     return face.cut(holes) if holes else face
+
+
+def faces_within(wires):
+    """Faces that nested level wires enclose; those in others are their holes, and so on."""
+    return Part.makeFace(wires, "Part::FaceMakerBullseye").Faces if wires else []
 
 
 def wire_of(chain, z):
@@ -82,15 +113,63 @@ def points_of(wire):
     return numpy.array([(p.x, p.y) for p in wire.discretize(Deflection=DEFLECTION)])
 
 
+def edge_points(edge):
+    """Points (x, y) in mm along an edge, the same way for curves however short: slivers between
+    these and their chords would be lost otherwise.
+    """
+    points = edge.discretize(Deflection=DEFLECTION)
+    if len(points) < LEAST_POINTS and not isinstance(edge.Curve, Part.Line):
+        points = edge.discretize(Number=LEAST_POINTS)
+    return numpy.array([(p.x, p.y) for p in points])
+
+
 def inside(points, polygons):
     """Even-odd: for each point, whether it lies inside nested polygons."""
     result = numpy.zeros(len(points), bool)
-    px, py = points[:, 0], points[:, 1]
     for polygon in polygons:
-        x0, y0 = polygon[:, 0][:, None], polygon[:, 1][:, None]
-        x1, y1 = numpy.roll(x0, -1, 0), numpy.roll(y0, -1, 0)
-        across = (y0 > py) != (y1 > py)
-        with numpy.errstate(divide="ignore", invalid="ignore"):
-            left = px < (x1 - x0) * (py - y0) / (y1 - y0) + x0
-        result ^= (across & left).sum(axis=0) % 2 == 1
+        result ^= _crossed(points, polygon) % 2 == 1
     return result
+
+
+def _crossed(points, polygon):
+    """For each point, how many edges of the polygon a ray from it crosses.
+
+    Each edge is held against the points beside it only, found by sorting; where that are many, rays
+    go along x or along y, whichever meets fewer.
+    """
+    start, end = polygon, numpy.roll(polygon, -1, 0)
+    spans = _beside_edges(points, start, end, 1)
+    across = 1
+    if spans[2].sum() > AT_ONCE:
+        others = _beside_edges(points, start, end, 0)
+        if others[2].sum() < spans[2].sum():
+            spans, across = others, 0
+    order, first, count = spans
+    result = numpy.zeros(len(points), int)
+    total = numpy.cumsum(count)
+    done = 0
+    while done < len(polygon):
+        before = total[done - 1] if done else 0
+        upto = max(done + 1, int(numpy.searchsorted(total, before + AT_ONCE, "right")))
+        n = count[done:upto]
+        edge = numpy.repeat(numpy.arange(done, upto), n)
+        within = numpy.arange(len(edge)) - numpy.repeat(numpy.cumsum(n) - n, n)
+        point = order[numpy.repeat(first[done:upto], n) + within]
+        u, v = points[point, 1 - across], points[point, across]
+        u0, v0 = start[edge, 1 - across], start[edge, across]
+        u1, v1 = end[edge, 1 - across], end[edge, across]
+        left = u < (u1 - u0) * (v - v0) / (v1 - v0) + u0
+        result += numpy.bincount(point[left], minlength=len(points))
+        done = upto
+    return result
+
+
+def _beside_edges(points, start, end, axis):
+    """(order of the points along an axis, index in it of the first one beside each edge, how many
+    are)
+    """
+    order = numpy.argsort(points[:, axis], kind="stable")
+    at = points[order, axis]
+    first = numpy.searchsorted(at, numpy.minimum(start[:, axis], end[:, axis]))
+    last = numpy.searchsorted(at, numpy.maximum(start[:, axis], end[:, axis]))
+    return order, first, last - first

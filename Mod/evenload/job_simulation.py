@@ -297,6 +297,7 @@ def _outside_floors(job, op, tool, stock, top):
             job.Stock.Shape,
             tool.diameter,
             op.Tolerance.Value,
+            partly_open=op.Proxy.partly_open,
         )
     )
     whole = Part.Compound([_face(region.outer, region.islands) for region in stock])

@@ -8,7 +8,16 @@ import numpy
 import Part
 
 from evenload import compiled, stock_beyond
-from evenload.floor import ABOVE_FLOOR, SAME_HEIGHT, UP, inside, oriented, points_of
+from evenload.floor import (
+    ABOVE_FLOOR,
+    CURVE_SHARE,
+    SAME_HEIGHT,
+    UP,
+    inside,
+    is_exact,
+    oriented,
+    points_of,
+)
 from evenload.planar import flattened
 
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
@@ -57,32 +66,52 @@ class Walls:
         self.models = models
         self.stock = stock
         self.top = max((m.BoundBox.ZMax for m in models), default=-math.inf)
+        self._wires = {}
         self._sections = {}
 
     def model_at(self, z):
-        return self._section("model", self.models, z)
+        return self._section("model", z)
 
     def stock_at(self, z):
-        return self._section("stock", [self.stock] if self.stock else [], z)
+        return self._section("stock", z)
 
-    def _section(self, what, shapes, z):
+    def _outlines(self, what, z):
+        """The closed wires of each shape at a height."""
+        key = what, round(z, 6)
+        if key not in self._wires:
+            shapes = self.models if what == "model" else [self.stock] if self.stock else []
+            self._wires[key] = [
+                [wire for wire in shape.slice(UP, z) if wire.isClosed()]
+                for shape in shapes
+                if shape.BoundBox.ZMin < z < shape.BoundBox.ZMax
+            ]
+        return self._wires[key]
+
+    def _section(self, what, z):
         key = what, round(z, 6)
         if key not in self._sections:
-            polygons = []
-            for shape in shapes:
-                if shape.BoundBox.ZMin < z < shape.BoundBox.ZMax:
-                    polygons.append(
-                        [points_of(wire) for wire in shape.slice(UP, z) if wire.isClosed()]
-                    )
-            self._sections[key] = polygons
+            self._sections[key] = [
+                [points_of(wire) for wire in wires] for wires in self._outlines(what, z)
+            ]
         return self._sections[key]
 
-    def model_faces(self, height, z):
-        """What the model covers at a height, as faces at the height z."""
-        return _section_faces(self.models, height, z)
+    def model_outlines(self, heights, z):
+        """What the model covers at some heights: [(closed wires of a shape, moved to the height z;
+        the same as polygons)]. What is the same at several of them comes once.
+        """
+        found = {}
+        for height in heights:
+            polygons = self.model_at(height)
+            for wires, outlines in zip(self._outlines("model", height), polygons):
+                key = _key(outlines)
+                if key not in found:
+                    found[key] = _level(wires, z - height), outlines
+        return list(found.values())
 
-    def stock_faces(self, height, z):
-        return _section_faces([self.stock] if self.stock else [], height, z)
+    def stock_outlines(self, height, z):
+        """The same of the stock at one height."""
+        wires = self._outlines("stock", height)
+        return [(_level(w, z - height), o) for w, o in zip(wires, self.stock_at(height))]
 
     def heights_above(self, z):
         """Heights, one between each two at which the model has a vertex."""
@@ -102,128 +131,171 @@ class Walls:
         return result
 
 
-def judge(floor, walls, tool_diameter, tolerance):
-    """Marks the open edges of a floor; drops islands that are holes in the floor with the stock
-    still in them.
+def drop_holes(floor, walls):
+    """Drops islands that are holes in the floor with the stock still in them. Chains have the right
+    sense of rotation then.
     """
-    outer = floor.outer = oriented(floor.outer, counter_clockwise=True)
+    floor.outer = oriented(floor.outer, counter_clockwise=True)
     floor.islands = [oriented(island, counter_clockwise=False) for island in floor.islands]
     if floor.enclosed:
         return
     z = floor.z + ABOVE_FLOOR
     kept = []
     for island in floor.islands:
-        if not any(_walled(island, i, walls, z, 0.0) for i in range(len(island))):
-            within = numpy.vstack([_beside(island, i) for i in range(len(island))])
+        if not any(_walled(island, walls, z)):
+            within = _beside(island)[0]
             if walls.any_inside(within, walls.stock_at(z)).any():
                 continue  # a hole in the floor: its stock is cut with the rest
         kept.append(island)
     floor.islands = kept
 
-    reach = REACH * tool_diameter
-    free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
-    # A boss on the floor itself does not close a side near it.
-    off_floor = [flattened(outer)]
-    near = 0.5 * tool_diameter
-    bare = [
-        f or not _walled(outer, i, walls, z, near, off_floor=off_floor) for i, f in enumerate(free)
-    ]
-    if all(bare) and _open_all_round(floor, walls, z, all(free), tolerance):
+
+def extend(floor, walls, others, tool_diameter, tolerance, partly_open=True):
+    """Has a floor go on where stock stands beyond sides without a wall; see stock_beyond.py.
+    others: Floors where it must not go; partly_open: as for shape.floors.
+    """
+    if floor.enclosed:
         return
-    blocked = [
-        i
-        for i, is_bare in enumerate(bare)
-        if is_bare and walls.any_inside(_beside(outer, i), walls.stock_at(z)).any()
-    ]
-    if blocked:
+    outer, z = floor.outer, floor.z + ABOVE_FLOOR
+    # A boss on the floor itself does not close a side near it, nor a wall that goes on past it.
+    near = 0.5 * tool_diameter
+    walled = _walled(outer, walls, z, near, off_floor=[flattened(outer)], fan=())
+    blocked = _touching(outer, walls.stock_at(z), walls) & ~walled
+    if not blocked.any():
+        return
+    sides = numpy.flatnonzero(blocked)
+    places = [outer[i][:2] for i in sides]
+    try:
+        if not walled.any() and _open_all_round(floor, walls, z, others, tolerance):
+            floor.beyond = [stock_beyond.Beyond(outer, places, [])]
+            return
         heights = [z, *walls.heights_above(z)]
-        walled = [not is_bare for is_bare in bare]
-        grown = stock_beyond.continued(floor, walled, walls, heights, tool_diameter)
-        floor.notes.append(_note_beyond(floor.name, [outer[i][:2] for i in blocked], bool(grown)))
-        if grown:
-            outer, floor.islands = grown
-            floor.outer = outer
-            free = [not _walled(outer, i, walls, z, reach) for i in range(len(outer))]
-    for i, is_free in enumerate(free):
-        if is_free and not walls.any_inside(_beside(outer, i, reach), walls.stock_at(z)).any():
-            outer[i] = (*outer[i][:3], True)
-
-
-def _note_beyond(name, places, is_cleared):
-    """Of a floor with stock beyond the sides that begin in `places`."""
-    sides = "its open side near (%.3f, %.3f)" % places[0]
-    if len(places) > 1:
-        sides = "%d of its open sides, the first near (%.3f, %.3f)" % (len(places), *places[0])
-    what = "cleared beyond" if is_cleared else "cleared no further than"
-    return "%s has stock beyond %s: it is %s %s." % (
-        name,
-        sides,
-        what,
-        "them" if len(places) > 1 else "it",
-    )
-
-
-def _open_all_round(floor, walls, z, is_free, tolerance):
-    """Whether a floor without walls is open all round: it reaches to the edge of the stock, if
-    nothing else of the model stands there. `is_free`: nothing does within REACH of the floor.
-    """
-    pieces = range(len(floor.outer))
-    beside = numpy.vstack([_beside(floor.outer, i) for i in pieces])
-    if walls.any_inside(beside, walls.stock_at(z)).any():
-        within = numpy.vstack([_beside(floor.outer, i, nearest=-BESIDE) for i in pieces])
-        wires = [w for w in walls.stock.slice(UP, z) if w.isClosed()]
-        around = [w for w in wires if inside(within, [points_of(w)]).all()]
-        outline = [flattened(floor.outer)]
-        others = [
-            polygon
-            for height in [z, *walls.heights_above(z)]
-            for polygons in walls.model_at(height)
-            for polygon in polygons
-            if not inside(polygon, outline).all()
-        ]
-        if len(around) != 1 or others:
-            return False
-        is_free = True
-        ((_, chain, _),) = compiled.occt().regions_from_brep(
-            around[0].exportBrepToString(), tolerance
+        growth = stock_beyond.continued(
+            floor, list(walled), walls, heights, others, tool_diameter, tolerance, partly_open
         )
-        floor.outer = oriented(list(chain), counter_clockwise=True)
-    if is_free:
-        floor.outer = [(x, y, bulge, True) for x, y, bulge, _ in floor.outer]
-    return is_free
+    except (ValueError, Part.OCCError) as error:  # of the geometry there; the floor needs none
+        floor.notes.append(
+            "%s: it is not cleared, for the ground there could not be found (%s)."
+            % (stock_beyond.sides_of(floor.name, places), str(error).rstrip("."))
+        )
+        return
+    if growth is None:
+        floor.notes.append(stock_beyond.note_of_nothing(floor.name, places))
+        return
+    left = [] if growth.to_the_edge else _left(outer, sides, walls, z, growth.distance)
+    floor.beyond = [stock_beyond.Beyond(outer, places, left, growth.distance)]
+    floor.outer, floor.islands = growth.outer, growth.islands
+    floor.slack, floor.grown = growth.slack, True
 
 
-def _section_faces(shapes, height, z):
-    faces = []
-    for shape in shapes:
-        if shape.BoundBox.ZMin < height < shape.BoundBox.ZMax:
-            wires = [wire for wire in shape.slice(UP, height) if wire.isClosed()]
-            if wires:
-                faces += Part.makeFace(wires, "Part::FaceMakerBullseye").Faces
-    for face in faces:
-        face.translate(UP * (z - height))
-    return faces
-
-
-def _walled(chain, i, walls, z, reach, off_floor=()):
-    """Whether a wall of the model stands beside piece i of a chain, at any height above z; only off
-    the floor within nested polygons.
+def _left(outer, sides, walls, z, distance):
+    """[(start of a piece, place beyond its middle or beside that, both (x, y))] of those of the
+    `sides`, numbers of pieces, beyond which stock stands outside of the model `distance` mm away.
     """
-    if walls.any_inside(_beside(chain, i), walls.model_at(z)).any():
-        return True
-    beside = _beside(chain, i, reach)
-    if off_floor:
-        beside = beside[~inside(beside, off_floor)]
-    return any(
-        walls.any_inside(beside, walls.model_at(height)).any()
+    result = []
+    for i in sides:
+        points = numpy.array(_beside_piece(outer, i, 0.0, distance + BESIDE, ()))
+        stands = walls.any_inside(points, walls.stock_at(z))
+        stands &= ~walls.any_inside(points, walls.model_at(z))
+        result += [(outer[i][:2], tuple(point)) for point in points[stands][:1]]
+    return result
+
+
+def mark(floor, walls, tool_diameter):
+    """Marks the open edges of a floor."""
+    outer = floor.outer
+    if floor.enclosed or all(vertex[3] for vertex in outer):
+        return
+    z, reach = floor.z + ABOVE_FLOOR, REACH * tool_diameter
+    free = ~_walled(outer, walls, z, reach)
+    free &= ~_touching(outer, walls.stock_at(z), walls, reach)
+    for i in numpy.flatnonzero(free):
+        outer[i] = (*outer[i][:3], True)
+
+
+def _open_all_round(floor, walls, z, others, tolerance):
+    """Has a floor without walls, beyond which stock stands, reach to the edge of the stock, open
+    all round, if nothing else of the model stands there, nor any of the `others`; tells whether it
+    does.
+    """
+    within = _beside(floor.outer, nearest=-BESIDE)[0]
+    around = [
+        wire
+        for wires, polygons in walls.stock_outlines(z, floor.z)
+        for wire, polygon in zip(wires, polygons)
+        if inside(within, [polygon]).all()
+    ]
+    outline = [flattened(floor.outer)]
+    standing = [
+        polygon
         for height in [z, *walls.heights_above(z)]
+        for polygons in walls.model_at(height)
+        for polygon in polygons
+    ] + [flattened(other.outer) for other in others]
+    if len(around) != 1 or not all(inside(polygon, outline).all() for polygon in standing):
+        return False
+    curve_tolerance = CURVE_SHARE * tolerance
+    ((_, chain, _),) = compiled.occt().regions_from_brep(
+        around[0].exportBrepToString(), curve_tolerance
     )
+    chain = oriented(list(chain), counter_clockwise=True)
+    floor.outer = [(x, y, bulge, True) for x, y, bulge, _ in chain]
+    floor.grown = True
+    if not is_exact(around[0]):
+        floor.slack = max(floor.slack, curve_tolerance)
+    return True
 
 
-def _beside(chain, i, reach=0.0, nearest=BESIDE):
-    """Points to the right of piece i of a chain: `nearest` mm away along it and, with a reach, all
-    the ground up to there.
+def _key(polygons):
+    """The same for outlines that have the same points."""
+    points = numpy.vstack(polygons) if polygons else numpy.zeros((0, 2))
+    return numpy.unique(numpy.round(points, 6) + 0.0, axis=0).tobytes()
+
+
+def _level(wires, by):
+    """Copies of wires, higher by so many mm."""
+    copies = [wire.copy() for wire in wires]
+    for copy in copies:
+        copy.translate(UP * by)
+    return copies
+
+
+def _walled(chain, walls, z, reach=0.0, off_floor=(), fan=FAN):
+    """For each piece of a chain, whether a wall of the model stands beside it, at any height above
+    z; only off the floor within nested polygons. reach and fan as for _beside.
     """
+    result = _touching(chain, walls.model_at(z), walls)
+    points, piece = _beside(chain, reach, fan=fan)
+    if off_floor:
+        off = ~inside(points, off_floor)
+        points, piece = points[off], piece[off]
+    for height in [z, *walls.heights_above(z)]:
+        left = ~result[piece]
+        points, piece = points[left], piece[left]
+        result[piece[walls.any_inside(points, walls.model_at(height))]] = True
+    return result
+
+
+def _touching(chain, sections, walls, reach=0.0):
+    """For each piece of a chain, whether one of the sections lies beside it."""
+    points, piece = _beside(chain, reach)
+    result = numpy.zeros(len(chain), bool)
+    result[piece[walls.any_inside(points, sections)]] = True
+    return result
+
+
+def _beside(chain, reach=0.0, nearest=BESIDE, fan=FAN):
+    """(points, the number of the piece of each) to the right of a chain's pieces: `nearest` mm away
+    along them and, with a reach in mm, all the ground up to there. fan: degrees from the normals in
+    which the ground at a piece's ends is looked at; without any, its ends are left out.
+    """
+    points = [_beside_piece(chain, i, reach, nearest, fan) for i in range(len(chain))]
+    piece = numpy.repeat(numpy.arange(len(chain)), [len(each) for each in points])
+    return numpy.array([point for each in points for point in each]), piece
+
+
+def _beside_piece(chain, i, reach, nearest, fan):
+    """The points of _beside at one piece."""
     (x0, y0, bulge, *_), (x1, y1, *_) = chain[i], chain[(i + 1) % len(chain)]
     dx, dy = x1 - x0, y1 - y0
     chord = math.hypot(dx, dy)
@@ -247,8 +319,8 @@ def _beside(chain, i, reach=0.0, nearest=BESIDE):
             y = y0 - radius * (math.cos(direction) - math.cos(start))
         else:
             x, y = x0 + t * dx, y0 + t * dy
-        for degrees in FAN if at_end else (0,):
+        for degrees in fan if at_end else (0,):
             normal = direction - 0.5 * math.pi + math.radians(degrees)
             u, v = math.cos(normal), math.sin(normal)
             points += [(x + d * u, y + d * v) for d in distances]
-    return numpy.array(points)
+    return points

@@ -5,35 +5,36 @@ wall above them, and nothing of the stock beyond them, are marked open: there th
 from outside.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import Part
 
-from evenload import compiled, open_edges
+from evenload import compiled, open_edges, stock_beyond
 from evenload.floor import (
     ABOVE_FLOOR,
+    CURVE_SHARE,
     LEAST_OVERLAP,
     SAME_HEIGHT,
     UP,
     Floor,
     face_of,
+    in_order,
+    is_exact,
+    name_of,
     wire_of,
 )
 
-# Share of the tolerance within which arcs follow an ellipse or a spline. They leave it to both
-# sides, and the tool keeps as far away from them: together that is half of the tolerance, and the
-# output has the rest.
-CURVE_SHARE = 0.25
 
-
-def floors(base, models, stock, tool_diameter, tolerance, slot=None):
+def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True):
     """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
 
     models: shapes of the job's model, stock: shape of its stock or None, both in place;
     tool_diameter and tolerance in mm. slot: callable(chain, closed, name of the geometry) -> the
     core's Region of the slot round a sketch's or edges' curve, or None where it is an outline;
-    slots that meet are one floor. Without it open curves are refused. Raises ValueError with a
-    sentence that names the geometry.
+    slots that meet are one floor. Without it open curves are refused. partly_open: False for
+    operations that cannot take an outline that is open beside walls; where stock stands beyond a
+    floor's sides, it goes on by no more than it must then, and has no open edge. Raises ValueError
+    with a sentence that names the geometry.
     """
     found, slots = [], []
     for item in _items(base):
@@ -54,7 +55,18 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None):
     walls = open_edges.Walls(models, stock)
     for floor in found:
         if floor.is_face:
-            open_edges.judge(floor, walls, tool_diameter, tolerance)
+            open_edges.drop_holes(floor, walls)
+    before = [replace(floor) for floor in found]
+    for floor in found:
+        if floor.is_face:
+            others = [other for other in before if not _may_join(floor, other)]
+            open_edges.extend(floor, walls, others, tool_diameter, tolerance, partly_open)
+    found = _joined_grown(_apart(found, before), tolerance)
+    for floor in found:
+        if floor.is_face and (partly_open or not floor.grown):
+            open_edges.mark(floor, walls, tool_diameter)
+        note = stock_beyond.note_of(floor, found, tool_diameter) if floor.grown else None
+        floor.notes += [note] if note else []
     return found
 
 
@@ -85,10 +97,7 @@ class _Item:
 
     @property
     def name(self):
-        """Such as 'Face7, Face9 of Model'."""
-        labels = list(dict.fromkeys(label for label, _ in self.parts))
-        names = [", ".join(n for other, n in self.parts if other == label) for label in labels]
-        return " and ".join("%s of %s" % (n, k) if n else k for n, k in zip(names, labels))
+        return name_of(self.parts)
 
 
 def _placed(obj):
@@ -191,7 +200,15 @@ def _read(item, tolerance):
         raise ValueError(_sentence(item, error)) from None
     slack = _slack(item, within)
     return [
-        Floor(item.name, z, list(outer), [list(i) for i in islands], item.is_face, slack=slack)
+        Floor(
+            item.name,
+            z,
+            list(outer),
+            [list(i) for i in islands],
+            item.is_face,
+            slack=slack,
+            parts=item.parts,
+        )
         for z, outer, islands in found
     ]
 
@@ -263,14 +280,97 @@ def _within_stock(slot, stock):
     return result
 
 
+def _may_join(floor, other):
+    """Whether two floors may become one when they grow; a sketch's outline is the limit of what it
+    encloses.
+    """
+    return floor.is_face and other.is_face and abs(floor.z - other.z) <= SAME_HEIGHT
+
+
+def _apart(found, before):
+    """The floors, those as they were before they grew which overlap now with one before them that
+    they cannot join.
+    """
+    result = []
+    for floor, own in zip(found, before):
+        blockers = (o for o in result if not _may_join(floor, o) and _overlap(floor, o))
+        other = next(blockers, None) if floor.grown else None
+        if other is not None:
+            places = [place for beyond in floor.beyond for place in beyond.places]
+            own.notes = [
+                "%s: it is not cleared there, for it would meet what is cleared beyond %s."
+                % (stock_beyond.sides_of(floor.name, places), other.name)
+            ]
+            floor = own
+        result.append(floor)
+    return result
+
+
+def _joined_grown(found, tolerance):
+    """The floors, each that has grown as one with those faces at its height that it overlaps or
+    touches now, in the place of the first.
+    """
+    groups = []
+    for floor in found:
+        met = [group for group in groups if any(_met(floor, other) for other in group)]
+        if not met:
+            groups.append([floor])
+            continue
+        met[0] += [other for group in met[1:] for other in group] + [floor]
+        groups = [group for group in groups if not any(group is gone for gone in met[1:])]
+    return [joined for group in groups for joined in _union(group, tolerance)]
+
+
+def _met(floor, other):
+    """Whether two floors, one of which has grown, are one now."""
+    if not (_may_join(floor, other) and (floor.grown or other.grown)):
+        return False
+    a, b = face_of(floor), face_of(other)
+    return a.BoundBox.intersect(b.BoundBox) and len(a.fuse(b).removeSplitter().Faces) == 1
+
+
+def _union(group, tolerance):
+    """The floors of a group as one."""
+    if len(group) == 1:
+        return group
+    faces = [face_of(floor) for floor in group]
+    fused = Part.Compound(faces[0].fuse(faces[1:]).removeSplitter().Faces)
+    parts = in_order(dict.fromkeys(part for floor in group for part in floor.parts))
+    within = CURVE_SHARE * tolerance
+    slack = max([floor.slack for floor in group] + ([] if is_exact(fused) else [within]))
+    notes = list(dict.fromkeys(note for floor in group for note in floor.notes))
+    try:
+        found = compiled.occt().regions_from_brep(fused.exportBrepToString(), within)
+    except compiled.occt().ShapeError as error:
+        raise ValueError("%s: %s" % (name_of(parts), error)) from None
+    return [
+        Floor(
+            name_of(parts),
+            group[0].z,
+            list(outer),
+            [list(island) for island in islands],
+            True,
+            slack=slack,
+            notes=notes,
+            parts=parts,
+            grown=True,
+            beyond=[beyond for floor in group for beyond in floor.beyond],
+        )
+        for _, outer, islands in found
+    ]
+
+
+def _overlap(a, b):
+    """Whether two floors have more in common than an edge, seen from above."""
+    a, b = face_of(a), face_of(replace(b, z=a.z))
+    return a.BoundBox.intersect(b.BoundBox) and a.common(b).Area > LEAST_OVERLAP
+
+
 def _refuse_overlaps(found):
     """Raises ValueError where two floors at one height overlap, which would be cut as one."""
     for i, floor in enumerate(found):
         for other in found[:i]:
-            if abs(floor.z - other.z) > SAME_HEIGHT:
-                continue
-            a, b = face_of(floor), face_of(other)
-            if a.BoundBox.intersect(b.BoundBox) and a.common(b).Area > LEAST_OVERLAP:
+            if abs(floor.z - other.z) <= SAME_HEIGHT and _overlap(floor, other):
                 raise ValueError(
                     "%s and %s overlap: draw what they enclose together as one, or use two "
                     "operations." % (other.name, floor.name)
@@ -279,8 +379,7 @@ def _refuse_overlaps(found):
 
 def _slack(item, within):
     """mm, by which chains made to `within` mm may leave the item's curves."""
-    exact = all(isinstance(edge.Curve, (Part.Line, Part.Circle)) for edge in item.shape.Edges)
-    return 0.0 if exact else within
+    return 0.0 if is_exact(item.shape) else within
 
 
 def _sentence(item, error):

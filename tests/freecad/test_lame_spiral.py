@@ -2,11 +2,13 @@
 
 import math
 
+import Part
 import pytest
 from conftest import check_path, moves_of, reopened
 from FreeCAD import Vector
 from models import block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
+from evenload import simulation
 from evenload.operations import lame_spiral
 
 EVEN = "Constant removal rate"
@@ -102,6 +104,21 @@ def test_without_a_spiral_the_fitted_properties_stay_and_the_report_says_so(benc
     assert "No spiral was made" in op.Report
     assert op.ClearedShare == 0
     assert [op.Segments, op.SemiAxisA.Value, op.Pitch.Value] == before
+
+
+@pytest.mark.parametrize("margin", [1, 5, 30])
+def test_a_step_with_stock_beyond_its_open_sides_is_cleared_as_a_pocket(bench, margin):
+    step = Part.makeBox(40, 30, 10).cut(Part.makeBox(40, 20, 3, Vector(0, 0, 7)))
+    step.translate(Vector(0, 0, -10))
+    b = bench(step)
+    for side in ("ExtXneg", "ExtXpos", "ExtYneg", "ExtYpos"):
+        setattr(b.job.Stock, side, margin)
+    op = b.done(spiral(b))
+    (floor,) = op.Proxy.last.floors
+    assert not any(vertex[3] for vertex in floor.outer)
+    run = simulation.of(op)
+    # Beside the wall, outside of the floor, a corner stays.
+    assert run.gouge_mm == 0 and (run.rest_area == 0 or run.rest_at[0] < 0 or run.rest_at[0] > 40)
 
 
 def test_a_ring_is_cut_between_both_walls(bench):

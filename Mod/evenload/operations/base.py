@@ -43,6 +43,7 @@ class Operation(host.operation_base()):
     name = ""  # under which the SetupSheet knows the operation
     settings = SETTINGS
     results = RESULT_SETTINGS
+    partly_open = True  # whether it takes outlines that are open beside walls
     fitted = ()  # names of settings that show what was chosen for the geometry, unless they are set
 
     # Restored proxies come into being without __init__.
@@ -282,6 +283,7 @@ class Operation(host.operation_base()):
             self.stock.Shape,
             tool.diameter,
             obj.Tolerance.Value,
+            partly_open=self.partly_open,
         )
 
     def generate(self, obj, core, regions, parameters):

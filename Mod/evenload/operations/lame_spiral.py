@@ -33,6 +33,7 @@ class LameSpiral(base.Operation):
     """
 
     name = NAME
+    partly_open = False
     fitted = (*FITTED, CENTRE)
     settings = (
         *SETTINGS,
