@@ -6,6 +6,7 @@
 #include <optional>
 #include <sstream>
 
+#include "geometry/boundary_index.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -13,6 +14,11 @@ namespace {
 
 // Outside open edges the tool may go this many of its diameters from the stock.
 constexpr double kOutsideRoom = 1.5;
+// The same where another region is near: so much the tool needs to come down there.
+constexpr double kLeastRoom = 0.55;
+constexpr double kApart = 1e-3;  // mm: between the rooms of two regions
+// mm: between two places of a border that are looked at for other regions.
+constexpr double kLook = 0.2;
 // rad: how much more tightly than at a right angle a wall and an open edge meet in a tip.
 constexpr double kTip = 0.05;
 
@@ -73,6 +79,74 @@ Vec2 first_open_place(const Curve& curve) {
   return curve.segments().front().a;
 }
 
+bool is_open(const Vertex& vertex) { return vertex.open; }
+
+bool is_open_all_round(const Region& region) {
+  const std::vector<Vertex>& v = region.outer.vertices();
+  return std::all_of(v.begin(), v.end(), is_open);
+}
+
+bool is_open_somewhere(const Region& region) {
+  const std::vector<Vertex>& v = region.outer.vertices();
+  return std::any_of(v.begin(), v.end(), is_open);
+}
+
+// mm, at least: from the open pieces of one outline to another outline.
+double gap_between(const Curve& open, const BoundaryIndex& other, double most) {
+  double gap = most;
+  for (const Segment& piece : open.segments()) {
+    if (!piece.open) continue;
+    const int looks = std::max(1, static_cast<int>(std::ceil(piece.length() / kLook)));
+    const double apart = piece.length() / looks;
+    for (int i = 0; i <= looks; ++i) {
+      const Vec2 p = piece.point(static_cast<double>(i) / looks);
+      gap = std::min(gap, other.distance_below(p, gap + apart) - 0.5 * apart);
+    }
+  }
+  return gap;
+}
+
+// mm: how much room there is outside the open edges of each region, up to `most`: as far as others
+// leave it, which have half of it where they are open as well. Regions that are open all round
+// share theirs.
+std::vector<double> rooms_outside(const std::vector<Region>& regions, double most) {
+  std::vector<double> rooms(regions.size(), most);
+  if (regions.size() < 2) return rooms;
+  std::vector<BoundaryIndex> outlines;
+  for (const Region& region : regions) outlines.emplace_back(std::vector<Curve>{region.outer});
+  double shared = most;
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const bool all_round = is_open_all_round(regions[i]);
+    if (!is_open_somewhere(regions[i])) continue;
+    for (std::size_t j = 0; j < regions.size(); ++j) {
+      if (i == j || (all_round && is_open_all_round(regions[j]))) continue;
+      const double share = is_open_somewhere(regions[j]) ? 0.5 : 1;
+      const double gap = gap_between(regions[i].outer, outlines[j], most / share + kApart);
+      rooms[i] = std::min(rooms[i], share * (gap - kApart));
+    }
+    if (all_round) shared = std::min(shared, rooms[i]);
+  }
+  for (std::size_t i = 0; i < regions.size(); ++i)
+    if (is_open_all_round(regions[i])) rooms[i] = shared;
+  return rooms;
+}
+
+// Regions that are open all round, grown together, with their islands.
+std::vector<Region> grown_together(const std::vector<Region>& regions, double room) {
+  std::vector<Region> outlines;
+  for (const Region& region : regions) outlines.push_back({region.outer, {}});
+  std::vector<Region> result = offset(outlines, room);
+  for (const Region& region : regions)
+    for (const Curve& island : region.islands) {
+      const Vec2 place = island.vertices().front().p;
+      const auto around = std::find_if(result.begin(), result.end(),
+                                       [&](const Region& r) { return r.contains(place); });
+      EVENLOAD_ASSERT(around != result.end());
+      around->islands.push_back(island);
+    }
+  return result;
+}
+
 }  // namespace
 
 std::string near(Vec2 p) {
@@ -105,37 +179,37 @@ bool has_open_edges(const std::vector<Region>& regions) {
 std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
                                    const std::function<Vec2(Vec2)>& shown,
                                    std::vector<std::string>& notes) {
-  const double room = (1 + kOutsideRoom) * tool_diameter;
-  std::vector<Region> result;
+  const std::vector<double> rooms = rooms_outside(regions, (1 + kOutsideRoom) * tool_diameter);
+  const double least = (0.5 + kLeastRoom) * tool_diameter;
+  std::vector<Region> result, open_all_round;
+  double shared = 0;
   // Runs that face each other, or turn inwards too tightly, have no room that is surely free.
-  const auto with_room = [&](const Region& region, Tips tips) -> std::optional<Region> {
+  const auto with_room = [&](const Region& region, double room,
+                             Tips tips) -> std::optional<Region> {
+    if (room < least) return std::nullopt;
     try {
       return make_region(with_room_outside(region.outer, room, tips), region.islands);
     } catch (const GeometryError&) {
       return std::nullopt;
     }
   };
-  for (const Region& region : regions) {
-    const std::vector<Vertex>& v = region.outer.vertices();
-    const auto is_open = [](const Vertex& x) { return x.open; };
-    if (std::none_of(v.begin(), v.end(), is_open)) {
+  for (std::size_t i = 0; i < regions.size(); ++i) {
+    const Region& region = regions[i];
+    if (!is_open_somewhere(region)) {
       result.push_back(region);
-    } else if (std::all_of(v.begin(), v.end(), is_open)) {
-      Region outline;
-      outline.outer = region.outer;
-      for (Region& grown : offset({outline}, room)) {
-        grown.islands = region.islands;
-        result.push_back(std::move(grown));
-      }
+    } else if (is_open_all_round(region) && rooms[i] >= least) {
+      open_all_round.push_back(region);
+      shared = rooms[i];
     } else {
-      std::optional<Region> roomy = with_room(region, Tips::kRunPast);
-      if (!roomy) roomy = with_room(region, Tips::kCutOff);
+      std::optional<Region> roomy = with_room(region, rooms[i], Tips::kRunPast);
+      if (!roomy) roomy = with_room(region, rooms[i], Tips::kCutOff);
       if (!roomy)
         notes.push_back("The open edges " + near(shown(first_open_place(region.outer))) +
                         " leave no clear room outside: they were taken for walls.");
       result.push_back(roomy ? std::move(*roomy) : region);
     }
   }
+  for (Region& grown : grown_together(open_all_round, shared)) result.push_back(std::move(grown));
   return result;
 }
 

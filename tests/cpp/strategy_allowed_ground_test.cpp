@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry_shapes.h"
+#include "path_check.h"
 #include "strategy/allowed_ground.h"
 #include "strategy/constant_engagement.h"
 
@@ -122,6 +123,106 @@ TEST(AllowedGround, LetsTheToolClearTipsBesideOpenEdges) {
       EXPECT_EQ(path.report.termination, Termination::kComplete);
       for (const double inside : {0.02, 0.5, 2.0})
         EXPECT_LE(nearest_cut(path, Vec2{0, 30} + inside * unit(-0.5 * tip)), 0.5 * kTool);
+    }
+  }
+}
+
+// 25 x 20 mm with its lower left corner at (x, y); `open`: all of its edges, or the upper one.
+enum class Open { kAll, kAbove };
+Region plateau(double x, double y, Open open) {
+  const bool all = open == Open::kAll;
+  return region_of({{{x, y}, 0, all},
+                    {{x + 25, y}, 0, all},
+                    {{x + 25, y + 20}, 0, true},
+                    {{x, y + 20}, 0, all}});
+}
+
+// The same, upside down.
+Region open_beneath(double x, double y) {
+  return region_of({{{x, y}, 0, true},
+                    {{x + 25, y}, 0, false},
+                    {{x + 25, y + 20}, 0, false},
+                    {{x, y + 20}, 0, false}});
+}
+
+std::vector<Region> allowed(const std::vector<Region>& regions, std::vector<std::string>& notes) {
+  return allowed_ground(
+      regions, kTool, [](Vec2 p) { return p; }, notes);
+}
+
+TEST(AllowedGround, OfRegionsThatAreOpenAllRoundIsOneWhereTheirRoomsMeet) {
+  for (const double gap : {0.5, 4.0, 20.0, 29.9, 30.1}) {
+    SCOPED_TRACE(gap);
+    Region with_boss = plateau(0, 0, Open::kAll);
+    with_boss = make_region(with_boss.outer, {shapes::rectangle(5, 5, 9, 9)});
+    std::vector<std::string> notes;
+    const std::vector<Region> ground =
+        allowed({with_boss, plateau(25 + gap, 0, Open::kAll)}, notes);
+    EXPECT_TRUE(notes.empty());
+    ASSERT_EQ(ground.size(), gap < 2 * kRoom ? 1u : 2u);
+    std::size_t islands = 0;
+    for (const Region& region : ground) islands += region.islands.size();
+    EXPECT_EQ(islands, 1u);
+  }
+}
+
+// Rooms that overlap would be neither.
+TEST(AllowedGround, EndsBeforeOtherRegionsAndTheirRooms) {
+  const auto room_above = [](const std::vector<Region>& ground, double from, double to) {
+    double most = from;
+    for (double y = from; y < to; y += 0.01)
+      if (ground.front().contains({10, y})) most = y;
+    return most - from;
+  };
+  for (const double gap : {8.0, 10.0, 14.0, 20.0, 31.0}) {
+    SCOPED_TRACE(gap);
+    std::vector<std::string> notes;
+    const Region below = plateau(0, 0, Open::kAbove);
+    const std::vector<Region> walled = allowed(
+        {below, region_of({{{0, 20 + gap}, 0}, {{25, 20 + gap}, 0}, {{10, 60}, 0}})}, notes);
+    EXPECT_TRUE(notes.empty());
+    EXPECT_NEAR(room_above(walled, 20, 60), std::min(gap, kRoom), 0.15);
+    EXPECT_LT(room_above(walled, 20, 60), gap);
+
+    const std::vector<Region> facing = allowed({below, open_beneath(0, 20 + gap)}, notes);
+    const bool is_wide = gap > 2.1 * kTool;
+    EXPECT_EQ(notes.size(), is_wide ? 0u : 2u);
+    const double room = is_wide ? std::min(0.5 * gap, kRoom) : 0;
+    EXPECT_NEAR(room_above(facing, 20, 60), room, 0.15);
+  }
+}
+
+TEST(AllowedGround, LetsTheToolClearRegionsWhoseRoomsMeet) {
+  for (const double gap : {4.0, 8.0, 13.0, 20.0}) {
+    SCOPED_TRACE(gap);
+    ClearingParams params;
+    params.tool_diameter = kTool;
+    params.roll_radius = 1;
+    params.levels = {-3};
+    const std::vector<std::vector<Region>> pairs{
+        {plateau(0, 0, Open::kAll), plateau(25 + gap, 0, Open::kAll)},
+        {plateau(0, 0, Open::kAbove), open_beneath(0, 20 + gap)},
+        {plateau(0, 0, Open::kAll), open_beneath(0, 20 + gap)}};
+    for (const std::vector<Region>& regions : pairs) {
+      Progress progress;
+      const Toolpath path = clear_pocket(regions, params, progress);
+      EXPECT_EQ(path.report.termination, Termination::kComplete);
+      EXPECT_EQ(path.report.uncut_area, 0);
+      if (&regions == &pairs.front()) {  // the judge knows no edges that are open beside walls
+        path_check::Stock stock;
+        stock.regions = regions;
+        const path_check::Findings found = path_check::check_path(stock, 0.5 * kTool, path.moves);
+        EXPECT_LE(found.cut_engagement, params.engagement_angle + 2 * kPi / 180);
+        EXPECT_LE(found.link_engagement, kPi / 180);
+        EXPECT_EQ(found.bad_plunges, 0);
+        EXPECT_LE(found.left_share, 0.0005);
+      }
+      for (const Region& region : regions)
+        for (const double x : {0.2, 0.5, 0.8})
+          for (const double y : {0.2, 0.5, 0.8}) {
+            const Vec2 low = bounds_of({region}).low;
+            EXPECT_LE(nearest_cut(path, low + Vec2{25 * x, 20 * y}), 0.5 * kTool);
+          }
     }
   }
 }
