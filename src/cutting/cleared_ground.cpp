@@ -480,4 +480,19 @@ bool ClearedGround::is_cleared_point(Vec2 x) const {
   return is_cleared_since(x, 0) || (limited_ && !material_.contains(x));
 }
 
+bool ClearedGround::is_cleared_around(Vec2 x, double margin) const {
+  const auto covers = [&](std::int32_t move) {
+    const SweptMove& swept = moves_[static_cast<std::size_t>(move)];
+    return swept.distance(x) <= swept.swept_radius() - margin;
+  };
+  const Cell& cell = cell_at(x);
+  if (cell.covered_by >= 0 && covers(cell.covered_by)) return true;
+  for (std::int32_t at = cell.newest; at >= 0;) {
+    const Entry& entry = entries_[static_cast<std::size_t>(at)];
+    if (covers(entry.move)) return true;
+    at = entry.before;
+  }
+  return limited_ && !material_.contains(x) && material_.distance_below(x, margin) >= margin;
+}
+
 }  // namespace evenload

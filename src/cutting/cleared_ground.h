@@ -64,6 +64,9 @@ class ClearedGround {
   bool is_clear(Vec2 p, double shrink = kCoverTolerance) const;
   // True when the point `x` holds no material.
   bool is_cleared_point(Vec2 x) const;
+  // True only when no point within `margin` mm of `x` holds material. Not always then: several
+  // moves together may have cleared them, or one that is not kept here, for others hide it.
+  bool is_cleared_around(Vec2 x, double margin) const;
   // True when no cusp of the border of the cleared ground is known of between two places on it: one
   // move swept both sides, or moves that are tangent to each other, none of which turns towards the
   // border more tightly than the disc is round, or one edge of the stock ends there. A newer move

@@ -14,6 +14,10 @@ constexpr double kMaximumPoints = 4e7;
 constexpr double kCell = 0.5;
 // mm: points nearer than this to the edge of the tool's reach are not looked for.
 constexpr double kEdge = 0.01;
+// Shares of the tool's radius. Where passes meet, slivers may lie between the points: there they
+// come as near to each other as the first; not along walls, nearer than the second to the edge of
+// the tool's reach, where samples of the walls see what is left.
+constexpr double kFinest = 1.0 / 60, kBesideWalls = 0.05;
 
 // A place is approached from every side; where one came to nothing, from the next so many further.
 constexpr int kSides = 24, kSidesApart = 4;
@@ -49,14 +53,29 @@ void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedG
   const int rows = static_cast<int>(std::ceil(height / cell_));
   for (int j = 0; j < rows; ++j)
     for (int i = 0; i < columns; ++i) {
-      const Vec2 p = bounds.low + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_};
-      if (ground.is_cleared_point(p)) continue;
-      if (centres.signed_distance(p) < -(radius - kEdge)) continue;
-      points_.push_back(p);
+      look_within(bounds.low + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_}, cell_, centres, ground);
     }
   bounds_ = bounds;
   prepared_ = true;
   ask_again(ground);
+}
+
+// Takes the middle of a square if that is left, or else looks at its quarters where they may be.
+void Leftover::look_within(Vec2 p, double side, const Area& centres, const ClearedGround& ground) {
+  const double radius = ground.tool_radius(), half_diagonal = std::sqrt(0.5) * side;
+  if (ground.is_cleared_around(p, half_diagonal)) return;
+  const double reach = radius + centres.signed_distance(p);  // mm from the edge of the reach
+  if (reach < kEdge) return;
+  if (!ground.is_cleared_point(p)) {
+    points_.push_back(p);
+    areas_.push_back(side * side);
+    return;
+  }
+  if (0.5 * side < kFinest * radius * (1 - 1e-9) || reach < kBesideWalls * radius + half_diagonal)
+    return;
+  for (const double x : {-0.25, 0.25})
+    for (const double y : {-0.25, 0.25})
+      look_within(p + Vec2{x * side, y * side}, 0.5 * side, centres, ground);
 }
 
 void Leftover::ask_again(const ClearedGround& ground) {
@@ -66,14 +85,14 @@ void Leftover::ask_again(const ClearedGround& ground) {
 }
 
 double Leftover::area(const ClearedGround& ground) {
-  std::size_t left = 0;
+  double left = 0;
   place_.reset();
-  for (const Vec2 p : points_) {
-    if (ground.is_cleared_point(p)) continue;
-    if (!place_) place_ = p;
-    ++left;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    if (ground.is_cleared_point(points_[i])) continue;
+    if (!place_) place_ = points_[i];
+    left += areas_[i];
   }
-  return static_cast<double>(left) * cell_ * cell_;
+  return left;
 }
 
 std::optional<Vec2> Leftover::nearest_left(const ClearedGround& ground, Vec2 from) {

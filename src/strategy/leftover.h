@@ -30,12 +30,14 @@ class Leftover {
 
  private:
   std::optional<Vec2> nearest_left(const ClearedGround& ground, Vec2 from);
+  void look_within(Vec2 p, double side, const Area& centres, const ClearedGround& ground);
 
   std::vector<Vec2> points_;
+  std::vector<double> areas_;  // mm^2 that each of them stands for
   Bounds bounds_;
   PointGrid to_ask_;  // those of the points that may be left and were not asked for
   std::optional<Vec2> place_;
-  double cell_ = 0;
+  double cell_ = 0;            // mm, the side of the largest square that a point stands for
   std::optional<Vec2> asked_;  // the place last asked for
   int next_side_ = 0;          // of it
   bool prepared_ = false;

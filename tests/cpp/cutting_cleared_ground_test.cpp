@@ -369,6 +369,35 @@ TEST(ClearedGround, IsClearAlongEveryMoveThatClearedIt) {
   }
 }
 
+TEST(ClearedGround, KnowsWhereNothingIsLeftAroundAPoint) {
+  std::mt19937 random(13);
+  ClearedGround ground(kField, kRadius, nullptr);
+  std::vector<Swept> moves;
+  for (int i = 0; i < 5; ++i) {
+    moves.push_back(random_move(random));
+    ground.add(moves.back().move, moves.back().radius);
+  }
+  int all = 0, seen = 0;
+  for (int i = 0; i < 2000; ++i) {
+    const Vec2 q{uniform(random, -15, 15), uniform(random, -15, 15)};
+    const double margin = uniform(random, 0, 0.2);
+    const bool is_cleared = depth_of_material(moves, q) < -margin;  // by one move
+    if (ground.is_cleared_around(q, margin)) {
+      EXPECT_LT(depth_of_material(moves, q), -margin + 1e-9);
+      ++seen;
+    }
+    all += is_cleared;
+  }
+  EXPECT_GT(seen, 0.8 * all);
+  std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
+  for (Vertex& x : v) x.open = true;
+  const std::vector<Region> stock = {make_region(Curve(v, true))};
+  const ClearedGround untouched(kField, kRadius, &stock);
+  EXPECT_TRUE(untouched.is_cleared_around({11, 0}, 0.99));
+  EXPECT_FALSE(untouched.is_cleared_around({11, 0}, 1.01));
+  EXPECT_FALSE(untouched.is_cleared_around({9, 0}, 0));
+}
+
 TEST(ClearedGround, HoldsMaterialOnlyWhereThereIsStock) {
   std::vector<Vertex> v = shapes::rectangle(-10, -10, 10, 10).vertices();
   for (Vertex& x : v) x.open = true;

@@ -94,5 +94,41 @@ TEST_F(TwoPosts, AreOfferedAgainWhereTheyAreStillLeft) {
   EXPECT_EQ(post_beside(*pose), left_);
 }
 
+// Between two passes, and between the points of the coarse grid, whatever its place.
+TEST(Leftover, FindsSlivers) {
+  for (const double width : {0.1, 0.06})
+    for (int i = 0; i < 20; ++i) {
+      SCOPED_TRACE(i);
+      const double middle = 15 + 0.2 * i / 20;
+      ClearedGround ground(kEverywhere, kRadius, nullptr);
+      for (const double x : {3.0, 20.0}) ground.add(Segment::line({x, 3}, {x, 27}));
+      for (double y = 3; y <= 27; y += 0.5)
+        if (std::abs(y - middle) > kRadius + 0.5) ground.add(Segment::line({3, y}, {20, y}));
+      for (const double side : {-1.0, 1.0}) {
+        const double y = middle + side * (kRadius + 0.5 * width);
+        ground.add(Segment::line({3, y}, {20, y}));
+      }
+      const Area centres({make_region(rectangle(3, 3, 20, 27))});
+      Leftover leftover;
+      leftover.prepare(centres, {{0, 0}, {23, 30}}, ground);
+      // Of the strip 11 mm are beyond the passes along the walls. By squares of 0.2 mm and less.
+      EXPECT_GT(leftover.area(ground), 0.4 * 11 * width);
+      EXPECT_LT(leftover.area(ground), 11 * (width + 0.2));
+      const std::optional<Pose> start = leftover.next_start(ground, centres, {10, 10});
+      ASSERT_TRUE(start);
+      EXPECT_LT(std::abs(std::abs(start->p.y - middle) - kRadius), width);
+    }
+}
+
+TEST(Leftover, IsNothingWhereAllIsCleared) {
+  ClearedGround ground(kEverywhere, kRadius, nullptr);
+  for (double y = 3; y <= 27; y += 1.5) ground.add(Segment::line({3, y}, {57, y}));
+  ground.add(Segment::line({3, 3}, {3, 27}));
+  ground.add(Segment::line({57, 3}, {57, 27}));
+  Leftover leftover;
+  leftover.prepare(Area({make_region(rectangle(3, 3, 57, 27))}), kEverywhere, ground);
+  EXPECT_EQ(leftover.area(ground), 0);
+}
+
 }  // namespace
 }  // namespace evenload
