@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <limits>
 #include <optional>
 #include <sstream>
 
@@ -107,28 +108,38 @@ double gap_between(const Curve& open, const BoundaryIndex& other, double most) {
 }
 
 // mm: how much room there is outside the open edges of each region, up to `most`: as far as others
-// leave it, which have half of it where they are open as well. Regions that are open all round
-// share theirs.
-std::vector<double> rooms_outside(const std::vector<Region>& regions, double most) {
-  std::vector<double> rooms(regions.size(), most);
-  if (regions.size() < 2) return rooms;
+// leave it, which have half of it where they are open as well, but those that are open all round
+// between each other. Only those that are `open` have any; 0 for the others.
+std::vector<double> rooms_between(const std::vector<Region>& regions, const std::vector<bool>& open,
+                                  double most) {
+  std::vector<double> rooms(regions.size(), 0);
   std::vector<BoundaryIndex> outlines;
   for (const Region& region : regions) outlines.emplace_back(std::vector<Curve>{region.outer});
-  double shared = most;
+  const auto shares_room = [&](std::size_t i) { return open[i] && is_open_all_round(regions[i]); };
   for (std::size_t i = 0; i < regions.size(); ++i) {
-    const bool all_round = is_open_all_round(regions[i]);
-    if (!is_open_somewhere(regions[i])) continue;
+    if (!open[i]) continue;
+    rooms[i] = most;
     for (std::size_t j = 0; j < regions.size(); ++j) {
-      if (i == j || (all_round && is_open_all_round(regions[j]))) continue;
-      const double share = is_open_somewhere(regions[j]) ? 0.5 : 1;
+      if (i == j || (shares_room(i) && shares_room(j))) continue;
+      const double share = open[j] ? 0.5 : 1;
       const double gap = gap_between(regions[i].outer, outlines[j], most / share + kApart);
       rooms[i] = std::min(rooms[i], share * (gap - kApart));
     }
-    if (all_round) shared = std::min(shared, rooms[i]);
   }
-  for (std::size_t i = 0; i < regions.size(); ++i)
-    if (is_open_all_round(regions[i])) rooms[i] = shared;
   return rooms;
+}
+
+// The same; 0 where it would be less than `least`, which leaves more to the others.
+std::vector<double> rooms_outside(const std::vector<Region>& regions, double least, double most) {
+  std::vector<bool> open;
+  for (const Region& region : regions) open.push_back(is_open_somewhere(region));
+  for (;;) {
+    std::vector<double> rooms = rooms_between(regions, open, most);
+    bool all_have = true;
+    for (std::size_t i = 0; i < regions.size(); ++i)
+      if (open[i] && rooms[i] < least) open[i] = all_have = false;
+    if (all_have) return rooms;
+  }
 }
 
 // Regions that are open all round, grown together, with their islands.
@@ -179,14 +190,14 @@ bool has_open_edges(const std::vector<Region>& regions) {
 std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
                                    const std::function<Vec2(Vec2)>& shown,
                                    std::vector<std::string>& notes) {
-  const std::vector<double> rooms = rooms_outside(regions, (1 + kOutsideRoom) * tool_diameter);
-  const double least = (0.5 + kLeastRoom) * tool_diameter;
+  const std::vector<double> rooms = rooms_outside(regions, (0.5 + kLeastRoom) * tool_diameter,
+                                                  (1 + kOutsideRoom) * tool_diameter);
   std::vector<Region> result, open_all_round;
-  double shared = 0;
+  double shared = std::numeric_limits<double>::infinity();
   // Runs that face each other, or turn inwards too tightly, have no room that is surely free.
   const auto with_room = [&](const Region& region, double room,
                              Tips tips) -> std::optional<Region> {
-    if (room < least) return std::nullopt;
+    if (room <= 0) return std::nullopt;
     try {
       return make_region(with_room_outside(region.outer, room, tips), region.islands);
     } catch (const GeometryError&) {
@@ -197,9 +208,9 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
     const Region& region = regions[i];
     if (!is_open_somewhere(region)) {
       result.push_back(region);
-    } else if (is_open_all_round(region) && rooms[i] >= least) {
+    } else if (is_open_all_round(region) && rooms[i] > 0) {
       open_all_round.push_back(region);
-      shared = rooms[i];
+      shared = std::min(shared, rooms[i]);
     } else {
       std::optional<Region> roomy = with_room(region, rooms[i], Tips::kRunPast);
       if (!roomy) roomy = with_room(region, rooms[i], Tips::kCutOff);
@@ -209,6 +220,7 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
       result.push_back(roomy ? std::move(*roomy) : region);
     }
   }
+  if (open_all_round.empty()) return result;
   for (Region& grown : grown_together(open_all_round, shared)) result.push_back(std::move(grown));
   return result;
 }

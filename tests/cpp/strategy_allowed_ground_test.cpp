@@ -192,6 +192,19 @@ TEST(AllowedGround, EndsBeforeOtherRegionsAndTheirRooms) {
   }
 }
 
+// What has no room of its own takes none from others.
+TEST(AllowedGround, IsNarrowedByNoRegionThatIsTakenForWalled) {
+  std::vector<std::string> notes;
+  const Region walled = region_of({{{0, 0}, 0}, {{25, 0}, 0}, {{25, 20}, 0}, {{0, 20}, 0}});
+  const std::vector<Region> ground =
+      allowed({walled, plateau(28, 0, Open::kAll), plateau(62, 0, Open::kAll)}, notes);
+  ASSERT_EQ(notes.size(), 1u);
+  EXPECT_NE(notes[0].find("taken for walls"), std::string::npos);
+  ASSERT_EQ(ground.size(), 3u);
+  EXPECT_NEAR(bounds_of({ground.back()}).low.x, 62 - 9, 0.2);  // from 53, where the second ends
+  EXPECT_NEAR(bounds_of({ground.back()}).high.y, 20 + 9, 0.2);
+}
+
 TEST(AllowedGround, LetsTheToolClearRegionsWhoseRoomsMeet) {
   for (const double gap : {4.0, 8.0, 13.0, 20.0}) {
     SCOPED_TRACE(gap);
