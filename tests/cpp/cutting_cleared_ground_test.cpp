@@ -141,14 +141,20 @@ TEST(ClearedGround, UncoversTheSameHoweverMuchIsBuried) {
   }
 }
 
-TEST(ClearedGround, KnowsWhichPointsAreCleared) {
-  std::mt19937 random(12);
-  ClearedGround ground(kField, kRadius, nullptr);
+// Clears five random moves.
+std::vector<Swept> clear_at_random(ClearedGround& ground, std::mt19937& random) {
   std::vector<Swept> moves;
   for (int i = 0; i < 5; ++i) {
     moves.push_back(random_move(random));
     ground.add(moves.back().move, moves.back().radius);
   }
+  return moves;
+}
+
+TEST(ClearedGround, KnowsWhichPointsAreCleared) {
+  std::mt19937 random(12);
+  ClearedGround ground(kField, kRadius, nullptr);
+  const std::vector<Swept> moves = clear_at_random(ground, random);
   const std::vector<Swept> oldest(moves.begin(), moves.begin() + 3);
   const std::vector<Swept> newest(moves.begin() + 3, moves.end());
   for (int i = 0; i < 2000; ++i) {
@@ -372,11 +378,7 @@ TEST(ClearedGround, IsClearAlongEveryMoveThatClearedIt) {
 TEST(ClearedGround, KnowsWhereNothingIsLeftAroundAPoint) {
   std::mt19937 random(13);
   ClearedGround ground(kField, kRadius, nullptr);
-  std::vector<Swept> moves;
-  for (int i = 0; i < 5; ++i) {
-    moves.push_back(random_move(random));
-    ground.add(moves.back().move, moves.back().radius);
-  }
+  const std::vector<Swept> moves = clear_at_random(ground, random);
   int all = 0, seen = 0;
   for (int i = 0; i < 2000; ++i) {
     const Vec2 q{uniform(random, -15, 15), uniform(random, -15, 15)};
