@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
 #include <optional>
 #include <sstream>
 
-#include "geometry/boundary_index.h"
+#include "geometry/box_tree.h"
+#include "geometry/intersect.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -15,11 +15,9 @@ namespace {
 
 // Outside open edges the tool may go this many of its diameters from the stock.
 constexpr double kOutsideRoom = 1.5;
-// The same where another region is near: so much the tool needs to come down there.
-constexpr double kLeastRoom = 0.55;
-constexpr double kApart = 1e-3;  // mm: between the rooms of two regions
-// mm: between two places of a border that are looked at for other regions.
-constexpr double kLook = 0.2;
+// The same where another region is in the way: so much the tool needs to come down there. And by
+// how much rooms that overlap are narrowed at a time.
+constexpr double kLeastRoom = 0.05, kNarrowing = 0.9;
 // rad: how much more tightly than at a right angle a wall and an open edge meet in a tip.
 constexpr double kTip = 0.05;
 
@@ -92,53 +90,78 @@ bool is_open_somewhere(const Region& region) {
   return std::any_of(v.begin(), v.end(), is_open);
 }
 
-// mm, at least: from the open pieces of one outline to another outline.
-double gap_between(const Curve& open, const BoundaryIndex& other, double most) {
-  double gap = most;
-  for (const Segment& piece : open.segments()) {
-    if (!piece.open) continue;
-    const int looks = std::max(1, static_cast<int>(std::ceil(piece.length() / kLook)));
-    const double apart = piece.length() / looks;
-    for (int i = 0; i <= looks; ++i) {
-      const Vec2 p = piece.point(static_cast<double>(i) / looks);
-      gap = std::min(gap, other.distance_below(p, gap + apart) - 0.5 * apart);
+// Whether two regions have ground in common, or touch.
+bool overlap(const Region& a, const Region& b) {
+  if (!overlap(bounds_of({a}), bounds_of({b}))) return false;
+  std::vector<Segment> pieces;
+  std::vector<Bounds> boxes;
+  for (const Curve& curve : a.curves())
+    for (const Segment& piece : curve.segments()) {
+      pieces.push_back(piece);
+      boxes.push_back(piece.bounds());
     }
-  }
-  return gap;
+  const BoxTree tree(boxes);
+  bool meet = false;
+  for (const Curve& curve : b.curves())
+    for (const Segment& piece : curve.segments())
+      tree.visit(grown(piece.bounds(), kTouch), [&](std::size_t i) {
+        meet = meet || meetings(pieces[i], piece, kTouch).count > 0;
+      });
+  const auto some_place = [](const Region& region) { return region.outer.vertices().front().p; };
+  return meet || a.contains(some_place(b)) || b.contains(some_place(a));
 }
 
-// mm: how much room there is outside the open edges of each region, up to `most`: as far as others
-// leave it, which have half of it where they are open as well, but those that are open all round
-// between each other. Only those that are `open` have any; 0 for the others.
-std::vector<double> rooms_between(const std::vector<Region>& regions, const std::vector<bool>& open,
-                                  double most) {
-  std::vector<double> rooms(regions.size(), 0);
-  std::vector<BoundaryIndex> outlines;
-  for (const Region& region : regions) outlines.emplace_back(std::vector<Curve>{region.outer});
-  const auto shares_room = [&](std::size_t i) { return open[i] && is_open_all_round(regions[i]); };
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    if (!open[i]) continue;
-    rooms[i] = most;
-    for (std::size_t j = 0; j < regions.size(); ++j) {
-      if (i == j || (shares_room(i) && shares_room(j))) continue;
-      const double share = open[j] ? 0.5 : 1;
-      const double gap = gap_between(regions[i].outer, outlines[j], most / share + kApart);
-      rooms[i] = std::min(rooms[i], share * (gap - kApart));
+// A region with room outside its open edges.
+struct Roomy {
+  const Region& region;
+  double room;    // mm; 0: its open edges are taken for walls
+  Region ground;  // with the room
+
+  bool shares_room() const { return room > 0 && is_open_all_round(region); }
+
+  // Gives it so much room. Runs that face each other, or turn inwards too tightly, have none that
+  // is surely free.
+  void set_room(double wished) {
+    ground = region;
+    room = 0;
+    if (wished <= 0 || !is_open_somewhere(region)) return;
+    if (is_open_all_round(region)) {
+      ground = offset({{region.outer, {}}}, wished).front();
+      ground.islands = region.islands;
+      room = wished;
+      return;
+    }
+    for (const Tips tips : {Tips::kRunPast, Tips::kCutOff}) {
+      try {
+        ground = make_region(with_room_outside(region.outer, wished, tips), region.islands);
+        room = wished;
+        return;
+      } catch (const GeometryError&) {
+        continue;
+      }
     }
   }
-  return rooms;
-}
+};
 
-// The same; 0 where it would be less than `least`, which leaves more to the others.
-std::vector<double> rooms_outside(const std::vector<Region>& regions, double least, double most) {
-  std::vector<bool> open;
-  for (const Region& region : regions) open.push_back(is_open_somewhere(region));
-  for (;;) {
-    std::vector<double> rooms = rooms_between(regions, open, most);
-    bool all_have = true;
-    for (std::size_t i = 0; i < regions.size(); ++i)
-      if (open[i] && rooms[i] < least) open[i] = all_have = false;
-    if (all_have) return rooms;
+// Narrows rooms, down to `least` mm or none at all, until they overlap with no other region nor
+// its room. Regions that are open all round share theirs.
+void keep_apart(std::vector<Roomy>& grounds, double least) {
+  const auto narrow = [least](Roomy& ground) {
+    const double room = kNarrowing * ground.room;
+    ground.set_room(room < least ? 0 : room);
+  };
+  for (bool is_changed = true; is_changed;) {
+    is_changed = false;
+    for (std::size_t i = 0; i < grounds.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j) {
+        Roomy &a = grounds[i], &b = grounds[j];
+        if ((a.room <= 0 && b.room <= 0) || (a.shares_room() && b.shares_room()) ||
+            !overlap(a.ground, b.ground))
+          continue;
+        if (a.room > 0) narrow(a);
+        if (b.room > 0) narrow(b);
+        is_changed = true;
+      }
   }
 }
 
@@ -190,35 +213,25 @@ bool has_open_edges(const std::vector<Region>& regions) {
 std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
                                    const std::function<Vec2(Vec2)>& shown,
                                    std::vector<std::string>& notes) {
-  const std::vector<double> rooms = rooms_outside(regions, (0.5 + kLeastRoom) * tool_diameter,
-                                                  (1 + kOutsideRoom) * tool_diameter);
+  const double most = (1 + kOutsideRoom) * tool_diameter;
+  std::vector<Roomy> grounds;
+  for (const Region& region : regions) {
+    grounds.push_back({region, 0, {}});
+    grounds.back().set_room(most);
+  }
+  keep_apart(grounds, (1 + kLeastRoom) * tool_diameter);
   std::vector<Region> result, open_all_round;
-  double shared = std::numeric_limits<double>::infinity();
-  // Runs that face each other, or turn inwards too tightly, have no room that is surely free.
-  const auto with_room = [&](const Region& region, double room,
-                             Tips tips) -> std::optional<Region> {
-    if (room <= 0) return std::nullopt;
-    try {
-      return make_region(with_room_outside(region.outer, room, tips), region.islands);
-    } catch (const GeometryError&) {
-      return std::nullopt;
+  double shared = most;
+  for (Roomy& ground : grounds) {
+    if (ground.shares_room()) {
+      open_all_round.push_back(ground.region);
+      shared = std::min(shared, ground.room);
+      continue;
     }
-  };
-  for (std::size_t i = 0; i < regions.size(); ++i) {
-    const Region& region = regions[i];
-    if (!is_open_somewhere(region)) {
-      result.push_back(region);
-    } else if (is_open_all_round(region) && rooms[i] > 0) {
-      open_all_round.push_back(region);
-      shared = std::min(shared, rooms[i]);
-    } else {
-      std::optional<Region> roomy = with_room(region, rooms[i], Tips::kRunPast);
-      if (!roomy) roomy = with_room(region, rooms[i], Tips::kCutOff);
-      if (!roomy)
-        notes.push_back("The open edges " + near(shown(first_open_place(region.outer))) +
-                        " leave no clear room outside: they were taken for walls.");
-      result.push_back(roomy ? std::move(*roomy) : region);
-    }
+    if (ground.room <= 0 && is_open_somewhere(ground.region))
+      notes.push_back("The open edges " + near(shown(first_open_place(ground.region.outer))) +
+                      " leave no clear room outside: they were taken for walls.");
+    result.push_back(std::move(ground.ground));
   }
   if (open_all_round.empty()) return result;
   for (Region& grown : grown_together(open_all_round, shared)) result.push_back(std::move(grown));
