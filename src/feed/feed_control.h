@@ -3,6 +3,7 @@
 // names as the next step [Jacsó 2021, feed control]. load_share.h has the measures.
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "feed/load_profile.h"
@@ -42,11 +43,42 @@ void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params);
 // mm/min: the feed over the share, up to `maximum_feed`.
 double allowed_feed(double share, const FeedParams& params);
 
+struct FeedPiece;
+
+// Runs with their feeds, their moves split where those change; and the feed of every sample.
+struct FeedsAlong {
+  std::vector<PlanarRun> runs;
+  std::vector<double> feeds;  // mm/min
+};
+
 // Cuts at feeds that no sample's load forbids, or no mean of it, links at `link_feed`. Moves are
 // split where the feed changes, as few times as pays: the sum of the time and of a price per added
 // block is the least possible (dynamic programming over the samples; nearly, where means are
-// held), so that arcs stay whole where a change of feed would save little. Returns the feed of
-// every sample.
+// held), so that arcs stay whole where a change of feed would save little. Several prices can be
+// asked for; stretches that two of them divide alike are not divided anew in between.
+class ConstantLoad {
+ public:
+  // `runs` and `profile` must outlive this object; the price in `params` does not count.
+  ConstantLoad(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
+               const FeedParams& params);
+  ~ConstantLoad();
+
+  // `price` s: what one more block must save.
+  FeedsAlong at(double price);
+
+ private:
+  class Stretch;
+  bool is_cut(std::size_t sample) const;
+  void divide();
+  void add(const FeedPiece& piece, FeedsAlong& found) const;
+
+  const std::vector<PlanarRun>& runs_;
+  const std::vector<LoadSample>& profile_;
+  FeedParams params_;
+  std::vector<Stretch> stretches_;
+};
+
+// The same at the price in `params`, for `runs` themselves. Returns the feed of every sample.
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
                                       const std::vector<LoadSample>& profile,
                                       const FeedParams& params);

@@ -14,6 +14,7 @@ namespace evenload {
 struct FeedPiece {
   std::size_t first = 0, last = 0;
   double feed = 0;  // mm/min
+  bool operator==(const FeedPiece&) const = default;
 };
 
 // Samples one after the other; beyond the first and the last nothing is met.

@@ -125,16 +125,15 @@ struct Priced {
   double blocks = 0;  // as share_of_blocks() has them
 };
 
-// set_constant_load; where there are many blocks they are dearer, as little as makes them few, if
+// A constant load; where there are many blocks they are dearer, as little as makes them few, if
 // that can be without much more time and no least load asks for them. Condition: they have a price.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
-                             FeedParams params, const ClearingParams& clearing) {
+                             const FeedParams& params, const ClearingParams& clearing) {
+  ConstantLoad load(region, samples, params);
   const auto at = [&](double price) {
-    Priced priced{region, {}, std::log(price), 0};
-    params.steps.price = price;
-    priced.feeds = set_constant_load(priced.region, samples, params);
-    priced.blocks = share_of_blocks(priced.region, clearing);
-    return priced;
+    FeedsAlong found = load.at(price);
+    const double blocks = share_of_blocks(found.runs, clearing);
+    return Priced{std::move(found.runs), std::move(found.feeds), std::log(price), blocks};
   };
   Priced many = at(params.steps.price);
   const auto taken = [&](Priced& priced) {

@@ -93,7 +93,7 @@ class SlotClearing {
     if (task_.rest || !task_.before.empty()) return;
     find_ways(use);
     if (start(use)) follow_ways();
-    early_end_.reset();
+    early_ends_.reset();
   }
 
   bool is_repeated() const { return report_.length > length_before_; }
@@ -218,8 +218,24 @@ class SlotClearing {
       way = &ways_[i];
     }
     if (!best) return false;
-    early_end_ = EarlyEnd::begin(task_, centres_, *way, first_place(*way), passes_);
+    begin_ends(*way);
     return clear_room(best->room);
+  }
+
+  // On another core: of the way that is followed first, and of those after it.
+  void begin_ends(const Way& followed_first) {
+    std::vector<std::unique_ptr<EarlyEnd>> ends;
+    for (const Way& way : ways_) {
+      const bool is_start = is_reverse(way.stretch.middle, followed_first.stretch.middle);
+      if (is_start || first_place(way) > way.last()) continue;
+      if (auto end = EarlyEnd::of(task_, centres_, way, first_place(way), passes_))
+        ends.push_back(std::move(end));
+    }
+    early_ends_ = std::make_unique<EarlyEnds>(std::move(ends));
+  }
+
+  static bool is_reverse(const Segment& a, const Segment& b) {
+    return distance(a.a, b.b) < kSameWall && distance(a.b, b.a) < kSameWall;
   }
 
   bool clear_room_about_hole() {
@@ -270,7 +286,6 @@ class SlotClearing {
       if (!first) continue;
       const int last = follow(way, *first);
       if (!progress_.cancelled()) clear_end(way, *first, last);
-      early_end_.reset();
       return true;
     }
     return false;
@@ -323,8 +338,9 @@ class SlotClearing {
 
   // The end of the slot beyond the last period, so that the walls are left to passes from there.
   void clear_end(const Way& way, int first, int last) {
-    if (early_end_ && early_end_->fits(way, first) && last == 0) {
-      if (std::optional<RegionResult> end = early_end_->cleared()) append_end(std::move(*end));
+    EarlyEnd* const early = early_ends_ && last == 0 ? early_ends_->of(way, first) : nullptr;
+    if (early) {
+      if (std::optional<RegionResult> end = early->cleared()) append_end(std::move(*end));
       return;
     }
     const std::optional<Region> room = end_room(task_.centres, centres_, way, last);
@@ -487,7 +503,7 @@ class SlotClearing {
   Area centres_;
   ClearedGround ground_;
   std::vector<Way> ways_;  // the longest first, both directions of each
-  std::unique_ptr<EarlyEnd> early_end_;
+  std::unique_ptr<EarlyEnds> early_ends_;
   RegionResult opening_;
   Pose here_;
   std::optional<SlotStretch> longest_stretch_;

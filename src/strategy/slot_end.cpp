@@ -71,9 +71,8 @@ std::optional<Region> end_room(const Region& region, const Area& centres, const 
   return room && is_end(*room, back, front) ? std::move(room) : std::nullopt;
 }
 
-std::unique_ptr<EarlyEnd> EarlyEnd::begin(const RegionTask& task, const Area& centres,
-                                          const Way& way, double from,
-                                          const ClearingParams& passes) {
+std::unique_ptr<EarlyEnd> EarlyEnd::of(const RegionTask& task, const Area& centres, const Way& way,
+                                       double from, const ClearingParams& passes) {
   const double reach = way.reach.ahead - way.reach.back + passes.tool_diameter;
   const int settled = static_cast<int>(std::ceil(reach / way.pattern.step)) + 1;
   if (place_of(way, settled) < from) return nullptr;
@@ -84,13 +83,19 @@ std::unique_ptr<EarlyEnd> EarlyEnd::begin(const RegionTask& task, const Area& ce
 
 EarlyEnd::EarlyEnd(const RegionTask& task, const Way& way, const ClearingParams& passes,
                    int settled, Region room)
-    : task_(task), way_(way), passes_(passes), settled_(settled), room_(std::move(room)) {
-  result_ = std::async(std::launch::async, [this] { return clear(); });
+    : task_(task),
+      way_(way),
+      passes_(passes),
+      settled_(settled),
+      room_(std::move(room)),
+      cut_([this] { return cut(); }),
+      result_(cut_.get_future()) {}
+
+void EarlyEnd::clear() {
+  if (!is_begun_.test_and_set()) cut_();
 }
 
-EarlyEnd::~EarlyEnd() { is_wanted_ = false; }
-
-std::optional<RegionResult> EarlyEnd::clear() {
+std::optional<RegionResult> EarlyEnd::cut() {
   RegionResult opening = periods_from(way_, settled_);
   const std::size_t made = opening.runs.front().moves.size();
   const double radius = 0.5 * passes_.tool_diameter;
@@ -106,6 +111,27 @@ std::optional<RegionResult> EarlyEnd::clear() {
   return result;
 }
 
-std::optional<RegionResult> EarlyEnd::cleared() { return result_.get(); }
+std::optional<RegionResult> EarlyEnd::cleared() {
+  clear();
+  return result_.get();
+}
+
+EarlyEnds::EarlyEnds(std::vector<std::unique_ptr<EarlyEnd>> ends) : ends_(std::move(ends)) {
+  if (ends_.empty()) return;
+  clearing_ = std::async(std::launch::async, [this] {
+    for (const std::unique_ptr<EarlyEnd>& end : ends_) end->clear();
+  });
+}
+
+EarlyEnds::~EarlyEnds() {
+  for (const std::unique_ptr<EarlyEnd>& end : ends_) end->drop();
+}
+
+EarlyEnd* EarlyEnds::of(const Way& way, int first) const {
+  const auto end = std::find_if(
+      ends_.begin(), ends_.end(),
+      [&](const std::unique_ptr<EarlyEnd>& candidate) { return candidate->fits(way, first); });
+  return end == ends_.end() ? nullptr : end->get();
+}
 
 }  // namespace evenload

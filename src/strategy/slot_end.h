@@ -2,13 +2,14 @@
 //
 // Periods are counted back from the last place that there is for one, and what the last of them
 // leave does not depend on where the first one was. So the end can be cleared before they are, as
-// they will leave it, while another core clears the slot's start.
+// they will leave it, while another core clears the slot's start or other slots.
 #pragma once
 
 #include <atomic>
 #include <future>
 #include <memory>
 #include <optional>
+#include <vector>
 
 #include "strategy/region_clearing.h"
 #include "strategy/slot_way.h"
@@ -28,25 +29,30 @@ std::optional<Region> end_room(const Region& region, const Area& centres, const 
 
 class EarlyEnd {
  public:
-  // Begins on another core. Nothing where the way has no such end, or too few periods, which begin
-  // `from` mm along it. Condition: what is given here outlives it.
-  static std::unique_ptr<EarlyEnd> begin(const RegionTask& task, const Area& centres,
-                                         const Way& way, double from, const ClearingParams& passes);
-  ~EarlyEnd();
+  // Nothing where the way has no such end, or too few periods, which begin `from` mm along it.
+  // Condition: what is given here outlives it.
+  static std::unique_ptr<EarlyEnd> of(const RegionTask& task, const Area& centres, const Way& way,
+                                      double from, const ClearingParams& passes);
   EarlyEnd(const EarlyEnd&) = delete;
   EarlyEnd& operator=(const EarlyEnd&) = delete;
 
   // Whether it is what `way` leaves whose periods are the `first` one and all after it.
   bool fits(const Way& way, int first) const { return &way == &way_ && first >= settled_; }
 
+  // Clears it, if nobody has begun to.
+  void clear();
+  // To clear it is of no use any more.
+  void drop() { is_wanted_ = false; }
+
   // What is cut there after the last period: its runs go on from there, the first of them without a
-  // descent of its own. Nothing where clear_part() says so. Once.
+  // descent of its own. Nothing where clear_part() says so. Cleared here if nobody has begun to.
+  // Once.
   std::optional<RegionResult> cleared();
 
  private:
   EarlyEnd(const RegionTask& task, const Way& way, const ClearingParams& passes, int settled,
            Region room);
-  std::optional<RegionResult> clear();
+  std::optional<RegionResult> cut();
 
   const RegionTask& task_;
   const Way& way_;
@@ -54,7 +60,25 @@ class EarlyEnd {
   int settled_;  // of so many periods and the last one, that one leaves what all of them would
   Region room_;
   std::atomic<bool> is_wanted_ = true;
+  std::atomic_flag is_begun_;
+  std::packaged_task<std::optional<RegionResult>()> cut_;
   std::future<std::optional<RegionResult>> result_;
+};
+
+// Ends that another core clears, one after the other.
+class EarlyEnds {
+ public:
+  explicit EarlyEnds(std::vector<std::unique_ptr<EarlyEnd>> ends);
+  ~EarlyEnds();
+  EarlyEnds(const EarlyEnds&) = delete;
+  EarlyEnds& operator=(const EarlyEnds&) = delete;
+
+  // The one that fits, or nullptr.
+  EarlyEnd* of(const Way& way, int first) const;
+
+ private:
+  std::vector<std::unique_ptr<EarlyEnd>> ends_;
+  std::future<void> clearing_;
 };
 
 }  // namespace evenload

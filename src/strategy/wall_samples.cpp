@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <utility>
 
 #include "geometry/box_tree.h"
+#include "support/both.h"
 
 namespace evenload {
 namespace {
@@ -20,6 +22,8 @@ constexpr std::size_t kLookBack = 8;
 constexpr double kCell = 2;
 // mm: samples this near to the border of the stage before are shared with it.
 constexpr double kShared = 1e-4;
+// Fewer are taken sooner than a thread is started.
+constexpr double kManySamples = 3000;
 
 Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; }
 
@@ -68,8 +72,10 @@ std::vector<double> even_places(const Segment& segment, double spacing) {
 
 }  // namespace
 
-void WallSamples::take_samples(double spacing) {
-  for (std::size_t k = 0; k < stages_.size(); ++k) {
+// Those of the stages [first, last).
+WallSamples::Taken WallSamples::taken(std::size_t first, std::size_t last, double spacing) const {
+  Taken taken;
+  for (std::size_t k = first; k < last; ++k) {
     const Area& centres = stages_[k].centres;
     const auto is_shared = [&](Vec2 p) {
       return k > 0 && stages_[k - 1].centres.nearest(p).distance < kShared;
@@ -78,7 +84,7 @@ void WallSamples::take_samples(double spacing) {
     if (k > 0) shared_pieces = short_pieces_on(centres, stages_[k - 1].centres, spacing);
     for (std::size_t c = 0; c < centres.curves().size(); ++c) {
       const Curve& curve = centres.curves()[c];
-      Track track{k, samples_.size(), 0};
+      Track track{k, taken.samples.size(), 0};
       for (std::size_t i = 0; i < curve.segment_count(); ++i) {
         const Segment segment = curve.segment(i);
         std::vector<double> places = even_places(segment, spacing);
@@ -95,16 +101,44 @@ void WallSamples::take_samples(double spacing) {
           sample.place = {c, i, t};
           sample.p = segment.point(t);
           sample.stage = k;
-          sample.track = tracks_.size();
+          sample.track = taken.tracks.size();
           sample.shared = is_shared(sample.p);
-          samples_.push_back(sample);
+          taken.samples.push_back(sample);
         }
       }
-      track.count = samples_.size() - track.first;
-      tracks_.push_back(track);
-      own_first_shared(track);
+      track.count = taken.samples.size() - track.first;
+      taken.tracks.push_back(track);
     }
   }
+  return taken;
+}
+
+void WallSamples::take_samples(double spacing) {
+  const std::size_t all = stages_.size();
+  double length = 0;
+  for (const Stage& stage : stages_)
+    for (const Curve& curve : stage.centres.curves()) length += curve.length();
+  if (length < kManySamples * spacing) {
+    append(taken(0, all, spacing));
+  } else {
+    auto [before, after] = both([&] { return taken(0, all / 2, spacing); },
+                                [&] { return taken(all / 2, all, spacing); });
+    append(std::move(before));
+    append(std::move(after));
+  }
+  for (const Track& track : tracks_) own_first_shared(track);
+}
+
+void WallSamples::append(Taken taken) {
+  const std::size_t samples = samples_.size(), tracks = tracks_.size();
+  for (Sample& sample : taken.samples) sample.track += tracks;
+  for (Track& track : taken.tracks) track.first += samples;
+  if (samples_.empty())
+    samples_ = std::move(taken.samples);
+  else
+    samples_.insert(samples_.end(), std::make_move_iterator(taken.samples.begin()),
+                    std::make_move_iterator(taken.samples.end()));
+  tracks_.insert(tracks_.end(), taken.tracks.begin(), taken.tracks.end());
 }
 
 // Where a stage's own stretch of wall ends, the first sample that it shares with the stage before

@@ -68,7 +68,13 @@ class WallSamples {
   };
   static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
   static bool blocks(const Sample& sample);
+  struct Taken {
+    std::vector<Sample> samples;
+    std::vector<Track> tracks;
+  };
+  Taken taken(std::size_t first, std::size_t last, double spacing) const;
   void take_samples(double spacing);
+  void append(Taken taken);
   void own_first_shared(const Track& track);
   void order_by_stage();
   std::vector<PassStart> starts(const std::set<std::size_t>& from) const;

@@ -447,6 +447,26 @@ TEST(FeedControl, SplitsNoTinyPieceOffAMove) {
   EXPECT_GT(split, 100);
 }
 
+// Prices asked for before must not show in what a price between them gives.
+TEST(FeedControl, GivesAtEveryPriceWhatItGivesAlone) {
+  std::mt19937 random(12);
+  for (int round = 0; round < 20; ++round) {
+    const std::vector<PlanarRun> before = random_runs(random);
+    const std::vector<LoadSample> profile = random_profile(random, before);
+    FeedParams params;
+    ConstantLoad load(before, profile, params);
+    for (const double price : {0.006, 0.1, 0.02, 0.05, 0.03, 0.025, 0.0061, 0.2}) {
+      const FeedsAlong found = load.at(price);
+      params.steps.price = price;
+      std::vector<PlanarRun> alone = before;
+      const std::vector<double> feeds = set_constant_load(alone, profile, params);
+      ASSERT_EQ(found.feeds.size(), feeds.size());
+      for (std::size_t i = 0; i < feeds.size(); ++i) EXPECT_EQ(found.feeds[i], feeds[i]) << i;
+      for (std::size_t r = 0; r < alone.size(); ++r) EXPECT_EQ(found.runs[r].moves, alone[r].moves);
+    }
+  }
+}
+
 TEST(FeedControl, LeavesAMoveWholeWhereSplittingItSavesLittle) {
   // An arc of 10 mm; on its last twentieth the feed could be 1.04, 2 times as high.
   for (const auto& [share, pieces] : {std::pair{1 / 1.04, 1}, std::pair{0.5, 2}}) {

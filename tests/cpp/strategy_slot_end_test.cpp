@@ -2,6 +2,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <memory>
+#include <optional>
+#include <utility>
 #include <vector>
 
 #include "geometry/box_tree.h"
@@ -61,7 +64,7 @@ struct SlotWithWay {
 
 TEST(EarlyEnd, IsClearedAsAfterAllPeriods) {
   const SlotWithWay slot(120, 9);
-  const auto early = EarlyEnd::begin(slot.task, slot.area, slot.way, 10, slot.params);
+  const auto early = EarlyEnd::of(slot.task, slot.area, slot.way, 10, slot.params);
   ASSERT_TRUE(early);
   const int first = 80;
   ASSERT_GT(place_of(slot.way, first), 0);
@@ -92,7 +95,7 @@ TEST(EarlyEnd, IsClearedAsAfterAllPeriods) {
 
 TEST(EarlyEnd, FitsItsOwnWayWithEnoughPeriodsOnly) {
   const SlotWithWay slot(120, 9), other(120, 9);
-  const auto early = EarlyEnd::begin(slot.task, slot.area, slot.way, 10, slot.params);
+  const auto early = EarlyEnd::of(slot.task, slot.area, slot.way, 10, slot.params);
   ASSERT_TRUE(early);
   // Periods that reach no further than a tool's diameter behind the last one.
   const int few = static_cast<int>(2 * kRadius / slot.way.pattern.step);
@@ -103,8 +106,8 @@ TEST(EarlyEnd, FitsItsOwnWayWithEnoughPeriodsOnly) {
 
 TEST(EarlyEnd, IsNoneWhereTheSlotIsShortOrLeadsOn) {
   const SlotWithWay brief(22, 9);
-  EXPECT_TRUE(EarlyEnd::begin(brief.task, brief.area, brief.way, 0, brief.params));
-  EXPECT_FALSE(EarlyEnd::begin(brief.task, brief.area, brief.way, 8, brief.params));
+  EXPECT_TRUE(EarlyEnd::of(brief.task, brief.area, brief.way, 0, brief.params));
+  EXPECT_FALSE(EarlyEnd::of(brief.task, brief.area, brief.way, 8, brief.params));
   // A slot into a room: no mere end.
   SlotWithWay slot(120, 9);
   const Region key = make_region(Curve({{{0, 0}},
@@ -120,17 +123,43 @@ TEST(EarlyEnd, IsNoneWhereTheSlotIsShortOrLeadsOn) {
   slot.area = Area({slot.task.centres});
   for (const SlotStretch& stretch : find_slots(slot.area, 3 * kRadius)) {
     slot.way.stretch = stretch.middle.b.x > stretch.middle.a.x ? stretch : stretch.reversed();
-    EXPECT_FALSE(EarlyEnd::begin(slot.task, slot.area, slot.way, 10, slot.params));
+    EXPECT_FALSE(EarlyEnd::of(slot.task, slot.area, slot.way, 10, slot.params));
   }
 }
 
-// For the sanitizers: what still runs must not outlive what it reads.
-TEST(EarlyEnd, IsWaitedForWhereNobodyWantsIt) {
-  const SlotWithWay slot(120, 9);
-  for (int i = 0; i < 20; ++i) {
-    const auto early = EarlyEnd::begin(slot.task, slot.area, slot.way, 10, slot.params);
-    EXPECT_TRUE(early);
+std::vector<std::unique_ptr<EarlyEnd>> ends_of(const std::vector<SlotWithWay>& slots) {
+  std::vector<std::unique_ptr<EarlyEnd>> ends;
+  for (const SlotWithWay& slot : slots)
+    ends.push_back(EarlyEnd::of(slot.task, slot.area, slot.way, 10, slot.params));
+  return ends;
+}
+
+TEST(EarlyEnds, AreTheSameWhoeverClearsThem) {
+  const std::vector<SlotWithWay> slots{{120, 9}, {80, 8.75}, {120, 9}, {100, 9.5}};
+  const int first = 80;
+  std::vector<std::optional<RegionResult>> alone;
+  for (const std::unique_ptr<EarlyEnd>& end : ends_of(slots)) alone.push_back(end->cleared());
+  // The last one first, which the other core has not come to.
+  const EarlyEnds ends(ends_of(slots));
+  for (std::size_t i = slots.size(); i-- > 0;) {
+    EarlyEnd* const end = ends.of(slots[i].way, first);
+    ASSERT_TRUE(end);
+    const std::optional<RegionResult> cleared = end->cleared();
+    ASSERT_TRUE(cleared && alone[i]);
+    ASSERT_EQ(cleared->runs.size(), alone[i]->runs.size());
+    for (std::size_t k = 0; k < cleared->runs.size(); ++k)
+      EXPECT_EQ(cleared->runs[k].moves, alone[i]->runs[k].moves);
   }
+  EXPECT_FALSE(ends.of(SlotWithWay(120, 9).way, first));
+  EXPECT_FALSE(ends.of(slots[0].way, 0));
+}
+
+// For the sanitizers: what still runs must not outlive what it reads.
+TEST(EarlyEnds, AreWaitedForWhereNobodyWantsThem) {
+  const std::vector<SlotWithWay> slots{{120, 9}, {80, 8.75}};
+  for (int i = 0; i < 20; ++i) const EarlyEnds ends(ends_of(slots));
+  const EarlyEnds none({});
+  EXPECT_FALSE(none.of(slots[0].way, 80));
 }
 
 TEST(Periods, AreCountedBackFromTheLastPlace) {
