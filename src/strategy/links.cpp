@@ -27,6 +27,9 @@ constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
 // within less than kLook.
 constexpr double kTurnLook = 0.15;
+// mm: between two looks an arc cuts no deeper into a straight wall; that is 0.8 degrees of
+// engagement for a tool of 6 mm.
+constexpr double kMissedDepth = 3e-4;
 // Turns that are tried one after the other, while there is no way: as shares of the wished turn
 // radius, and the tightest, for gaps of hundredths of a millimetre, in mm. Posts write what is much
 // less than half a turn of that as lines.
@@ -145,6 +148,13 @@ bool turn_on_past(const Pose& from, const Pose& beside, const Pose& to, double c
   });
 }
 
+// mm: of an arc that cuts `depth` mm into a straight wall, so much before its deepest place and
+// behind it has contact ahead of the tool.
+double contact_length(double radius, double depth, double tool_radius) {
+  const double before = std::sqrt(2 * depth * radius);
+  return before * (1 + 1 / std::sqrt(1 + tool_radius / radius));
+}
+
 // True where none of the `n` parts of the move begins or ends beyond a wall.
 bool is_off_walls(const Segment& move, int n, const Area& centres) {
   const double length = move.length();
@@ -182,8 +192,12 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
                      before.last);
     if (!scratch.empty()) return false;
   }
+  const double depth = kMissedDepth + (ends < whole ? kLinkDistance : 0);  // that can be missed
   const auto looks_along = [&](const Segment& move) {
-    const double looks = std::max(move.length() / look, std::abs(move.sweep) / kTurnLook);
+    double looks = move.length() / look;
+    if (move.is_arc())
+      looks = std::max({looks, std::abs(move.sweep) / kTurnLook,
+                        move.length() / contact_length(move.radius, depth, ground.tool_radius())});
     return std::max(1, static_cast<int>(std::ceil(looks)));
   };
   for (const Segment& move : moves)

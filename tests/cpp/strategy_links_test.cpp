@@ -71,6 +71,28 @@ TEST(Links, WithTightTurnsSeeAWallThatTheyPassForAMoment) {
     }
 }
 
+// A micrometre is three degrees of engagement, both sides of the place that is touched.
+TEST(Links, SeeMaterialThatAnArcTouchesForAMoment) {
+  const Area centres({make_region(rectangle(-20, -20, 20, 20))});
+  ClearedGround ground({{-23, -23}, {23, 23}}, kRadius, nullptr);
+  for (const double y : {0.0, 2.0, 4.0, 6.0, 8.0, 10.0})
+    ground.add(Segment::line({-20, y}, {20, y}));
+  std::mt19937 random(6);
+  for (int i = 0; i < 2000; ++i) {
+    const double radius = uniform(random, 0.2, 4), depth = uniform(random, 3.5e-4, 3e-3);
+    const double before = uniform(random, 0.5, 1.5), after = uniform(random, 0.5, 1.5);
+    const auto turn = [&](double deep) {
+      return std::vector<Segment>{
+          Segment::arc({0, radius - deep}, radius, -kPi / 2 - before, before + after)};
+    };
+    const double length = length_of(turn(0));
+    for (const double ends : {0.05, length})
+      EXPECT_FALSE(is_free(now(ground), centres, turn(depth), ends)) << radius << " " << ends;
+    EXPECT_TRUE(is_free(now(ground), centres, turn(0), length));
+    EXPECT_TRUE(is_free(now(ground), centres, turn(-1.1e-3), 0.05));
+  }
+}
+
 TEST(Links, KeepOutOfMaterialAndWalls) {
   const Area centres({make_region(rectangle(0, 0, 40, 40), {rectangle(15, 5, 25, 35)})});
   ClearedGround ground({{-3, -3}, {43, 43}}, kRadius, nullptr);
