@@ -22,8 +22,9 @@ constexpr double kTinyBorder = 1;
 constexpr double kNarrowRoom = 0.05;  // share of the tool's radius: of the largest circle in it
 // Times the circle in it: a room with a shorter border is round, and a helix fills it.
 constexpr double kRoundBorder = 1.15;
-// A helix stays this share of its room away from the walls.
+// A helix takes this share of its room; and in narrow rooms, where it fills it.
 constexpr double kHelixRoom = 0.98;
+constexpr double kWholeRoom = 1 - 1e-6;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
 // between two looks for them, which no corner of a wall that is as far away at both can use up.
 constexpr double kStretchedRoom = 0.005;
@@ -281,6 +282,16 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
   helix.stretch = 0.5 * stretch * u;
   helix.at = helix.centre + helix.stretch + helix.radius * u;
   entry.start = {helix.at, angle_of(u) + kPi / 2};
+}
+
+void fill_narrow_room(Entry& entry, const Circle& room, const ClearingParams& params) {
+  Descent& helix = entry.descent;
+  if (helix.kind != DescentKind::kHelix || norm(helix.stretch) > 0) return;
+  const bool is_narrow = room.radius < kNarrowRoom * 0.5 * params.tool_diameter;
+  if (!is_narrow || 0.5 * params.helix_diameter < room.radius) return;
+  helix.radius = kWholeRoom * room.radius;
+  helix.at = helix.centre + Vec2{helix.radius, 0};
+  entry.start = {helix.at, kPi / 2};
 }
 
 std::optional<Pose> start_outside(const Area& centres, const std::vector<Region>& material,

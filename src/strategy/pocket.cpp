@@ -12,6 +12,7 @@
 #include "feed/load_profile.h"
 #include "geometry/fine_corners.h"
 #include "geometry/medial_axis.h"
+#include "geometry/sharp_tips.h"
 #include "strategy/allowed_ground.h"
 #include "strategy/entry.h"
 #include "strategy/feeds.h"
@@ -114,9 +115,9 @@ struct Work {
 
 std::vector<Region> places_of_tool(const std::vector<Region>& allowed,
                                    const ClearingParams& params) {
-  return without_fine_corners(
-      offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap)),
-      kFineShare * params.tolerance);
+  const std::vector<Region> centres =
+      offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap));
+  return without_fine_corners(with_sharp_tips(centres, kWallGap), kFineShare * params.tolerance);
 }
 
 // Connected places of the tool's centre that are cleared from one entry.
@@ -377,7 +378,8 @@ std::vector<Region> reachable_ground(const std::vector<Region>& regions, double 
   std::vector<std::string> notes;
   const auto as_it_is = [](Vec2 p) { return p; };
   const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, as_it_is, notes);
-  return offset(offset(allowed, -(radius + stock_to_leave + kWallGap)), radius);
+  const std::vector<Region> centres = offset(allowed, -(radius + stock_to_leave + kWallGap));
+  return offset(with_sharp_tips(centres, kWallGap), radius);
 }
 
 Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& regions,

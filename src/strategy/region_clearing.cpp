@@ -295,6 +295,7 @@ class RegionClearing {
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
                              is_shrunk(entry->descent, params_);
     if (may_stretch && !task_.round_helix) stretch_helix(*entry, exact_, params_);
+    fill_narrow_room(*entry, room, params_);
     add_descent(entry->descent, ground_);
     begin_run(entry->descent);
     return entry->start;

@@ -142,6 +142,30 @@ TEST(Entry, StretchesAHelixAlongASlotFromItsMiddleAndFromEitherRoundEnd) {
       }
 }
 
+TEST(Entry, FillsARoomOfHundredthsOfAMillimetreWithARoundHelix) {
+  ClearingParams params;
+  const Region slot = rectangle(0, 0, 20, 0.2), room = rectangle(0, 0, 20, 2);
+  const auto filled = [&](const Region& region) {
+    std::optional<Entry> entry = descend_within(Area({region}), widest(region), params);
+    fill_narrow_room(*entry, widest(region), params);
+    EXPECT_NEAR(distance(entry->start.p, entry->descent.centre), entry->descent.radius, 1e-12);
+    EXPECT_EQ(entry->start.p, entry->descent.at);
+    EXPECT_GE(Area({region}).signed_distance(entry->descent.at), -1e-9);
+    return entry->descent.radius;
+  };
+  EXPECT_NEAR(filled(slot), 0.1, 1e-5);
+  EXPECT_LT(filled(room), 0.985);  // the first pass has room to turn outwards
+  params.helix_diameter = 0.18;
+  EXPECT_EQ(filled(slot), 0.09);  // as asked for
+  // What is stretched keeps from the walls.
+  params.helix_diameter = 4;
+  Entry stretched = *descend_within(Area({slot}), widest(slot), params);
+  stretched.descent.stretch = {5, 0};
+  const double radius = stretched.descent.radius;
+  fill_narrow_room(stretched, widest(slot), params);
+  EXPECT_EQ(stretched.descent.radius, radius);
+}
+
 TEST(Entry, IsNeverAPlunge) {
   const Region dot = rectangle(0, 0, 4e-4, 4e-4);
   EXPECT_FALSE(descend_within(Area({dot}), widest(dot), {}));

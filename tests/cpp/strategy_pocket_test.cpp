@@ -11,6 +11,7 @@
 #include "corpus.h"
 #include "geometry_shapes.h"
 #include "judged.h"
+#include "strategy/constant_engagement.h"
 #include "strategy/pocket.h"
 #include "strategy/region_clearing.h"
 #include "support/errors.h"
@@ -26,6 +27,22 @@ RegionTask square_task(const ClearingParams& params) {
   task.material = {make_region(rectangle(0, 0, 30, 24))};
   task.centres = offset(task.material, -(0.5 * params.tool_diameter + kWallGap)).front();
   return task;
+}
+
+// Walls that meet at a degree, 5.8 mm apart where they end: as far as the tool keeps from them it
+// would stay 0.1 mm from where it touches both.
+TEST(PocketTest, IsClearedToTheTipBetweenWallsThatAreNearlyParallel) {
+  const Region room = make_region(shapes::polygon(
+      {{0, 0}, {16, 0}, {16, 9}, {11.1, 9}, {10.9, 20.46}, {5.1, 20.46}, {4.9, 9}, {0, 9}}));
+  ClearingParams params;
+  const double tip = bounds_of(offset({room}, -0.5 * params.tool_diameter)).high.y;
+  Progress progress;
+  const Toolpath path = clear_pocket({room}, params, progress);
+  double reached = 0;
+  for (const Move& move : path.moves)
+    if (move.kind == MoveKind::kCut) reached = std::max(reached, move.y);
+  EXPECT_NEAR(reached, tip, 0.01);
+  EXPECT_LT(reached, tip);
 }
 
 TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
