@@ -67,7 +67,8 @@ class ConstantLoad::Stretch {
 
   std::size_t last() const { return cut_.last; }
 
-  // What is best at two prices is best at all between.
+  // What is best at two prices is best at all between; where means are held, which is not quite the
+  // best, nearly always.
   const std::vector<FeedPiece>& pieces(const FeedParams& params) {
     const double price = params.steps.price;
     const auto next = known_.lower_bound(price);
@@ -135,18 +136,18 @@ bool ConstantLoad::is_cut(std::size_t sample) const {
 
 // All stretches, half of the samples at a time where these are many.
 void ConstantLoad::divide() {
-  const auto divide = [&](std::size_t first, std::size_t last) {
+  const auto divide_some = [&](std::size_t first, std::size_t last) {
     for (std::size_t k = first; k < last; ++k) stretches_[k].pieces(params_);
-    return last - first;
+    return true;
   };
   const std::size_t all = stretches_.size();
   if (profile_.size() < kManySamples) {
-    divide(0, all);
+    divide_some(0, all);
     return;
   }
   std::size_t half = 0;
   while (half < all && stretches_[half].last() <= profile_.size() / 2) ++half;
-  both([&] { return divide(0, half); }, [&] { return divide(half, all); });
+  both([&] { return divide_some(0, half); }, [&] { return divide_some(half, all); });
 }
 
 FeedsAlong ConstantLoad::at(double price) {

@@ -55,7 +55,7 @@ struct FeedsAlong {
 // split where the feed changes, as few times as pays: the sum of the time and of a price per added
 // block is the least possible (dynamic programming over the samples; nearly, where means are
 // held), so that arcs stay whole where a change of feed would save little. Several prices can be
-// asked for; stretches that two of them divide alike are not divided anew in between.
+// asked for; stretches that two of them divide alike are taken so in between.
 class ConstantLoad {
  public:
   // `runs` and `profile` must outlive this object; the price in `params` does not count.

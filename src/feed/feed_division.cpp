@@ -172,8 +172,7 @@ std::vector<char> places_for_change(const CutSamples& cut, const FeedParams& par
     for (; end < cut.last && cut.profile[end].move == cut.profile[begin].move; ++end)
       left += cut.profile[end].length;
     const std::size_t last_of_move = end - 1;
-    const Segment& move =
-        cut.runs[cut.profile[begin].run].moves[cut.profile[begin].move].segment;
+    const Segment& move = cut.runs[cut.profile[begin].run].moves[cut.profile[begin].move].segment;
     for (std::size_t k = begin; k < last_of_move; ++k) {
       done += cut.profile[k].length;
       left -= cut.profile[k].length;

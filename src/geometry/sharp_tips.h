@@ -9,10 +9,11 @@
 
 namespace evenload {
 
-// `regions`, whose border is `gap` mm inside another one, with their sharpest tips lengthened:
-// where that leaves more than a few hundredths of a millimetre to be had between two lines, the tip
-// comes as near to the other border's as `gap`. Laws: only such tips are moved, along their axes,
-// by less than a quarter of either line; the result lies inside the border at `gap` from its own.
-std::vector<Region> with_sharp_tips(const std::vector<Region>& regions, double gap);
+// `regions` shrunk by `distance` + `gap` mm, with their sharpest tips lengthened: where that leaves
+// more than a few hundredths of a millimetre to be had between two lines, the tip comes as near as
+// `gap` to where those shrunk by `distance` alone end. Laws: only such tips are moved, along their
+// axes, by less than a quarter of either line; the result lies inside what is shrunk by `distance`
+// alone, and where that goes on beyond a tip, as in a neck, the tip stays.
+std::vector<Region> shrunk_to_tips(const std::vector<Region>& regions, double distance, double gap);
 
 }  // namespace evenload

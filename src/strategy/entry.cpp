@@ -287,9 +287,8 @@ void stretch_helix(Entry& entry, const Area& centres, const ClearingParams& para
 void fill_narrow_room(Entry& entry, const Circle& room, const ClearingParams& params) {
   Descent& helix = entry.descent;
   if (helix.kind != DescentKind::kHelix || norm(helix.stretch) > 0) return;
-  const bool is_narrow = room.radius < kNarrowRoom * 0.5 * params.tool_diameter;
-  if (!is_narrow || 0.5 * params.helix_diameter < room.radius) return;
-  helix.radius = kWholeRoom * room.radius;
+  if (room.radius >= kNarrowRoom * 0.5 * params.tool_diameter) return;
+  helix.radius = std::min(0.5 * params.helix_diameter, kWholeRoom * room.radius);
   helix.at = helix.centre + Vec2{helix.radius, 0};
   entry.start = {helix.at, kPi / 2};
 }

@@ -58,9 +58,9 @@ double wished_stretch(double helix_radius, const ClearingParams& params);
 // A helix, whatever entry the parameters ask for; empty where none fits.
 std::optional<Entry> helix_within(const Area& centres, const Circle& room, ClearingParams params);
 
-// In a room of a few hundredths of a millimetre a helix that is as wide as asked for or allowed
-// gets as wide as the room, unless it is stretched: from a smaller one the first pass would turn
-// outwards in pieces so short that posts write them as lines.
+// In a room of some hundredths of a millimetre a helix gets as wide as the room or as asked for,
+// unless it is stretched: from a smaller one the first pass would turn outwards in pieces so short
+// that posts write them as lines.
 void fill_narrow_room(Entry& entry, const Circle& room, const ClearingParams& params);
 
 // A place outside the stock, beside the longest open edge of `material` from which the tool can go

@@ -115,9 +115,9 @@ struct Work {
 
 std::vector<Region> places_of_tool(const std::vector<Region>& allowed,
                                    const ClearingParams& params) {
-  const std::vector<Region> centres =
-      offset(allowed, -(0.5 * params.tool_diameter + params.stock_to_leave + kWallGap));
-  return without_fine_corners(with_sharp_tips(centres, kWallGap), kFineShare * params.tolerance);
+  return without_fine_corners(
+      shrunk_to_tips(allowed, 0.5 * params.tool_diameter + params.stock_to_leave, kWallGap),
+      kFineShare * params.tolerance);
 }
 
 // Connected places of the tool's centre that are cleared from one entry.
@@ -378,8 +378,7 @@ std::vector<Region> reachable_ground(const std::vector<Region>& regions, double 
   std::vector<std::string> notes;
   const auto as_it_is = [](Vec2 p) { return p; };
   const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, as_it_is, notes);
-  const std::vector<Region> centres = offset(allowed, -(radius + stock_to_leave + kWallGap));
-  return offset(with_sharp_tips(centres, kWallGap), radius);
+  return offset(shrunk_to_tips(allowed, radius + stock_to_leave, kWallGap), radius);
 }
 
 Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& regions,

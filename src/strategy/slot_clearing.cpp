@@ -222,7 +222,8 @@ class SlotClearing {
     return clear_room(best->room);
   }
 
-  // On another core: of the way that is followed first, and of those after it.
+  // On another core: of all ways but the one that ends where `followed_first` begins. Those of ways
+  // that are not followed are cleared in vain.
   void begin_ends(const Way& followed_first) {
     std::vector<std::unique_ptr<EarlyEnd>> ends;
     for (const Way& way : ways_) {
@@ -340,7 +341,7 @@ class SlotClearing {
   void clear_end(const Way& way, int first, int last) {
     EarlyEnd* const early = early_ends_ && last == 0 ? early_ends_->of(way, first) : nullptr;
     if (early) {
-      if (std::optional<RegionResult> end = early->cleared()) append_end(std::move(*end));
+      if (std::optional<RegionResult> end = early->cleared(progress_)) append_end(std::move(*end));
       return;
     }
     const std::optional<Region> room = end_room(task_.centres, centres_, way, last);

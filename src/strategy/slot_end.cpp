@@ -1,6 +1,7 @@
 #include "strategy/slot_end.h"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <utility>
 
@@ -11,6 +12,9 @@
 
 namespace evenload {
 namespace {
+
+// Between two questions whether the job is cancelled.
+constexpr std::chrono::milliseconds kPatience{50};
 
 std::ptrdiff_t descents(const RegionResult& result) {
   return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
@@ -88,21 +92,26 @@ EarlyEnd::EarlyEnd(const RegionTask& task, const Way& way, const ClearingParams&
       passes_(passes),
       settled_(settled),
       room_(std::move(room)),
-      cut_([this] { return cut(); }),
+      cut_([this](Progress& progress) { return cut(progress); }),
       result_(cut_.get_future()) {}
 
-void EarlyEnd::clear() {
-  if (!is_begun_.test_and_set()) cut_();
+void EarlyEnd::clear(Progress& progress) {
+  if (!is_begun_.test_and_set()) cut_(progress);
 }
 
-std::optional<RegionResult> EarlyEnd::cut() {
+void EarlyEnd::clear() {
+  Progress progress([this](double) { return is_wanted_.load(); });
+  clear(progress);
+}
+
+std::optional<RegionResult> EarlyEnd::cut(Progress& progress) {
+  if (!is_wanted_) return std::nullopt;
   RegionResult opening = periods_from(way_, settled_);
   const std::size_t made = opening.runs.front().moves.size();
   const double radius = 0.5 * passes_.tool_diameter;
   ClearedGround ground(grown(bounds_of({task_.centres}), radius), radius,
                        task_.has_open_edges ? &task_.material : nullptr);
   for (const PlanarMove& move : opening.runs.front().moves) ground.add(move.segment);
-  Progress progress([this](double) { return is_wanted_.load(); });
   std::optional<RegionResult> result =
       clear_part(task_, room_, std::move(opening), ground, passes_, progress);
   if (!result) return std::nullopt;
@@ -111,8 +120,10 @@ std::optional<RegionResult> EarlyEnd::cut() {
   return result;
 }
 
-std::optional<RegionResult> EarlyEnd::cleared() {
-  clear();
+std::optional<RegionResult> EarlyEnd::cleared(Progress& progress) {
+  clear(progress);
+  while (result_.wait_for(kPatience) != std::future_status::ready)
+    if (!progress.report(1)) drop();  // the periods are made
   return result_.get();
 }
 

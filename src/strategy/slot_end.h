@@ -39,20 +39,21 @@ class EarlyEnd {
   // Whether it is what `way` leaves whose periods are the `first` one and all after it.
   bool fits(const Way& way, int first) const { return &way == &way_ && first >= settled_; }
 
-  // Clears it, if nobody has begun to.
+  // Clears it, if nobody has begun to and it has not been dropped.
+  void clear(Progress& progress);
   void clear();
   // To clear it is of no use any more.
   void drop() { is_wanted_ = false; }
 
   // What is cut there after the last period: its runs go on from there, the first of them without a
-  // descent of its own. Nothing where clear_part() says so. Cleared here if nobody has begun to.
-  // Once.
-  std::optional<RegionResult> cleared();
+  // descent of its own. Nothing where clear_part() says so, or `progress` that the job is
+  // cancelled. Cleared here if nobody has begun to. Once.
+  std::optional<RegionResult> cleared(Progress& progress);
 
  private:
   EarlyEnd(const RegionTask& task, const Way& way, const ClearingParams& passes, int settled,
            Region room);
-  std::optional<RegionResult> cut();
+  std::optional<RegionResult> cut(Progress& progress);
 
   const RegionTask& task_;
   const Way& way_;
@@ -61,7 +62,7 @@ class EarlyEnd {
   Region room_;
   std::atomic<bool> is_wanted_ = true;
   std::atomic_flag is_begun_;
-  std::packaged_task<std::optional<RegionResult>()> cut_;
+  std::packaged_task<std::optional<RegionResult>(Progress&)> cut_;
   std::future<std::optional<RegionResult>> result_;
 };
 

@@ -118,7 +118,7 @@ void WallSamples::take_samples(double spacing) {
   double length = 0;
   for (const Stage& stage : stages_)
     for (const Curve& curve : stage.centres.curves()) length += curve.length();
-  if (length < kManySamples * spacing) {
+  if (all < 2 || length < kManySamples * spacing) {
     append(taken(0, all, spacing));
   } else {
     auto [before, after] = both([&] { return taken(0, all / 2, spacing); },

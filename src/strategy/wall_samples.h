@@ -66,12 +66,12 @@ class WallSamples {
     std::size_t stage = 0;
     std::size_t first = 0, count = 0;  // in samples_
   };
-  static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
-  static bool blocks(const Sample& sample);
   struct Taken {
     std::vector<Sample> samples;
     std::vector<Track> tracks;
   };
+  static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
+  static bool blocks(const Sample& sample);
   Taken taken(std::size_t first, std::size_t last, double spacing) const;
   void take_samples(double spacing);
   void append(Taken taken);

@@ -1,4 +1,4 @@
-// Tips of offset borders between walls that are nearly parallel.
+// Tips of shrunk borders between walls that are nearly parallel.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -14,92 +14,174 @@ namespace {
 
 constexpr double kGap = 8e-4, kRadius = 3;
 
-// A room with a tooth that narrows by `angle` rad from 6.2 mm on and is blunt at 5.8 mm.
-Curve room_with_tooth(double angle) {
-  const double depth = 0.2 / std::tan(0.5 * angle);
-  return shapes::polygon(
-      {{-15, -20}, {15, -20}, {15, 0}, {3.1, 0}, {2.9, depth}, {-2.9, depth}, {-3.1, 0}, {-15, 0}});
+// A room with a tooth that narrows by `angle` rad from 6.2 mm on and ends where it is `end` mm
+// wide.
+std::vector<Vec2> room_with_tooth(double angle, double end) {
+  const double depth = 0.5 * (6.2 - end) / std::tan(0.5 * angle), half = 0.5 * end;
+  return {{-15, -20},    {15, -20},      {15, 0},   {3.1, 0},
+          {half, depth}, {-half, depth}, {-3.1, 0}, {-15, 0}};
 }
 
-// The same tooth in a block.
-Curve block_with_notch(double angle) {
-  const double depth = 0.2 / std::tan(0.5 * angle);
-  return shapes::polygon({{-15, depth + 20},
-                          {-15, 0},
-                          {-3.1, 0},
-                          {-2.9, depth},
-                          {2.9, depth},
-                          {3.1, 0},
-                          {15, 0},
-                          {15, depth + 20}});
+std::vector<Region> at_gap(const Region& region) { return offset({region}, -(kRadius + kGap)); }
+std::vector<Region> without_gap(const Region& region) { return offset({region}, -kRadius); }
+std::vector<Region> to_tips(const Region& region) {
+  return shrunk_to_tips({region}, kRadius, kGap);
 }
 
 double highest(const std::vector<Region>& regions) { return bounds_of(regions).high.y; }
 
+// The regions' own laws hold, and the tool gets through no wall.
+void expect_within_walls(const Region& region, const std::vector<Region>& tips) {
+  const BoundaryIndex walls(region.curves());
+  for (const Region& part : tips) {
+    EXPECT_NO_THROW(make_region(part.outer, part.islands));
+    for (const Curve& curve : part.curves())
+      for (const Segment& piece : curve.segments())
+        for (const double t : {0.0, 0.5, 0.9, 0.99}) {
+          EXPECT_TRUE(region.contains(piece.point(t)));
+          EXPECT_GE(walls.nearest(piece.point(t)).distance, kRadius - 1e-6);
+        }
+  }
+}
+
 TEST(SharpTips, ReachWhereTheToolTouchesBothWallsButForTheGap) {
   for (const double angle : {0.002, 0.01, 0.03, 0.06}) {
-    const Region room = make_region(room_with_tooth(angle));
-    const std::vector<Region> at_gap = offset({room}, -(kRadius + kGap));
-    const std::vector<Region> whole = with_sharp_tips(at_gap, kGap);
-    const double touching = highest(offset({room}, -kRadius));
-    EXPECT_GT(touching - highest(at_gap), 20 * kGap) << angle;
-    EXPECT_NEAR(touching - highest(whole), kGap, 2e-5) << angle;
-    const BoundaryIndex walls({room.outer});
-    for (const Vertex& v : whole.front().outer.vertices())
-      EXPECT_GE(walls.nearest(v.p).distance, kRadius - 1e-6);
-    EXPECT_NO_THROW(make_region(whole.front().outer, whole.front().islands));
+    const Region room = make_region(shapes::polygon(room_with_tooth(angle, 5.8)));
+    const double touching = highest(without_gap(room));
+    EXPECT_GT(touching - highest(at_gap(room)), 20 * kGap) << angle;
+    EXPECT_NEAR(touching - highest(to_tips(room)), kGap, 2e-5) << angle;
+    expect_within_walls(room, to_tips(room));
     // From any side, and in the notch of an island.
-    const Curve turned = shapes::moved(room.outer, 2, true, 1, {1e3, -5e2});
-    const Curve notched = shapes::moved(block_with_notch(angle), 2, true, 1, {1e3, -5e2});
-    const Region frame = make_region(shapes::rectangle(0, -1500, 2000, 500), {notched});
-    for (const Region& region : {make_region(turned), frame}) {
-      const std::vector<Region> before = offset({region}, -(kRadius + kGap));
-      EXPECT_GT(with_sharp_tips(before, kGap).front().area(), before.front().area());
+    const Region turned = make_region(shapes::moved(room.outer, 2, true, 1, {1e3, -5e2}));
+    const double depth = 0.2 / std::tan(0.5 * angle);
+    const Curve block = shapes::polygon({{-15, depth + 20},
+                                         {-15, 0},
+                                         {-3.1, 0},
+                                         {-2.9, depth},
+                                         {2.9, depth},
+                                         {3.1, 0},
+                                         {15, 0},
+                                         {15, depth + 20}});
+    const Region frame = make_region(shapes::rectangle(0, -1500, 2000, 500),
+                                     {shapes::moved(block, 2, true, 1, {1e3, -5e2})});
+    for (const Region& region : {turned, frame}) {
+      EXPECT_GT(to_tips(region).front().area(), at_gap(region).front().area());
+      expect_within_walls(region, to_tips(region));
     }
   }
+}
+
+// Where the tool nearly touches both walls when it comes to a third one.
+TEST(SharpTips, EndBeforeAWallAcross) {
+  for (const double angle : {0.005, 0.01, 0.02})
+    for (double end = 6; end < 6.003; end += 1e-4) {
+      const Region room = make_region(shapes::polygon(room_with_tooth(angle, end)));
+      SCOPED_TRACE(end);
+      EXPECT_GE(highest(to_tips(room)), highest(at_gap(room)) - 1e-9);
+      EXPECT_LE(highest(to_tips(room)), highest(without_gap(room)) - 0.9 * kGap);
+      expect_within_walls(room, to_tips(room));
+    }
+}
+
+// Where the tool just fits through, or just does not.
+TEST(SharpTips, StayInNecks) {
+  for (const double angle : {0.005, 0.01, 0.02})
+    for (double neck = 5.998; neck < 6.003; neck += 2e-4) {
+      const double rise = 20 * std::tan(0.5 * angle), half = 0.5 * neck;
+      const Region rooms = make_region(shapes::polygon({{-40, -20},
+                                                        {-20, -20},
+                                                        {-20, -half - rise},
+                                                        {0, -half},
+                                                        {20, -half - rise},
+                                                        {20, -20},
+                                                        {40, -20},
+                                                        {40, 20},
+                                                        {20, 20},
+                                                        {20, half + rise},
+                                                        {0, half},
+                                                        {-20, half + rise},
+                                                        {-20, 20},
+                                                        {-40, 20}}));
+      SCOPED_TRACE(neck);
+      const std::vector<Region> tips = to_tips(rooms);
+      expect_within_walls(rooms, tips);
+      if (tips.size() < 2) continue;
+      const Bounds a = bounds_of({tips[0]}), b = bounds_of({tips[1]});
+      EXPECT_TRUE(a.high.x < b.low.x || b.high.x < a.low.x);
+      if (neck > 6) {
+        EXPECT_EQ(tips[0].outer.vertices().size(), at_gap(rooms)[0].outer.vertices().size());
+        EXPECT_EQ(bounds_of(tips).high.x, bounds_of(at_gap(rooms)).high.x);
+        EXPECT_EQ(tips[0].area(), at_gap(rooms)[0].area());
+      }
+    }
 }
 
 TEST(SharpTips, AreAllThatChanges) {
   std::vector<Region> regions;
   for (const shapes::Named& named : shapes::pockets()) regions.push_back(named.region);
-  for (const shapes::Named& named : shapes::random_regions(3, 60)) regions.push_back(named.region);
-  for (const Region& region : regions)
-    for (const Region& centres : offset({region}, -(kRadius + kGap))) {
-      const Region whole = with_sharp_tips({centres}, kGap).front();
-      const std::vector<Curve> before = centres.curves(), after = whole.curves();
-      ASSERT_EQ(before.size(), after.size());
-      for (std::size_t c = 0; c < before.size(); ++c) {
-        const std::vector<Vertex>&was = before[c].vertices(), &is = after[c].vertices();
-        ASSERT_EQ(was.size(), is.size());
-        for (std::size_t i = 0; i < was.size(); ++i) {
-          EXPECT_EQ(was[i].bulge, is[i].bulge);
-          if (was[i].p == is[i].p) continue;
-          const Vec2 in = was[(i + was.size() - 1) % was.size()].p,
-                     out = was[(i + 1) % was.size()].p;
-          const Vec2 u = normalized(was[i].p - in), v = normalized(out - was[i].p);
+  for (const shapes::Named& named : shapes::random_regions(3, 200)) regions.push_back(named.region);
+  regions.push_back(make_region(shapes::polygon(room_with_tooth(0.01, 5.8))));
+  int moved = 0;
+  for (const Region& region : regions) {
+    const std::vector<Region> before = at_gap(region), after = to_tips(region);
+    ASSERT_EQ(before.size(), after.size());
+    for (std::size_t r = 0; r < before.size(); ++r) {
+      const std::vector<Curve> was = before[r].curves(), is = after[r].curves();
+      for (std::size_t c = 0; c < was.size(); ++c) {
+        const std::vector<Vertex>&from = was[c].vertices(), &to = is[c].vertices();
+        ASSERT_EQ(from.size(), to.size());
+        const std::size_t n = from.size();
+        for (std::size_t i = 0; i < n; ++i) {
+          EXPECT_EQ(from[i].bulge, to[i].bulge);
+          if (from[i].p == to[i].p) continue;
+          ++moved;
+          const Vec2 in = from[(i + n - 1) % n].p, out = from[(i + 1) % n].p;
+          const Vec2 u = normalized(from[i].p - in), v = normalized(out - from[i].p);
           EXPECT_LT(dot(u, v), -0.99);
-          EXPECT_LT(distance(was[i].p, is[i].p),
-                    0.25 * std::min(distance(in, was[i].p), distance(out, was[i].p)));
+          EXPECT_LT(distance(from[i].p, to[i].p),
+                    0.25 * std::min(distance(in, from[i].p), distance(out, from[i].p)));
         }
       }
     }
+  }
+  EXPECT_GE(moved, 1);
 }
 
-TEST(SharpTips, AreLeftAtOpenEdgesArcsAndCrampedWalls) {
+TEST(SharpTips, AreLeftAtOpenEdgesArcsAndShortWalls) {
   const double angle = 0.01;
-  Region room = offset({make_region(room_with_tooth(angle))}, -(kRadius + kGap)).front();
-  const auto tip_of = [](const Region& region) { return bounds_of({region}).high.y; };
-  const double tip = tip_of(room);
-  ASSERT_GT(tip_of(with_sharp_tips({room}, kGap).front()), tip);
-  std::vector<Vertex> vertices = room.outer.vertices();
-  const auto at_tip =
-      std::max_element(vertices.begin(), vertices.end(),
-                       [](const Vertex& a, const Vertex& b) { return a.p.y < b.p.y; });
-  at_tip->open = true;
-  EXPECT_EQ(tip_of(with_sharp_tips({{Curve(vertices, true), {}}}, kGap).front()), tip);
-  at_tip->open = false;
-  at_tip->bulge = 0.01;
-  EXPECT_NEAR(tip_of(with_sharp_tips({{Curve(vertices, true), {}}}, kGap).front()), tip, 1e-9);
+  std::vector<Vec2> corners = room_with_tooth(angle, 5.8);
+  const auto tip = [&](std::size_t marked, double bulge) {
+    std::vector<Vertex> vertices;
+    for (const Vec2 p : corners) vertices.push_back({p});
+    if (marked < vertices.size()) {
+      vertices[marked].open = bulge == 0;
+      vertices[marked].bulge = bulge;
+    }
+    const Region room = make_region(Curve(std::move(vertices), true));
+    return highest(to_tips(room)) - highest(at_gap(room));
+  };
+  const std::size_t right = 3, left = 5, none = 99;  // the tooth's walls begin there
+  EXPECT_GT(tip(none, 0), 0.1);
+  for (const std::size_t wall : {right, left}) {
+    EXPECT_EQ(tip(wall, 0), 0);
+    EXPECT_NEAR(tip(wall, 1e-5), 0, 1e-9);
+  }
+  // The last half millimetre, of which the tip would take a quarter and more, at an angle of its
+  // own.
+  const double depth = corners[4].y,
+               where = 0.2 / 0.4 * depth;  // where the tool touches both walls
+  const auto at = [&](double y) { return 3.1 - 0.2 * y / depth; };
+  corners = {{-15, -20},
+             {15, -20},
+             {15, 0},
+             {3.2, 0},
+             {at(where - 0.3), where - 0.3},
+             {2.9, depth},
+             {-2.9, depth},
+             {-at(where - 0.3), where - 0.3},
+             {-3.2, 0},
+             {-15, 0}};
+  EXPECT_EQ(tip(none, 0), 0);
 }
 
 }  // namespace

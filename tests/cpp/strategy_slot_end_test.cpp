@@ -69,7 +69,8 @@ TEST(EarlyEnd, IsClearedAsAfterAllPeriods) {
   const int first = 80;
   ASSERT_GT(place_of(slot.way, first), 0);
   ASSERT_TRUE(early->fits(slot.way, first));
-  const std::optional<RegionResult> end = early->cleared();
+  Progress progress;
+  const std::optional<RegionResult> end = early->cleared(progress);
   ASSERT_TRUE(end);
   EXPECT_GT(end->passes, 4);
 
@@ -78,7 +79,6 @@ TEST(EarlyEnd, IsClearedAsAfterAllPeriods) {
   for (const PlanarMove& move : all.runs.front().moves) ground.add(move.segment);
   const std::optional<Region> room = end_room(slot.task.centres, slot.area, slot.way, 0);
   ASSERT_TRUE(room);
-  Progress progress;
   const std::optional<RegionResult> later =
       clear_part(slot.task, *room, all, ground, slot.params, progress);
   ASSERT_TRUE(later);
@@ -137,14 +137,16 @@ std::vector<std::unique_ptr<EarlyEnd>> ends_of(const std::vector<SlotWithWay>& s
 TEST(EarlyEnds, AreTheSameWhoeverClearsThem) {
   const std::vector<SlotWithWay> slots{{120, 9}, {80, 8.75}, {120, 9}, {100, 9.5}};
   const int first = 80;
+  Progress progress;
   std::vector<std::optional<RegionResult>> alone;
-  for (const std::unique_ptr<EarlyEnd>& end : ends_of(slots)) alone.push_back(end->cleared());
+  for (const std::unique_ptr<EarlyEnd>& end : ends_of(slots))
+    alone.push_back(end->cleared(progress));
   // The last one first, which the other core has not come to.
   const EarlyEnds ends(ends_of(slots));
   for (std::size_t i = slots.size(); i-- > 0;) {
     EarlyEnd* const end = ends.of(slots[i].way, first);
     ASSERT_TRUE(end);
-    const std::optional<RegionResult> cleared = end->cleared();
+    const std::optional<RegionResult> cleared = end->cleared(progress);
     ASSERT_TRUE(cleared && alone[i]);
     ASSERT_EQ(cleared->runs.size(), alone[i]->runs.size());
     for (std::size_t k = 0; k < cleared->runs.size(); ++k)
@@ -152,6 +154,21 @@ TEST(EarlyEnds, AreTheSameWhoeverClearsThem) {
   }
   EXPECT_FALSE(ends.of(SlotWithWay(120, 9).way, first));
   EXPECT_FALSE(ends.of(slots[0].way, 0));
+}
+
+TEST(EarlyEnd, IsLeftWhenTheJobIsCancelledAndNotBegunOnceItIsDropped) {
+  const std::vector<SlotWithWay> slots{{120, 9}};
+  Progress patient;
+  const std::optional<RegionResult> whole = ends_of(slots)[0]->cleared(patient);
+  ASSERT_TRUE(whole);
+  int reports = 0;
+  Progress hasty([&](double) { return ++reports < 2; });
+  const std::optional<RegionResult> part = ends_of(slots)[0]->cleared(hasty);
+  EXPECT_TRUE(hasty.cancelled());
+  EXPECT_TRUE(!part || part->passes < whole->passes);
+  const std::vector<std::unique_ptr<EarlyEnd>> dropped = ends_of(slots);
+  dropped[0]->drop();
+  EXPECT_FALSE(dropped[0]->cleared(patient));
 }
 
 // For the sanitizers: what still runs must not outlive what it reads.
