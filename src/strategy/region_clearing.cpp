@@ -1,9 +1,12 @@
 #include "strategy/region_clearing.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
+#include <iterator>
 #include <limits>
+#include <set>
 #include <sstream>
 #include <utility>
 
@@ -53,6 +56,9 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
+// mm and mm^2: passes that differ by less are one.
+constexpr double kSamePass = 1e-8;
+
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -354,6 +360,30 @@ class RegionClearing {
     return take(std::move(pass), turn_radius);
   }
 
+  // The same, but false, and nothing is made, where just this pass has been made before: what it
+  // would take is a film that its smoothing leaves again, and so for ever.
+  bool go_and_take_new(Pass pass, double turn_radius, std::size_t before) {
+    const Made made = made_by(pass);
+    if (made_.count(made)) {
+      take_back(ground_, pass);
+      return false;
+    }
+    if (!go_and_take(std::move(pass), turn_radius, before)) return false;
+    made_.insert(made);
+    return true;
+  }
+
+  // A pass as steered: its ends, its length and what it takes, in units of kSamePass.
+  using Made = std::array<long long, 6>;
+  static Made made_by(const Pass& pass) {
+    const Vec2 from = pass.moves.front().a, to = pass.moves.back().b;
+    Made made;
+    const double values[] = {from.x, from.y, to.x, to.y, length_of(pass.moves), pass.cut_area};
+    std::transform(std::begin(values), std::end(values), made.begin(),
+                   [](double value) { return std::llround(value / kSamePass); });
+    return made;
+  }
+
   static Pose start_of(const std::vector<Segment>& way) {
     return {way.front().a, angle_of(way.front().tangent(0))};
   }
@@ -449,7 +479,7 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_wall(start, &turn_radius);
-      if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) {
+      if (pass.empty() || !go_and_take_new(std::move(pass), turn_radius, before)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         continue;
       }
@@ -565,7 +595,7 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_pose(*start, &turn_radius);
-      if (pass.empty() || !go_and_take(std::move(pass), turn_radius, before)) continue;
+      if (pass.empty() || !go_and_take_new(std::move(pass), turn_radius, before)) continue;
       cut_since_asked_ = true;
       return true;
     }
@@ -597,6 +627,7 @@ class RegionClearing {
   bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
+  std::set<Made> made_;
   NextRoom untouched_, touched_;  // the first rooms that may need an entry
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;

@@ -90,6 +90,16 @@ std::string name_of(const testing::TestParamInfo<std::string>& info) { return in
 
 INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(corpus::clearable()), name_of);
 
+// One pass was made for ever: what it took was a film that its smoothing left again.
+TEST(SlowCorpus, ABlobWithFilmsIsCleared) {
+  const Case pocket = corpus::load("slow/blob_with_films");
+  ClearingParams params = pocket.params();
+  params.cut_mode = CutMode::kConventional;
+  params.entry = EntryKind::kHelix;
+  const Toolpath path = clear(pocket, params);
+  expect_within_limits(pocket, path, judge(pocket, path));
+}
+
 TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 25u); }
 
 TEST(Corpus, APocketThatIsTooSmallNamesTheLargestToolThatFits) {
