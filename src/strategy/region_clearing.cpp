@@ -57,7 +57,7 @@ constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 // mm and mm^2: passes that differ by less are one.
-constexpr double kSamePass = 1e-8;
+constexpr double kSamePass = 1e-6;
 
 class RegionClearing {
  public:
@@ -467,9 +467,8 @@ class RegionClearing {
 
   void clear_all() {
     const double all = static_cast<double>(std::max<std::size_t>(1, samples_.uncleared_count()));
-    double done = 0;
     std::optional<Vec2> last_start;
-    while (!progress_.cancelled()) {
+    while (progress_.report(done_)) {
       const std::vector<PassStart> starts = samples_.starts();
       if (starts.empty()) {
         if (!cut_off_walls()) return;
@@ -485,8 +484,7 @@ class RegionClearing {
       }
       last_start = start.pose.p;
       // Samples that a failed start brings in must not turn progress back.
-      done = std::max(done, 1 - static_cast<double>(samples_.uncleared_count()) / all);
-      progress_.report(done);
+      done_ = std::max(done_, 1 - static_cast<double>(samples_.uncleared_count()) / all);
     }
   }
 
@@ -592,6 +590,7 @@ class RegionClearing {
   bool cut_leftover() {
     if (!leftover_.prepared()) prepare_leftover();
     while (const std::optional<Pose> start = next_leftover()) {
+      if (!progress_.report(done_)) return true;
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_pose(*start, &turn_radius);
@@ -628,6 +627,7 @@ class RegionClearing {
   RegionResult result_;
   Pose here_;
   std::set<Made> made_;
+  double done_ = 0;               // share of the samples
   NextRoom untouched_, touched_;  // the first rooms that may need an entry
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
   Vec2 tightest_at_;

@@ -116,6 +116,46 @@ TEST(SharpTips, StayInNecks) {
     }
 }
 
+// Through a neck that lets the tool through but for the gap, to a room that ends before the walls
+// would meet: the tip would lie on that room's own region.
+TEST(SharpTips, KeepOutOfRoomsBeyondNecks) {
+  const Region rooms = make_region(shapes::polygon({{-50, -20},
+                                                    {-40, -20},
+                                                    {-40, -3.0804},
+                                                    {0, -3.0004},
+                                                    {0, -12},
+                                                    {3.16, -12},
+                                                    {3.16, 12},
+                                                    {0, 12},
+                                                    {0, 3.0004},
+                                                    {-40, 3.0804},
+                                                    {-40, 20},
+                                                    {-50, 20}}));
+  const std::vector<Region> tips = to_tips(rooms);
+  ASSERT_EQ(tips.size(), 2);
+  const Bounds a = bounds_of({tips[0]}), b = bounds_of({tips[1]});
+  EXPECT_TRUE(a.high.x < b.low.x || b.high.x < a.low.x);
+  expect_within_walls(rooms, tips);
+}
+
+// A spike of micrometres on a wall, beside the axis of a long tip.
+TEST(SharpTips, KeepOffWhatStandsOnTheirWalls) {
+  const double slope = 5e-5, missing = kGap / slope - kGap;
+  for (double share = 0.05; share < 1; share += 0.03) {
+    const double at = share * missing;
+    const auto half = [&](double x) { return 3.00072 - slope * x; };
+    const Region room = make_region(shapes::polygon({{-100, -half(-100)},
+                                                     {at - 1e-3, -half(at)},
+                                                     {at, -half(at) + 4e-3},
+                                                     {at + 1e-3, -half(at)},
+                                                     {28, -half(28)},
+                                                     {28, half(28)},
+                                                     {-100, half(-100)}}));
+    SCOPED_TRACE(share);
+    expect_within_walls(room, to_tips(room));
+  }
+}
+
 TEST(SharpTips, AreAllThatChanges) {
   std::vector<Region> regions;
   for (const shapes::Named& named : shapes::pockets()) regions.push_back(named.region);
