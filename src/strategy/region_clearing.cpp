@@ -468,10 +468,11 @@ class RegionClearing {
   void clear_all() {
     const double all = static_cast<double>(std::max<std::size_t>(1, samples_.uncleared_count()));
     std::optional<Vec2> last_start;
-    while (progress_.report(done_)) {
+    while (!progress_.cancelled()) {
       const std::vector<PassStart> starts = samples_.starts();
       if (starts.empty()) {
         if (!cut_off_walls()) return;
+        progress_.report(done_);
         continue;
       }
       const PassStart start = choose(starts, last_start);
@@ -480,11 +481,13 @@ class RegionClearing {
       Pass pass = choice_.from_wall(start, &turn_radius);
       if (pass.empty() || !go_and_take_new(std::move(pass), turn_radius, before)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
+        progress_.report(done_);
         continue;
       }
       last_start = start.pose.p;
       // Samples that a failed start brings in must not turn progress back.
       done_ = std::max(done_, 1 - static_cast<double>(samples_.uncleared_count()) / all);
+      progress_.report(done_);
     }
   }
 
