@@ -1,12 +1,9 @@
 #include "strategy/region_clearing.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <iomanip>
-#include <iterator>
 #include <limits>
-#include <set>
 #include <sstream>
 #include <utility>
 
@@ -19,6 +16,7 @@
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
+#include "strategy/made_passes.h"
 #include "strategy/move_checks.h"
 #include "strategy/move_ends.h"
 #include "strategy/pass_choice.h"
@@ -56,8 +54,6 @@ constexpr double kNarrowestRoom = 0.02;
 constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
-// mm and mm^2: passes that differ by less are one.
-constexpr double kSamePass = 1e-6;
 
 class RegionClearing {
  public:
@@ -360,28 +356,15 @@ class RegionClearing {
     return take(std::move(pass), turn_radius);
   }
 
-  // The same, but false, and nothing is made, where just this pass has been made before: what it
-  // would take is a film that its smoothing leaves again, and so for ever.
-  bool go_and_take_new(Pass pass, double turn_radius, std::size_t before) {
-    const Made made = made_by(pass);
-    if (made_.count(made)) {
+  // The same, but false, and nothing is made, where just this pass has been made before.
+  bool go_and_take_new(const Pass& pass, double turn_radius, std::size_t before) {
+    if (made_.contains(pass)) {
       take_back(ground_, pass);
       return false;
     }
-    if (!go_and_take(std::move(pass), turn_radius, before)) return false;
-    made_.insert(made);
+    if (!go_and_take(pass, turn_radius, before)) return false;
+    made_.add(pass);
     return true;
-  }
-
-  // A pass as steered: its ends, its length and what it takes, in units of kSamePass.
-  using Made = std::array<long long, 6>;
-  static Made made_by(const Pass& pass) {
-    const Vec2 from = pass.moves.front().a, to = pass.moves.back().b;
-    Made made;
-    const double values[] = {from.x, from.y, to.x, to.y, length_of(pass.moves), pass.cut_area};
-    std::transform(std::begin(values), std::end(values), made.begin(),
-                   [](double value) { return std::llround(value / kSamePass); });
-    return made;
   }
 
   static Pose start_of(const std::vector<Segment>& way) {
@@ -479,7 +462,7 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_wall(start, &turn_radius);
-      if (pass.empty() || !go_and_take_new(std::move(pass), turn_radius, before)) {
+      if (pass.empty() || !go_and_take_new(pass, turn_radius, before)) {
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         progress_.report(done_);
         continue;
@@ -597,7 +580,7 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_pose(*start, &turn_radius);
-      if (pass.empty() || !go_and_take_new(std::move(pass), turn_radius, before)) continue;
+      if (pass.empty() || !go_and_take_new(pass, turn_radius, before)) continue;
       cut_since_asked_ = true;
       return true;
     }
@@ -629,7 +612,7 @@ class RegionClearing {
   bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
-  std::set<Made> made_;
+  MadePasses made_;
   double done_ = 0;               // share of the samples
   NextRoom untouched_, touched_;  // the first rooms that may need an entry
   double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
