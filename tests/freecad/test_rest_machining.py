@@ -108,6 +108,18 @@ def test_without_earlier_operations_all_is_left(room):
     assert found.entry_mm > 10  # a helix: there is no cleared ground
 
 
+def test_films_in_flat_corners_are_seen_whole(bench):
+    corners = [math.radians(11.25 + 20 * k) for k in range(18)]
+    chain = [(30 * math.cos(a), 30 * math.sin(a), 0) for a in corners]
+    b = bench(block_with(face_of(chain)), tool=10.3)
+    b.done(b.operation(EngagementAngle=30.0))
+    held = dict(FeedControl="Constant removal rate", MaximumFeed="1000 mm/min")
+    op = b.done(after(b, 6.0, EngagementAngle=30.0, **held))
+    found = evenload.simulation.of(op, resolution=0.01, step=0.01)
+    assert found.removal_rate_peak <= 1.05 * op.SideStep.Value * DEPTH * 255.0
+    assert found.removed_volume_total > 0.5 and found.rest_area < 0.01
+
+
 @pytest.mark.parametrize("mode", ["Climb", "Conventional"])
 def test_between_a_boss_and_a_wall_it_clears_what_was_too_narrow(bench, mode):
     islands = [rectangle(24, 20, 34, 40), circle(46, 10, 4)]

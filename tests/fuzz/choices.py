@@ -33,7 +33,8 @@ RESTING = 0.2  # of its pieces
 ON_HULL = 1e-9  # mm
 REDUCED_FEED = "Cut at reduced feed"
 NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
-REST_RESOLUTION = 0.05  # mm: as the operations have it
+# mm between the dexels in which rest machining sees what is left, as the operations have it.
+COARSEST_REST, FINEST_REST, REST_IN_CUT = 0.05, 0.02, 16
 THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
 LEAST_PIECE = 1e-6  # mm2: less is rounding
 
@@ -146,14 +147,16 @@ def path_and_scene(case, resolution):
     with_larger = {key: case[key] for key in case if key not in ("choices", "hole")}
     with_larger["tool"] = given["tool_diameter"] = case["rest_of"]
     before = pocket_case.path_of(with_larger, minimum_radius=0.15 * case["rest_of"])
-    given["resolution"] = REST_RESOLUTION
+    width = 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
+    seen = max(FINEST_REST, min(COARSEST_REST, width / REST_IN_CUT))
+    given["resolution"] = seen
     run = evenload.simulate(before, **given)
     stay = case.get("choices", {}).get("stock_to_leave", 0.0)
     reach = _core.reachable_ground([pocket_case.region(case)], case["tool"], stay)
     standing = run.stock.standing(-case["axial_depth"], reach)
     if not standing:
         raise NothingLeft
-    if resolution < REST_RESOLUTION:  # what is cleared is judged more closely than it was seen
+    if resolution < seen:  # what is cleared is judged more closely than it was seen
         given["resolution"] = resolution
         run = evenload.simulate(before, **given)
     given.update(stock=run, tool_diameter=case["tool"], earlier=[])

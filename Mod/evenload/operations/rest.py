@@ -11,7 +11,9 @@ import Path
 from evenload import host
 from evenload.operations.settings import REST_MACHINING
 
-RESOLUTION = 0.05  # mm between the dexels of the simulated stock
+# mm between the dexels of the simulated stock, and so many in the width of a cut: films thinner than
+# what lies between dexels are seen in pieces, which would be met at too high a feed.
+COARSEST, FINEST, IN_CUT = 0.05, 0.02, 16
 
 
 def is_wanted(op):
@@ -37,6 +39,11 @@ def link_all(job):
         op.EarlierOperations = links
 
 
+def resolution_for(cut_width):
+    """mm between the dexels, for cuts so many mm wide."""
+    return max(FINEST, min(COARSEST, cut_width / IN_CUT))
+
+
 def standing(op, core, tool, regions, levels, slack):
     """([[Region, ...] for each level], notes): where material stands within the tool's reach.
 
@@ -52,7 +59,7 @@ def standing(op, core, tool, regions, levels, slack):
                 "The path of '%s', which comes before '%s', is not up to date: recompute the "
                 "document once more." % (earlier.Label, op.Label)
             )
-    stock, notes = job_simulation.stock_before(op, RESOLUTION)
+    stock, notes = job_simulation.stock_before(op, resolution_for(op.SideStep.Value))
     reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
     return [stock.standing(z, reach) for z in levels], notes
 
