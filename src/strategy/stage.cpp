@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "geometry/round_necks.h"
 #include "strategy/tight_turns.h"
 #include "support/errors.h"
 #include "toolpath/small_arc.h"
@@ -120,7 +121,8 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     if (eroded.empty()) continue;
     Stage stage;
     stage.turn_radius = turn;
-    const std::vector<Region> opened = without_tight_corners(offset(eroded, opening), exact_area);
+    const std::vector<Region> opened =
+        without_tight_corners(with_round_necks(offset(eroded, opening), opening), exact_area);
     stage.centres = Area(opened);
     stage.turns = Area(offset(opened, -turn));
     if (stage.turns.empty()) continue;

@@ -10,6 +10,7 @@ import numpy
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+CHOSEN = ROOT / "tests" / "corpus" / "chosen"
 sys.path[:0] = [str(ROOT / "tests" / "fuzz"), str(ROOT / "bench")]
 import choices  # noqa: E402
 import fuzz  # noqa: E402
@@ -136,6 +137,14 @@ def test_what_was_chosen_is_cleared_and_judged(given):
     answer = fuzz.judge(case, False)
     assert fuzz.faults(case, answer) == []
     assert answer["figures"]["ratio"] > 0.9
+
+
+@pytest.mark.parametrize("name", sorted(path.stem for path in CHOSEN.glob("*.json")))
+def test_what_fuzzing_found_with_choices_stays_mended(name):
+    case = json.loads((CHOSEN / (name + ".json")).read_text())
+    assert case["name"] == name
+    answer = fuzz.judge(case, False)
+    assert "figures" in answer and fuzz.faults(case, answer) == []
 
 
 def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
