@@ -1,5 +1,6 @@
 #include "geometry/round_necks.h"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -49,13 +50,19 @@ std::optional<Rounding> rounded(const Segment& before, const Segment& after) {
   return std::nullopt;
 }
 
-Curve with_round_necks(const Curve& curve, double radius) {
+// mm from corner to corner of the neck, halved: where the circles about both places cross.
+double half_width(const Segment& before, const Segment& after) {
+  const double to_middle = 0.5 * distance(before.centre, after.centre);
+  return std::sqrt(std::max(0.0, before.radius * before.radius - to_middle * to_middle));
+}
+
+Curve with_round_necks(const Curve& curve, double radius, double narrowest) {
   const std::vector<Segment> pieces = curve.segments();
   std::vector<Segment> result;
   const auto round_into = [&](Segment& next) {
     const Segment& last = result.back();
     if (!is_of_disc(last, radius) || !is_of_disc(next, radius)) return;
-    if (turn_between(last, next) > -kNeckCorner) return;
+    if (turn_between(last, next) > -kNeckCorner || half_width(last, next) < narrowest) return;
     if (const std::optional<Rounding> found = rounded(last, next)) {
       result.back() = found->before;
       result.push_back(found->arc);
@@ -78,12 +85,13 @@ Curve with_round_necks(const Curve& curve, double radius) {
 
 }  // namespace
 
-std::vector<Region> with_round_necks(const std::vector<Region>& opened, double radius) {
+std::vector<Region> with_round_necks(const std::vector<Region>& opened, double radius,
+                                     double narrowest) {
   std::vector<Region> result;
   for (const Region& region : opened) {
-    result.push_back({with_round_necks(region.outer, radius), {}});
+    result.push_back({with_round_necks(region.outer, radius, narrowest), {}});
     for (const Curve& island : region.islands)
-      result.back().islands.push_back(with_round_necks(island, radius));
+      result.back().islands.push_back(with_round_necks(island, radius, narrowest));
   }
   return result;
 }

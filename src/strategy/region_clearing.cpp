@@ -321,8 +321,8 @@ class RegionClearing {
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
                          exact_, ground_, params_, task_.overload, task_.rows);
-    WidenedPass widened =
-        with_wide_turns(pass.moves, exact_, ground_, params_.engagement_angle, params_.tolerance);
+    WidenedPass widened = with_wide_turns(pass.moves, exact_, around_, ground_,
+                                          params_.engagement_angle, params_.tolerance);
     pass.moves = std::move(widened.cut);
     std::vector<Segment> way = std::move(widened.posted);
     slivers_.expect(pass.moves, way, ground_);

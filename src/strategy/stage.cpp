@@ -20,6 +20,9 @@ constexpr double kStageRatio = 0.9;
 // The same for stages that the walls do not need.
 constexpr double kSpareRatio = 0.5;
 
+// Necks narrower than twice this much more than the turn radius keep their corners.
+constexpr double kNeckRatio = 1.02;
+
 // mm: below this the turns of a steered pass, pieces of a fifth of a radian and more, are posted as
 // lines with corners between them; only one arc that leads all round the corner stays an arc.
 const double kSteeredTurn = std::sqrt(kLeastSpan / std::sin(0.2));
@@ -121,8 +124,9 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     if (eroded.empty()) continue;
     Stage stage;
     stage.turn_radius = turn;
-    const std::vector<Region> opened =
-        without_tight_corners(with_round_necks(offset(eroded, opening), opening), exact_area);
+    // A neck that is rounded must leave room for turns, or its walls lead where none can end.
+    const std::vector<Region> opened = without_tight_corners(
+        with_round_necks(offset(eroded, opening), opening, kNeckRatio * turn), exact_area);
     stage.centres = Area(opened);
     stage.turns = Area(offset(opened, -turn));
     if (stage.turns.empty()) continue;

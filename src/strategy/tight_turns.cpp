@@ -227,10 +227,11 @@ std::vector<Segment> without_tight_turns(const std::vector<Segment>& moves, cons
 }
 
 WidenedPass with_wide_turns(const std::vector<Segment>& moves, const Area& centres,
-                            ClearedGround& ground, double engagement, double tolerance) {
+                            const Area& walls, ClearedGround& ground, double engagement,
+                            double tolerance) {
+  const double widening = most_widening(engagement, ground.tool_radius(), tolerance);
   const auto posted = [&](const std::vector<Segment>& cut) {
-    const double widening = most_widening(engagement, ground.tool_radius(), tolerance);
-    return without_tight_turns(cut, centres, ground, engagement, widening);
+    return widened(cut, {centres, walls, widening, kThickest, 0, &ground, engagement});
   };
   WidenedPass pass{moves, posted(moves)};
   if (std::any_of(pass.posted.begin(), pass.posted.end(), is_tight)) {

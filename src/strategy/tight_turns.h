@@ -36,9 +36,11 @@ struct WidenedPass {
 // open are widened by more, as in a notch of the stock's edge: so far from the border of `centres`
 // that other passes are likely to follow beyond them, which take what is left, up to a quarter of
 // the side step at `engagement` rad and 0.035 mm. Passes that come back to what they leave stay as
-// they are there. `tolerance`: mm.
+// they are there. `walls`: the border of this is followed as it is; elsewhere that of `centres`,
+// whose room is a part of it, may be left. `tolerance`: mm.
 WidenedPass with_wide_turns(const std::vector<Segment>& moves, const Area& centres,
-                            ClearedGround& ground, double engagement, double tolerance);
+                            const Area& walls, ClearedGround& ground, double engagement,
+                            double tolerance);
 
 // The same for the sharp corners of regions' borders, inside the regions and however far from the
 // corner; tight turns along the border of `exact` stay as they are.

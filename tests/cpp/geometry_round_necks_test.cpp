@@ -74,7 +74,7 @@ TEST(RoundNecks, HaveNoCorners) {
       const std::vector<Region> before = opened(room, kDisc);
       ASSERT_EQ(before.size(), 1u);
       EXPECT_GT(sharpest_right_turn(before), 4 * kPi / 180) << width;
-      const std::vector<Region> rounded = with_round_necks(before, kDisc);
+      const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
       EXPECT_LT(sharpest_right_turn(rounded), 2 * kNeckCorner) << width;
       expect_between(before, rounded, room.front());
     }
@@ -84,15 +84,16 @@ TEST(RoundNecks, LeaveRoomsApartAndOtherCornersAsTheyAre) {
   for (const double width : {1.0, 3.0}) {
     const std::vector<Region> before = opened(hourglass(width, false), kDisc);
     EXPECT_EQ(before.size(), width > 2 * kDisc ? 1u : 2u);
-    const std::vector<Region> rounded = with_round_necks(before, kDisc);
+    const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
     for (std::size_t i = 0; i < before.size(); ++i)
       EXPECT_EQ(rounded[i].outer.segments(), before[i].outer.segments());
   }
   // Corners of walls, and arcs of another radius.
   const Region notched = make_region(shapes::polygon({{0, 0}, {9, 0}, {9, 9}, {5, 4}, {0, 9}}));
-  EXPECT_EQ(with_round_necks({notched}, kDisc).front().outer.segments(), notched.outer.segments());
+  EXPECT_EQ(with_round_necks({notched}, kDisc, 0).front().outer.segments(),
+            notched.outer.segments());
   const std::vector<Region> narrow = opened(hourglass(2.3, false), kDisc);
-  EXPECT_EQ(with_round_necks(narrow, 0.9).front().outer.segments(),
+  EXPECT_EQ(with_round_necks(narrow, 0.9, 0).front().outer.segments(),
             narrow.front().outer.segments());
 }
 
@@ -110,18 +111,29 @@ TEST(RoundNecks, HoldBetweenIslandsFarAwayAndWhereverACurveBegins) {
     const std::vector<Region> room = offset({moved}, -3);
     const std::vector<Region> before = opened(room, kDisc);
     EXPECT_GT(sharpest_right_turn(before), 0.1);
-    const std::vector<Region> rounded = with_round_necks(before, kDisc);
+    const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
     EXPECT_LT(sharpest_right_turn(rounded), 2 * kNeckCorner) << angle;
     expect_between(before, rounded, room.front());
   }
 }
 
-TEST(RoundNecks, LetNoStageHaveCornersWherePassesTurnAwayFromTheWall) {
-  for (const double width : {0.4, 0.9, 1.5, 2.2}) {
-    std::vector<Stage> stages = make_stages(hourglass(width, false).front(), {});
-    for (const Stage& stage : stages)
-      EXPECT_LT(sharpest_right_turn(stage.rooms), 2 * kNeckCorner) << width;
-  }
+TEST(RoundNecks, KeepTheCornersOfNecksThatAreTooNarrow) {
+  const std::vector<Region> before = opened(hourglass(2.4, false), kDisc);
+  EXPECT_LT(sharpest_right_turn(with_round_necks(before, kDisc, 1.0)), 2 * kNeckCorner);
+  EXPECT_EQ(sharpest_right_turn(with_round_necks(before, kDisc, 1.1)), sharpest_right_turn(before));
+}
+
+// Right turns left are those of necks in which the stage cannot turn: its disc is a quarter wider.
+TEST(RoundNecks, LetNoStageHaveFlatCornersWherePassesTurnAwayFromTheWall) {
+  const double flattest_kept = 2 * std::acos(1.02 / kOpeningRatio);
+  int round = 0;
+  for (const double width : {0.4, 0.7, 0.9, 1.5, 2.0, 2.2})
+    for (const Stage& stage : make_stages(hourglass(width, false).front(), {})) {
+      const double sharpest = sharpest_right_turn(stage.rooms);
+      EXPECT_TRUE(sharpest < 2 * kNeckCorner || sharpest > flattest_kept) << sharpest;
+      round += sharpest < 2 * kNeckCorner;
+    }
+  EXPECT_GT(round, 40);
 }
 
 }  // namespace

@@ -91,7 +91,7 @@ TEST(TightTurns, InTheOpenLeaveWhatTheNextPassTakes) {
   ASSERT_TRUE(has_corners(moves));
   EXPECT_TRUE(has_corners(widened(moves, ground)));
   const auto cut = [&](const std::vector<Segment>& pass, const Region& places, double theta) {
-    return with_wide_turns(pass, Area({places}), ground, theta, 0.005).cut;
+    return with_wide_turns(pass, Area({places}), Area({places}), ground, theta, 0.005).cut;
   };
   const std::vector<Segment> wide = cut(moves, room(), kTheta);
   ASSERT_EQ(wide.size(), 3u);
