@@ -256,18 +256,20 @@ void WallSamples::give_up(std::size_t sample) {
 
 // The last clear sample of the track before this one, if only samples shared with the stage before
 // lie between: their stretch was looked at in that stage, at places a little apart from these.
-const WallSamples::Sample* WallSamples::last_clear_before(std::size_t index) const {
+const WallSamples::Sample* WallSamples::last_clear_before(std::size_t index) {
   const Track& track = tracks_[samples_[index].track];
   for (std::size_t back = 1; back <= std::min(kLookBack, track.count - 1); ++back) {
-    const Sample& sample = samples_[neighbour(index, back)];
+    Sample& sample = samples_[neighbour(index, back)];
     if (sample.clear) return &sample;
     if (!sample.shared) return nullptr;
-    if (ground_.is_clear(sample.p)) return &sample;
+    // No update looks at these.
+    if (!sample.has_witness || ground_.is_cleared_point(sample.witness)) look(sample);
+    if (sample.clear) return &sample;
   }
   return nullptr;
 }
 
-std::vector<PassStart> WallSamples::starts() const {
+std::vector<PassStart> WallSamples::starts() {
   std::vector<PassStart> result = starts(edges_in_turn_);
   return result.empty() ? earliest(starts(edges_)) : result;
 }
@@ -285,7 +287,7 @@ std::vector<PassStart> WallSamples::earliest(const std::vector<PassStart>& start
   return result;
 }
 
-std::vector<PassStart> WallSamples::starts(const std::set<std::size_t>& from) const {
+std::vector<PassStart> WallSamples::starts(const std::set<std::size_t>& from) {
   std::vector<PassStart> result;
   for (const std::size_t index : from) {
     const Sample& sample = samples_[index];

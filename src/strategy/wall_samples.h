@@ -39,8 +39,8 @@ class WallSamples {
   void update(Vec2 low, Vec2 high);
   // Every place where a pass can start now; those of later stages only where no earlier stage has
   // work left nearby. Where all that could start have to wait for work that cannot, it is the
-  // earliest of them that are nearby.
-  std::vector<PassStart> starts() const;
+  // earliest of them that are nearby. Condition: the ground holds all that it held before.
+  std::vector<PassStart> starts();
   bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
   // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
   // its surroundings change, and the next stage takes its place.
@@ -77,9 +77,9 @@ class WallSamples {
   void append(Taken taken);
   void own_first_shared(const Track& track);
   void order_by_stage();
-  std::vector<PassStart> starts(const std::set<std::size_t>& from) const;
+  std::vector<PassStart> starts(const std::set<std::size_t>& from);
   std::vector<PassStart> earliest(const std::vector<PassStart>& starts) const;
-  const Sample* last_clear_before(std::size_t index) const;
+  const Sample* last_clear_before(std::size_t index);
   std::size_t neighbour(std::size_t index, std::size_t back) const;
   void look(Sample& sample);
   // Everything that depends on a sample's marks follows from them here.
