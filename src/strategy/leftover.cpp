@@ -57,7 +57,7 @@ void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedG
     }
   bounds_ = bounds;
   prepared_ = true;
-  ask_again(ground);
+  offer(left(ground), ground);
 }
 
 // Takes the middle of a square if that is left, or else looks at its quarters where they may be.
@@ -78,21 +78,35 @@ void Leftover::look_within(Vec2 p, double side, const Area& centres, const Clear
       look_within(p + Vec2{x * side, y * side}, 0.5 * side, centres, ground);
 }
 
-void Leftover::ask_again(const ClearedGround& ground) {
-  to_ask_ = PointGrid(bounds_, kCell * ground.tool_radius());
+// The points that hold material.
+std::vector<std::size_t> Leftover::left(const ClearedGround& ground) const {
+  std::vector<std::size_t> result;
   for (std::size_t i = 0; i < points_.size(); ++i)
-    if (!ground.is_cleared_point(points_[i])) to_ask_.add(i, points_[i]);
+    if (!ground.is_cleared_point(points_[i])) result.push_back(i);
+  return result;
+}
+
+void Leftover::offer(const std::vector<std::size_t>& left, const ClearedGround& ground) {
+  left_when_asked_ = left.size();
+  to_ask_ = PointGrid(bounds_, kCell * ground.tool_radius());
+  for (const std::size_t i : left) to_ask_.add(i, points_[i]);
+}
+
+bool Leftover::ask_again(const ClearedGround& ground) {
+  const std::vector<std::size_t> still = left(ground);
+  if (still.size() >= left_when_asked_) return false;
+  offer(still, ground);
+  return true;
 }
 
 double Leftover::area(const ClearedGround& ground) {
-  double left = 0;
+  double area = 0;
   place_.reset();
-  for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (ground.is_cleared_point(points_[i])) continue;
+  for (const std::size_t i : left(ground)) {
     if (!place_) place_ = points_[i];
-    left += areas_[i];
+    area += areas_[i];
   }
-  return left;
+  return area;
 }
 
 std::optional<Vec2> Leftover::nearest_left(const ClearedGround& ground, Vec2 from) {

@@ -21,8 +21,9 @@ class Leftover {
   // first. Each place is offered from one side, and from others as long as it stays.
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
   // Every place that is still left will be offered once more: what a pass left of a piece may be
-  // reached from another side. Condition: prepared().
-  void ask_again(const ClearedGround& ground);
+  // reached from another side. False, and nothing is changed, where no point was cleared since this
+  // was asked last. Condition: prepared().
+  bool ask_again(const ClearedGround& ground);
   // mm^2 that are still left. Condition: prepared().
   double area(const ClearedGround& ground);
   // The first point of what area() found; empty when there was nothing.
@@ -30,12 +31,15 @@ class Leftover {
 
  private:
   std::optional<Vec2> nearest_left(const ClearedGround& ground, Vec2 from);
+  std::vector<std::size_t> left(const ClearedGround& ground) const;
+  void offer(const std::vector<std::size_t>& left, const ClearedGround& ground);
   void look_within(Vec2 p, double side, const Area& centres, const ClearedGround& ground);
 
   std::vector<Vec2> points_;
   std::vector<double> areas_;  // mm^2 that each of them stands for
   Bounds bounds_;
   PointGrid to_ask_;  // those of the points that may be left and were not asked for
+  std::size_t left_when_asked_ = 0;
   std::optional<Vec2> place_;
   double cell_ = 0;            // mm, the side of the largest square that a point stands for
   std::optional<Vec2> asked_;  // the place last asked for

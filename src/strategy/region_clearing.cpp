@@ -467,6 +467,7 @@ class RegionClearing {
         progress_.report(done_);
         continue;
       }
+      samples_.note_pass(start.sample);
       last_start = start.pose.p;
       // Samples that a failed start brings in must not turn progress back.
       done_ = std::max(done_, 1 - static_cast<double>(samples_.uncleared_count()) / all);
@@ -580,19 +581,15 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_pose(*start, &turn_radius);
-      if (pass.empty() || !go_and_take_new(pass, turn_radius, before)) continue;
-      cut_since_asked_ = true;
-      return true;
+      if (!pass.empty() && go_and_take_new(pass, turn_radius, before)) return true;
     }
     return false;
   }
 
-  // Places come once, and once more after one of them came to something.
+  // Places come once, and once more after some of them were cleared.
   std::optional<Pose> next_leftover() {
     const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p);
-    if (start || !cut_since_asked_) return start;
-    cut_since_asked_ = false;
-    leftover_.ask_again(ground_);
+    if (start || !leftover_.ask_again(ground_)) return start;
     return leftover_.next_start(ground_, exact_, here_.p);
   }
 
@@ -609,7 +606,6 @@ class RegionClearing {
   PassChoice choice_;
   WallSamples samples_;
   Leftover leftover_;
-  bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
   MadePasses made_;

@@ -230,7 +230,7 @@ void WallSamples::update(Vec2 low, Vec2 high) {
     if (!overlap(reached, {sample.p, sample.p})) return false;
     if (sample.has_witness && !ground_.is_cleared_since(sample.witness, 0)) return false;
     change(index, [this](Sample& changed) {
-      changed.failures = 0;
+      if (!is_spent(changed)) changed.failures = 0;
       look(changed);
     });
     return sample.clear;
@@ -251,6 +251,14 @@ void WallSamples::give_up(std::size_t sample) {
     });
     if (!other.clear) open_.add(index, other.p);
     return true;
+  });
+}
+
+void WallSamples::note_pass(std::size_t sample) {
+  if (samples_[sample].clear) return;
+  change(sample, [](Sample& passed) {
+    ++passed.passes;
+    if (is_spent(passed)) passed.failures = kTries;
   });
 }
 

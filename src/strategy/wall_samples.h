@@ -41,10 +41,15 @@ class WallSamples {
   // work left nearby. Where all that could start have to wait for work that cannot, it is the
   // earliest of them that are nearby. Condition: the ground holds all that it held before.
   std::vector<PassStart> starts();
+  // Known to be: those shared with the stage before are looked at where a start needs them.
   bool is_clear(std::size_t sample) const { return samples_[sample].clear; }
   // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
   // its surroundings change, and the next stage takes its place.
   void give_up(std::size_t sample);
+  // Says that a pass to `sample` came to something. Where it stays all the same, after kMostPasses
+  // of them it is not offered again, whatever changes: clearing ends.
+  void note_pass(std::size_t sample);
+  static constexpr int kMostPasses = 5000;  // more than ten times what fine gaps at 15 degrees need
   std::size_t uncleared_count() const { return uncleared_; }
 
  private:
@@ -57,7 +62,7 @@ class WallSamples {
     bool shared = false;  // belongs to the stage before as well
     bool clear = false;
     bool corner = false;  // later stages have samples of their own nearby
-    int failures = 0;
+    int failures = 0, passes = 0;
     std::size_t track = 0;
     int blockers = 0;                // uncleared samples of earlier stages nearby: they come first
     std::vector<std::size_t> later;  // the samples that this one is one of those for
@@ -72,6 +77,7 @@ class WallSamples {
   };
   static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
   static bool blocks(const Sample& sample);
+  static bool is_spent(const Sample& sample) { return sample.passes >= kMostPasses; }
   Taken taken(std::size_t first, std::size_t last, double spacing) const;
   void take_samples(double spacing);
   void append(Taken taken);

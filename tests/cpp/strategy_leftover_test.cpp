@@ -87,11 +87,14 @@ TEST_F(TwoPosts, AreNotOfferedAfterTheyWereCut) {
 TEST_F(TwoPosts, AreOfferedAgainWhereTheyAreStillLeft) {
   while (leftover_.next_start(ground_, centres_, {30, 15})) {
   }
+  EXPECT_FALSE(leftover_.ask_again(ground_));
+  EXPECT_FALSE(leftover_.next_start(ground_, centres_, {55, 15}));
   clear({45, 15}, {55, 15});
-  leftover_.ask_again(ground_);
+  EXPECT_TRUE(leftover_.ask_again(ground_));
   const std::optional<Pose> pose = leftover_.next_start(ground_, centres_, {55, 15});
   ASSERT_TRUE(pose);
   EXPECT_EQ(post_beside(*pose), left_);
+  EXPECT_FALSE(leftover_.ask_again(ground_));
 }
 
 // Between two passes, and between the points of the coarse grid, whatever its place.
