@@ -316,8 +316,8 @@ class RegionClearing {
   // which has no tight turns either; what that leaves is too little to come back for.
   std::vector<Segment> smooth(Pass& pass) {
     take_back(ground_, pass);
-    pass.moves =
-        without_short_moves(joined(pass.moves), exact_, std::min(kSmoothing, params_.tolerance));
+    pass.moves = without_short_moves(joined(pass.moves), exact_, around_,
+                                     std::min(kSmoothing, params_.tolerance));
     pass.moves =
         with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
                          exact_, ground_, params_, task_.overload, task_.rows);

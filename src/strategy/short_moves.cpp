@@ -25,6 +25,8 @@ constexpr double kTurnedByPosts = 4e-3;
 constexpr double kWorthwhile = 4;
 // The same along the border, where they stay arcs in posted programs and the shorter one did not.
 constexpr double kWider = 1.5;
+// Of the lengths to the joint of a bi-arc along both ends: what is tried next, and the least.
+constexpr double kNextShare = 0.4, kLeastShare = 0.02;
 // rad: of either arc of a bi-arc.
 constexpr double kMostTurn = kPi;
 // rad: a way off the border and back that turns by less, all in all, is none.
@@ -46,20 +48,25 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& others
 // What can come in place of `a` and `b`; empty where nothing can. Walls are followed, but for what
 // posts cannot tell from them where a move would be turned.
 std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& centres,
-                                double smoothing) {
+                                const Area& walls, double smoothing) {
   const double posted =
       std::clamp(kPosted / std::min(a.length(), b.length()), kSameDirection, kMostPosted);
   if (!is_tangent(a, b, posted)) return {};
-  const bool on_wall = follows_border(a, centres) || follows_border(b, centres);
+  const bool on_wall = follows_border(a, walls) || follows_border(b, walls);
   const Segment& shorter = a.length() < b.length() ? a : b;
   if (on_wall && shorter.length() > kTurnedByPosts && !is_tight(shorter)) return {};
   const double beyond = on_wall ? kPosted : kOnBorder;
   if (on_wall) smoothing = std::min(smoothing, kPosted);
+  // Where the border is no wall.
+  const bool on_border = !on_wall && (follows_border(a, centres) || follows_border(b, centres));
+  const auto may_be_cut = [&](const Segment& move) {
+    return on_border ? is_inside(move, centres, smoothing) && is_inside(move, walls, beyond)
+                     : is_inside(move, centres, beyond);
+  };
   const PlanePoint from{a.a, a.tangent(0)}, to{b.b, b.tangent(1)};
   const auto serves = [&](const std::vector<Segment>& way) {
     return is_near(way, {a, b}, smoothing) && is_near({a, b}, way, smoothing) &&
-           std::all_of(way.begin(), way.end(),
-                       [&](const Segment& move) { return is_inside(move, centres, beyond); });
+           std::all_of(way.begin(), way.end(), may_be_cut);
   };
   const Vec2 chord = to.p - from.p;
   const double half_turn = std::atan2(cross(from.direction, chord), dot(from.direction, chord));
@@ -67,14 +74,24 @@ std::vector<Segment> instead_of(const Segment& a, const Segment& b, const Area& 
     const Segment one = Segment::from_bulge(from.p, to.p, std::tan(half_turn / 2));
     if (norm(one.tangent(1) - to.direction) < posted && serves({one})) return {one};
   }
-  const std::optional<BiArc> two = bi_arc(from, to, kMostTurn);
-  if (!two) return {};
-  const bool is_wider =
-      on_wall && is_tight(shorter) && !is_tight(two->first) && !is_tight(two->second);
-  const double shortest = std::min(kShortest, (is_wider ? kWider : kWorthwhile) * shorter.length());
-  if (std::min(two->first.length(), two->second.length()) < shortest) return {};
-  const std::vector<Segment> way{two->first, two->second};
-  return serves(way) ? way : std::vector<Segment>{};
+  const auto of_two = [&](double ratio, bool as_arcs) -> std::vector<Segment> {
+    const std::optional<BiArc> two = bi_arc(from, to, kMostTurn, ratio);
+    if (!two) return {};
+    const bool is_wide = !is_tight(two->first) && !is_tight(two->second);
+    if (as_arcs && !is_wide) return {};
+    const bool is_wider = on_wall && is_tight(shorter) && is_wide;
+    const double shortest =
+        std::min(kShortest, (is_wider ? kWider : kWorthwhile) * shorter.length());
+    if (std::min(two->first.length(), two->second.length()) < shortest) return {};
+    const std::vector<Segment> way{two->first, two->second};
+    return serves(way) ? way : std::vector<Segment>{};
+  };
+  std::vector<Segment> way = of_two(1, false);
+  // A bi-arc whose arc on the side of the shorter move is the shorter one is nearer to both.
+  if (shorter.length() < kTurnedByPosts)
+    for (double share = kNextShare; way.empty() && share > kLeastShare; share *= kNextShare)
+      way = of_two(&shorter == &a ? share : 1 / share, true);
+  return way;
 }
 
 // Two moves along one line, or arcs of one circle, with what lies between them.
@@ -122,13 +139,13 @@ std::vector<Segment> without_detours(const std::vector<Segment>& moves, const Ar
 }  // namespace
 
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
-                                         double smoothing) {
+                                         const Area& walls, double smoothing) {
   const std::vector<Segment> whole = without_detours(moves, centres);
   std::vector<Segment> result;                              // the moves so far
   std::vector<Segment> rest(whole.rbegin(), whole.rend());  // the moves to come, the last first
   const auto join_before = [&](const Segment& move) {
     if (result.empty()) return false;
-    const std::vector<Segment> way = instead_of(result.back(), move, centres, smoothing);
+    const std::vector<Segment> way = instead_of(result.back(), move, centres, walls, smoothing);
     if (way.empty()) return false;
     result.pop_back();
     result.insert(result.end(), way.begin(), way.end());
@@ -136,7 +153,7 @@ std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, cons
   };
   const auto join_after = [&](const Segment& move) {
     if (rest.empty()) return false;
-    const std::vector<Segment> way = instead_of(move, rest.back(), centres, smoothing);
+    const std::vector<Segment> way = instead_of(move, rest.back(), centres, walls, smoothing);
     if (way.empty()) return false;
     rest.pop_back();
     rest.insert(rest.end(), way.rbegin(), way.rend());

@@ -27,7 +27,15 @@ inline constexpr double kSmoothing = 1e-3;
 // Laws: the moves follow each other as before, and end where they ended; other moves along the
 // border stay as they are, but for those beside one that posts would turn by a degree, or write as
 // lines with corners, which change by less than posts round each time.
+// `walls`: the border of this is followed as it is; elsewhere, on that of `centres` alone, whose
+// room is a part of it, moves give way like others, and may get out of the room by `smoothing` mm.
 std::vector<Segment> without_short_moves(const std::vector<Segment>& moves, const Area& centres,
-                                         double smoothing = kSmoothing);
+                                         const Area& walls, double smoothing = kSmoothing);
+// The same where all of the border of `centres` are walls.
+inline std::vector<Segment> without_short_moves(const std::vector<Segment>& moves,
+                                                const Area& centres,
+                                                double smoothing = kSmoothing) {
+  return without_short_moves(moves, centres, centres, smoothing);
+}
 
 }  // namespace evenload

@@ -235,5 +235,40 @@ TEST(ShortMoves, OfWallsOfTinyArcsComeToAnEnd) {
   EXPECT_GT(fewer_tight, 30);
 }
 
+// Where the room ends there is no wall: a way along that border loses what the wall would keep.
+TEST(ShortMoves, GiveWayAlongABorderThatIsNoWall) {
+  for (const bool at_start : {true, false}) {
+    Vec2 p{0, 0};
+    double heading = 0;
+    std::vector<Segment> way{next_move(&p, &heading, 0, 1)};
+    if (at_start) way.push_back(next_move(&p, &heading, 1 / 0.135, 0.0024));
+    way.push_back(next_move(&p, &heading, 1 / 0.3, 0.34));
+    if (!at_start) way.push_back(next_move(&p, &heading, 1 / 0.135, 0.0024));
+    way.push_back(next_move(&p, &heading, 0, 1));
+    std::vector<Vertex> outline;
+    for (const Segment& s : way) outline.push_back({s.a, s.bulge(), false});
+    for (const Vec2 corner : {p, Vec2{-20, p.y + 20}, Vec2{-20, 0}})
+      outline.push_back({corner, 0, false});
+    const Area centres({make_region(Curve(outline, true))});
+    const auto shortest = [](const std::vector<Segment>& moves) {
+      double least = 1e9;
+      for (const Segment& move : moves) least = std::min(least, move.length());
+      return least;
+    };
+    EXPECT_NEAR(shortest(without_short_moves(way, centres)), 0.0024, 1e-9);
+    const std::vector<Segment> smooth = without_short_moves(way, centres, room());
+    EXPECT_GT(shortest(smooth), 0.02);
+    EXPECT_EQ(std::count_if(smooth.begin(), smooth.end(), is_tight), 0);
+    for (const Segment& move : smooth)
+      for (int k = 0; k <= 20; ++k)
+        EXPECT_LE(distance_from(move.point(k / 20.0), way), 1.05 * kSmoothing);
+    for (std::size_t i = 1; i < smooth.size(); ++i)
+      EXPECT_LT(norm(smooth[i].tangent(0) - smooth[i - 1].tangent(1)), 1e-3);
+    // No further than the walls.
+    const Area wall({make_region(Curve(outline, true))});
+    EXPECT_EQ(without_short_moves(way, room(), wall), without_short_moves(way, centres));
+  }
+}
+
 }  // namespace
 }  // namespace evenload
