@@ -19,7 +19,7 @@ struct FeedSteps {
   // Where the load is held as a mean no sample is above so much of the nominal one, >= 1; 1: every
   // sample is held. With 1.1 the star's largest force at a constant removal rate is 1.46 times the
   // straight cut's, with 1.15 it is 1.53, without a bound 1.70; most of the time that means save is
-  // saved with 1.15.
+  // saved with 1.15. In contacts shorter than three lengths of the mean every sample is held.
   double most_peak = 1.15;
 };
 

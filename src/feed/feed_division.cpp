@@ -96,7 +96,8 @@ class Division {
   struct Start {
     std::size_t at = 0;
     double cost = 0;                       // s: of the pieces before
-    double mean = 0, peak = 0, share = 0;  // share: what its feed follows from
+    double mean = 0, peak = 0, share = 0;  // peak: over what it may be; share: what its feed
+                                           // follows from
     double least_share = std::numeric_limits<double>::infinity();
     double own = 0;                 // s
     std::size_t beaten_by = kNone;  // a later place
@@ -119,10 +120,12 @@ class Division {
   void lengthen_to(std::size_t end) {
     if (!starts_.empty() && starts_.front().at + kLongestPiece < end)
       starts_.erase(starts_.begin());
+    const double most_peak = load_.is_in_short_contact(end - 1) ? 1 : params_.steps.most_peak;
+    const double peak = samples_[end - 1].share / most_peak;
     for (Start& start : starts_) {
       start.mean = load_.share(start.at, end, start.mean);
-      start.peak = std::max(start.peak, samples_[end - 1].share);
-      start.share = std::max(start.mean, start.peak / params_.steps.most_peak);
+      start.peak = std::max(start.peak, peak);
+      start.share = std::max(start.mean, start.peak);
       start.least_share = std::min(start.least_share, samples_[end - 1].share);
     }
   }

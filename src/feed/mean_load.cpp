@@ -7,11 +7,32 @@ namespace {
 
 // Share of the nominal load: rounding.
 constexpr double kRounding = 1e-9;
+// Of the nominal load: what is less does not lengthen a contact.
+constexpr double kInContact = 0.05;
+// Windows: shorter contacts are short.
+constexpr double kShortContact = 3;
+
+// Whether each sample is in a contact shorter than `shortest` mm.
+std::vector<char> in_short_contacts(const LoadSample* samples, std::size_t count, double shortest) {
+  std::vector<char> result(count, false);
+  for (std::size_t first = 0; first < count; ++first) {
+    std::size_t last = first;
+    double length = 0;
+    for (; last < count && samples[last].share > kInContact; ++last) length += samples[last].length;
+    std::fill(result.begin() + static_cast<std::ptrdiff_t>(first),
+              result.begin() + static_cast<std::ptrdiff_t>(last), length < shortest);
+    first = last;
+  }
+  return result;
+}
 
 }  // namespace
 
 MeanLoad::MeanLoad(const LoadSample* samples, std::size_t count, double window)
-    : window_(window), until_{0}, sum_{0} {
+    : window_(window),
+      until_{0},
+      sum_{0},
+      in_short_contact_(in_short_contacts(samples, count, kShortContact * window)) {
   for (std::size_t i = 0; i < count; ++i) {
     share_.push_back(samples[i].share);
     until_.push_back(until_.back() + samples[i].length);

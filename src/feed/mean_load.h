@@ -26,6 +26,10 @@ class MeanLoad {
   // mm: of the samples [first, last).
   double length(std::size_t first, std::size_t last) const { return until_[last] - until_[first]; }
 
+  // Whether a sample is in a contact so short, of less than three windows, that who looks at a few
+  // places of a window may see no more of it than its peak.
+  bool is_in_short_contact(std::size_t sample) const { return in_short_contact_[sample]; }
+
   // What the samples [first, last) have in common at one feed: the greatest mean over a window that
   // they hold, or over all of them where they hold none. `without_last`: the same of the samples
   // [first, last - 1).
@@ -59,6 +63,7 @@ class MeanLoad {
   std::vector<double> sum_;    // of shares times mm, likewise
   std::vector<double> after_, before_;  // means over the windows after and before these places
   std::vector<std::size_t> latest_;     // the last place a window and more before each
+  std::vector<char> in_short_contact_;
 };
 
 }  // namespace evenload
