@@ -8,7 +8,7 @@
 namespace evenload {
 namespace {
 
-// Of the disc's radius. An arc of the disc's own would touch the wall; how often it is halved.
+// Of the disc's radius; how often it is halved.
 constexpr double kFirstShare = 0.5;
 constexpr int kHalvings = 4;
 constexpr double kSameRadius = 1e-6;  // mm
@@ -43,10 +43,15 @@ std::optional<Rounding> rounded(const Segment& before, const Segment& after, dou
                   after.part(from / after.sweep, 1)};
 }
 
-std::optional<Rounding> rounded(const Segment& before, const Segment& after) {
+using IsAllowed = std::function<bool(const Segment&)>;
+
+std::optional<Rounding> rounded(const Segment& before, const Segment& after,
+                                const IsAllowed& may_be_border) {
   double radius = kFirstShare * before.radius;
-  for (int i = 0; i <= kHalvings; ++i, radius *= 0.5)
-    if (std::optional<Rounding> found = rounded(before, after, radius)) return found;
+  for (int i = 0; i <= kHalvings; ++i, radius *= 0.5) {
+    std::optional<Rounding> found = rounded(before, after, radius);
+    if (found && may_be_border(found->arc)) return found;
+  }
   return std::nullopt;
 }
 
@@ -56,14 +61,15 @@ double half_width(const Segment& before, const Segment& after) {
   return std::sqrt(std::max(0.0, before.radius * before.radius - to_middle * to_middle));
 }
 
-Curve with_round_necks(const Curve& curve, double radius, double narrowest) {
+Curve with_round_necks(const Curve& curve, double radius, double narrowest,
+                       const IsAllowed& may_be_border) {
   const std::vector<Segment> pieces = curve.segments();
   std::vector<Segment> result;
   const auto round_into = [&](Segment& next) {
     const Segment& last = result.back();
     if (!is_of_disc(last, radius) || !is_of_disc(next, radius)) return;
     if (turn_between(last, next) > -kNeckCorner || half_width(last, next) < narrowest) return;
-    if (const std::optional<Rounding> found = rounded(last, next)) {
+    if (const std::optional<Rounding> found = rounded(last, next, may_be_border)) {
       result.back() = found->before;
       result.push_back(found->arc);
       next = found->after;
@@ -86,12 +92,12 @@ Curve with_round_necks(const Curve& curve, double radius, double narrowest) {
 }  // namespace
 
 std::vector<Region> with_round_necks(const std::vector<Region>& opened, double radius,
-                                     double narrowest) {
+                                     double narrowest, const IsAllowed& may_be_border) {
   std::vector<Region> result;
   for (const Region& region : opened) {
-    result.push_back({with_round_necks(region.outer, radius, narrowest), {}});
+    result.push_back({with_round_necks(region.outer, radius, narrowest, may_be_border), {}});
     for (const Curve& island : region.islands)
-      result.back().islands.push_back(with_round_necks(island, radius, narrowest));
+      result.back().islands.push_back(with_round_necks(island, radius, narrowest, may_be_border));
   }
   return result;
 }

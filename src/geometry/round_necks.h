@@ -5,6 +5,7 @@
 // would turn there all at once. Our own.
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "geometry/region.h"
@@ -12,11 +13,13 @@
 namespace evenload {
 
 // `opened`: regions opened by a disc of `radius` mm. Each such corner of kNeckCorner rad and more
-// is rounded, outwards, by an arc of half the radius, or less where the arcs that meet are short;
-// but for those of necks that are narrower than twice `narrowest` mm at their corners.
-// What is added lies between the corner and the wall behind it: in the region that was opened.
+// is rounded, outwards, by an arc of half the radius, or of the first of smaller ones that touches
+// both arcs that meet and that `may_be_border` allows: what is rounded need not lie within the
+// region that was opened where walls turn more tightly than the arc. Necks that are narrower than
+// twice `narrowest` mm from corner to corner keep them.
 std::vector<Region> with_round_necks(const std::vector<Region>& opened, double radius,
-                                     double narrowest);
+                                     double narrowest,
+                                     const std::function<bool(const Segment&)>& may_be_border);
 inline constexpr double kNeckCorner = 0.25 * kPi / 180;
 
 }  // namespace evenload

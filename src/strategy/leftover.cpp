@@ -94,7 +94,8 @@ void Leftover::offer(const std::vector<std::size_t>& left, const ClearedGround& 
 
 bool Leftover::ask_again(const ClearedGround& ground) {
   const std::vector<std::size_t> still = left(ground);
-  if (still.size() >= left_when_asked_) return false;
+  asked_in_vain_ = still.size() < left_when_asked_ ? 0 : asked_in_vain_ + 1;
+  if (asked_in_vain_ > kMostInVain) return false;
   offer(still, ground);
   return true;
 }

@@ -21,9 +21,10 @@ class Leftover {
   // first. Each place is offered from one side, and from others as long as it stays.
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);
   // Every place that is still left will be offered once more: what a pass left of a piece may be
-  // reached from another side. False, and nothing is changed, where no point was cleared since this
-  // was asked last. Condition: prepared().
+  // reached from another side. False, and nothing is changed, where that has been done kMostInVain
+  // times without a point cleared since. Condition: prepared().
   bool ask_again(const ClearedGround& ground);
+  static constexpr int kMostInVain = 100;  // passes at small angles take layers between the points
   // mm^2 that are still left. Condition: prepared().
   double area(const ClearedGround& ground);
   // The first point of what area() found; empty when there was nothing.
@@ -40,6 +41,7 @@ class Leftover {
   Bounds bounds_;
   PointGrid to_ask_;  // those of the points that may be left and were not asked for
   std::size_t left_when_asked_ = 0;
+  int asked_in_vain_ = 0;
   std::optional<Vec2> place_;
   double cell_ = 0;            // mm, the side of the largest square that a point stands for
   std::optional<Vec2> asked_;  // the place last asked for

@@ -55,6 +55,10 @@ constexpr double kLeavingPrice = 1;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 
+// Side steps in the tool's radius: so many passes a place of a wall gets for each of them. Ten
+// times what was seen in the finest gaps.
+constexpr double kMostPasses = 150;
+
 class RegionClearing {
  public:
   RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
@@ -68,7 +72,7 @@ class RegionClearing {
         slivers_(radius_),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, limits().tightest}),
-        samples_(stages_, ground_) {
+        samples_(stages_, ground_, most_passes()) {
     for (const PlanarRun& run : task.before) add_to_ground(run);
   }
 
@@ -129,6 +133,13 @@ class RegionClearing {
   const Circle& widest() const {
     if (!widest_) widest_ = largest_circle(task_.centres, kEntryTolerance);
     return *widest_;
+  }
+
+  // To one place of a wall: fine gaps need some hundreds at 15 degrees, and more the smaller the
+  // side step is.
+  int most_passes() const {
+    const double side_steps = 1 / (1 - std::cos(std::min(params_.engagement_angle, kPi / 2)));
+    return static_cast<int>(std::min(1e9, kMostPasses * std::max(1.0, side_steps)));
   }
 
   bool is_opened() const { return !task_.opening.runs.empty(); }
@@ -463,6 +474,8 @@ class RegionClearing {
       double turn_radius = 0;
       Pass pass = choice_.from_wall(start, &turn_radius);
       if (pass.empty() || !go_and_take_new(pass, turn_radius, before)) {
+        // A pass that came to next to nothing may be cut all the same.
+        if (ground_.size() > before) samples_.note_pass(start.sample);
         if (!samples_.is_clear(start.sample)) samples_.give_up(start.sample);
         progress_.report(done_);
         continue;
@@ -581,15 +594,19 @@ class RegionClearing {
       const std::size_t before = ground_.size();
       double turn_radius = 0;
       Pass pass = choice_.from_pose(*start, &turn_radius);
-      if (!pass.empty() && go_and_take_new(pass, turn_radius, before)) return true;
+      if (pass.empty() || !go_and_take_new(pass, turn_radius, before)) continue;
+      cut_since_asked_ = true;
+      return true;
     }
     return false;
   }
 
-  // Places come once, and once more after some of them were cleared.
+  // Places come once, and once more after one of them came to something.
   std::optional<Pose> next_leftover() {
     const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p);
-    if (start || !leftover_.ask_again(ground_)) return start;
+    if (start || !cut_since_asked_) return start;
+    cut_since_asked_ = false;
+    if (!leftover_.ask_again(ground_)) return std::nullopt;
     return leftover_.next_start(ground_, exact_, here_.p);
   }
 
@@ -606,6 +623,7 @@ class RegionClearing {
   PassChoice choice_;
   WallSamples samples_;
   Leftover leftover_;
+  bool cut_since_asked_ = false;  // some of it
   RegionResult result_;
   Pose here_;
   MadePasses made_;

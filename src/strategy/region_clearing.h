@@ -46,7 +46,8 @@ struct RegionTask {
   // Where places of the task are in the whole, before they are mirrored; empty: where they are
   // here.
   std::function<Vec2(Vec2)> whole_place;
-  std::vector<Region> around;  // where links may go; empty: within `centres`
+  // Where links may go: a superset of `centres` whose border are the walls; empty: `centres`.
+  std::vector<Region> around;
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.
   std::vector<PlanarRun> before;
   // Made already, in this region: taken into the result, and gone on from where its last run ends.

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "geometry/round_necks.h"
+#include "strategy/move_checks.h"
 #include "strategy/tight_turns.h"
 #include "support/errors.h"
 #include "toolpath/small_arc.h"
@@ -124,9 +125,13 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
     if (eroded.empty()) continue;
     Stage stage;
     stage.turn_radius = turn;
+    const auto is_within = [&](const Segment& arc) {
+      return is_inside(arc, exact_area, kOnBorder);
+    };
     // A neck that is rounded must leave room for turns, or its walls lead where none can end.
     const std::vector<Region> opened = without_tight_corners(
-        with_round_necks(offset(eroded, opening), opening, kNeckRatio * turn), exact_area);
+        with_round_necks(offset(eroded, opening), opening, kNeckRatio * turn, is_within),
+        exact_area);
     stage.centres = Area(opened);
     stage.turns = Area(offset(opened, -turn));
     if (stage.turns.empty()) continue;

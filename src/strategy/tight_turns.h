@@ -37,7 +37,7 @@ struct WidenedPass {
 // that other passes are likely to follow beyond them, which take what is left, up to a quarter of
 // the side step at `engagement` rad and 0.035 mm. Passes that come back to what they leave stay as
 // they are there. `walls`: the border of this is followed as it is; elsewhere that of `centres`,
-// whose room is a part of it, may be left. `tolerance`: mm.
+// which are a part of it, may be left inwards. `tolerance`: mm.
 WidenedPass with_wide_turns(const std::vector<Segment>& moves, const Area& centres,
                             const Area& walls, ClearedGround& ground, double engagement,
                             double tolerance);

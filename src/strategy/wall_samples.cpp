@@ -29,8 +29,9 @@ Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; 
 
 }  // namespace
 
-WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground)
-    : stages_(stages), ground_(ground) {
+WallSamples::WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground,
+                         int most_passes)
+    : stages_(stages), ground_(ground), most_passes_(most_passes) {
   take_samples(kSpacing * ground.tool_radius());
   if (samples_.empty()) return;
   Bounds bounds{samples_.front().p, samples_.front().p};
@@ -239,8 +240,11 @@ void WallSamples::update(Vec2 low, Vec2 high) {
 
 void WallSamples::give_up(std::size_t sample) {
   change(sample, [](Sample& failed) { ++failed.failures; });
-  const Sample& failed = samples_[sample];
-  if (failed.failures < kTries) return;
+  if (samples_[sample].failures >= kTries) hand_over(samples_[sample]);
+}
+
+// The samples of the next stage that are shared with this one become its own.
+void WallSamples::hand_over(const Sample& failed) {
   const double near = kSpacing * ground_.tool_radius();
   shared_.drop_if(around(failed.p, near), [&](std::size_t index) {
     const Sample& other = samples_[index];
@@ -256,10 +260,11 @@ void WallSamples::give_up(std::size_t sample) {
 
 void WallSamples::note_pass(std::size_t sample) {
   if (samples_[sample].clear) return;
-  change(sample, [](Sample& passed) {
+  change(sample, [this](Sample& passed) {
     ++passed.passes;
     if (is_spent(passed)) passed.failures = kTries;
   });
+  if (is_spent(samples_[sample])) hand_over(samples_[sample]);
 }
 
 // The last clear sample of the track before this one, if only samples shared with the stage before

@@ -32,8 +32,9 @@ struct PassStart {
 
 class WallSamples {
  public:
-  // Both references must outlive this object.
-  WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground);
+  // Both references must outlive this object. `most_passes`: to one sample, see note_pass().
+  WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground,
+              int most_passes = 5000);
 
   // Looks again at the samples that moves in the box from `low` to `high` may have cleared.
   void update(Vec2 low, Vec2 high);
@@ -46,10 +47,10 @@ class WallSamples {
   // Says that a pass to `sample` came to nothing; after a few times it is not offered again until
   // its surroundings change, and the next stage takes its place.
   void give_up(std::size_t sample);
-  // Says that a pass to `sample` came to something. Where it stays all the same, after kMostPasses
-  // of them it is not offered again, whatever changes: clearing ends.
+  // Says that a pass to `sample` was cut. Where the sample stays all the same, after so many of
+  // them it is not offered again, whatever changes, and the next stage takes its place: clearing
+  // ends.
   void note_pass(std::size_t sample);
-  static constexpr int kMostPasses = 5000;  // more than ten times what fine gaps at 15 degrees need
   std::size_t uncleared_count() const { return uncleared_; }
 
  private:
@@ -77,7 +78,8 @@ class WallSamples {
   };
   static bool is_open(const Sample& sample) { return !sample.clear && !sample.shared; }
   static bool blocks(const Sample& sample);
-  static bool is_spent(const Sample& sample) { return sample.passes >= kMostPasses; }
+  bool is_spent(const Sample& sample) const { return sample.passes >= most_passes_; }
+  void hand_over(const Sample& failed);
   Taken taken(std::size_t first, std::size_t last, double spacing) const;
   void take_samples(double spacing);
   void append(Taken taken);
@@ -95,6 +97,7 @@ class WallSamples {
 
   const std::vector<Stage>& stages_;
   const ClearedGround& ground_;
+  int most_passes_;
   std::vector<Sample> samples_;
   std::vector<Track> tracks_;
   PointGrid open_, shared_;              // samples that are not cleared

@@ -30,6 +30,11 @@ std::vector<Region> opened(const std::vector<Region>& regions, double radius) {
   return offset(offset(regions, -radius), radius);
 }
 
+std::vector<Region> rounded(const std::vector<Region>& opened, double narrowest = 0,
+                            double radius = kDisc) {
+  return with_round_necks(opened, radius, narrowest, [](const Segment&) { return true; });
+}
+
 // rad: the sharpest turn to the right.
 double sharpest_right_turn(const std::vector<Region>& regions) {
   double most = 0;
@@ -74,9 +79,9 @@ TEST(RoundNecks, HaveNoCorners) {
       const std::vector<Region> before = opened(room, kDisc);
       ASSERT_EQ(before.size(), 1u);
       EXPECT_GT(sharpest_right_turn(before), 4 * kPi / 180) << width;
-      const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
-      EXPECT_LT(sharpest_right_turn(rounded), 2 * kNeckCorner) << width;
-      expect_between(before, rounded, room.front());
+      const std::vector<Region> round = rounded(before);
+      EXPECT_LT(sharpest_right_turn(round), 2 * kNeckCorner) << width;
+      expect_between(before, round, room.front());
     }
 }
 
@@ -84,17 +89,15 @@ TEST(RoundNecks, LeaveRoomsApartAndOtherCornersAsTheyAre) {
   for (const double width : {1.0, 3.0}) {
     const std::vector<Region> before = opened(hourglass(width, false), kDisc);
     EXPECT_EQ(before.size(), width > 2 * kDisc ? 1u : 2u);
-    const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
+    const std::vector<Region> round = rounded(before);
     for (std::size_t i = 0; i < before.size(); ++i)
-      EXPECT_EQ(rounded[i].outer.segments(), before[i].outer.segments());
+      EXPECT_EQ(round[i].outer.segments(), before[i].outer.segments());
   }
   // Corners of walls, and arcs of another radius.
   const Region notched = make_region(shapes::polygon({{0, 0}, {9, 0}, {9, 9}, {5, 4}, {0, 9}}));
-  EXPECT_EQ(with_round_necks({notched}, kDisc, 0).front().outer.segments(),
-            notched.outer.segments());
+  EXPECT_EQ(rounded({notched}).front().outer.segments(), notched.outer.segments());
   const std::vector<Region> narrow = opened(hourglass(2.3, false), kDisc);
-  EXPECT_EQ(with_round_necks(narrow, 0.9, 0).front().outer.segments(),
-            narrow.front().outer.segments());
+  EXPECT_EQ(rounded(narrow, 0, 0.9).front().outer.segments(), narrow.front().outer.segments());
 }
 
 TEST(RoundNecks, HoldBetweenIslandsFarAwayAndWhereverACurveBegins) {
@@ -111,16 +114,16 @@ TEST(RoundNecks, HoldBetweenIslandsFarAwayAndWhereverACurveBegins) {
     const std::vector<Region> room = offset({moved}, -3);
     const std::vector<Region> before = opened(room, kDisc);
     EXPECT_GT(sharpest_right_turn(before), 0.1);
-    const std::vector<Region> rounded = with_round_necks(before, kDisc, 0);
-    EXPECT_LT(sharpest_right_turn(rounded), 2 * kNeckCorner) << angle;
-    expect_between(before, rounded, room.front());
+    const std::vector<Region> round = rounded(before);
+    EXPECT_LT(sharpest_right_turn(round), 2 * kNeckCorner) << angle;
+    expect_between(before, round, room.front());
   }
 }
 
 TEST(RoundNecks, KeepTheCornersOfNecksThatAreTooNarrow) {
   const std::vector<Region> before = opened(hourglass(2.4, false), kDisc);
-  EXPECT_LT(sharpest_right_turn(with_round_necks(before, kDisc, 1.0)), 2 * kNeckCorner);
-  EXPECT_EQ(sharpest_right_turn(with_round_necks(before, kDisc, 1.1)), sharpest_right_turn(before));
+  EXPECT_LT(sharpest_right_turn(rounded(before, 1.0)), 2 * kNeckCorner);
+  EXPECT_EQ(sharpest_right_turn(rounded(before, 1.1)), sharpest_right_turn(before));
 }
 
 // Right turns left are those of necks in which the stage cannot turn: its disc is a quarter wider.
@@ -134,6 +137,35 @@ TEST(RoundNecks, LetNoStageHaveFlatCornersWherePassesTurnAwayFromTheWall) {
       round += sharpest < 2 * kNeckCorner;
     }
   EXPECT_GT(round, 40);
+}
+
+// The tool's radius is less than that of the arc that would round the neck between four pins: the
+// middle one of three in a row lies where that arc would lead.
+TEST(RoundNecks, LeadIntoNoPinHoweverWideTheTurns) {
+  constexpr double kPin = 0.3, kCentres = 3 + kPin, kApart = 5.5;
+  for (const double turn : {7.0, 8.0, 12.0}) {
+    const double disc = kOpeningRatio * turn, from_disc = disc + kCentres;
+    const double aside = std::acos(kApart / (1.5 * disc)) + 0.05;
+    const double y = std::sqrt(from_disc * from_disc - kApart * kApart);
+    const Vec2 side = Vec2{-kApart, 0} + from_disc * unit(aside);
+    std::vector<Curve> pins;
+    for (const Vec2 at : {side, Vec2{-side.x, side.y}, Vec2{0, y + 0.01}, Vec2{0, -y}})
+      pins.push_back(shapes::circle(at, kPin));
+    const Region pocket =
+        make_region(shapes::polygon({{-60, -45}, {60, -45}, {60, 45}, {-60, 45}}), pins);
+    const std::vector<Region> places = offset({pocket}, -3);
+    ASSERT_EQ(places.size(), 1u);
+    const Area exact(places);
+    StageLimits limits;
+    limits.widest = turn;
+    double deepest = 0;
+    for (const Stage& stage : make_stages(places.front(), limits))
+      for (const Curve& curve : stage.centres.curves())
+        for (const Segment& piece : curve.segments())
+          for (int i = 0; i < 20; ++i)
+            deepest = std::max(deepest, -exact.signed_distance(piece.point(i / 20.0)));
+    EXPECT_LT(deepest, 1e-5) << turn;
+  }
 }
 
 }  // namespace

@@ -87,14 +87,23 @@ TEST_F(TwoPosts, AreNotOfferedAfterTheyWereCut) {
 TEST_F(TwoPosts, AreOfferedAgainWhereTheyAreStillLeft) {
   while (leftover_.next_start(ground_, centres_, {30, 15})) {
   }
-  EXPECT_FALSE(leftover_.ask_again(ground_));
-  EXPECT_FALSE(leftover_.next_start(ground_, centres_, {55, 15}));
   clear({45, 15}, {55, 15});
   EXPECT_TRUE(leftover_.ask_again(ground_));
   const std::optional<Pose> pose = leftover_.next_start(ground_, centres_, {55, 15});
   ASSERT_TRUE(pose);
   EXPECT_EQ(post_beside(*pose), left_);
+}
+
+TEST_F(TwoPosts, AreNotOfferedForEverWhereNothingOfThemIsCleared) {
+  clear({45, 15}, {55, 15});
+  EXPECT_TRUE(leftover_.ask_again(ground_));
+  for (int i = 0; i < Leftover::kMostInVain; ++i) EXPECT_TRUE(leftover_.ask_again(ground_));
+  while (leftover_.next_start(ground_, centres_, {30, 15})) {
+  }
   EXPECT_FALSE(leftover_.ask_again(ground_));
+  EXPECT_FALSE(leftover_.next_start(ground_, centres_, {30, 15}));
+  clear({5, 14.5}, {8, 14.5});  // a part of the other post
+  EXPECT_TRUE(leftover_.ask_again(ground_));
 }
 
 // Between two passes, and between the points of the coarse grid, whatever its place.

@@ -171,6 +171,21 @@ TEST(RestMachining, TakesAPostThatTouchesNoWall) {
   }
 }
 
+// At a small angle a pass takes a layer that lies between the points by which what is left is
+// known: asked for again only where points were cleared, this post stayed.
+TEST(RestMachining, TakesAPostLayerByLayer) {
+  ClearingParams params;
+  params.engagement_angle = 3 * kDegree;
+  params.maximum_feed = 1000;
+  const Curve post = shapes::moved(rectangle(-0.81959117, -0.909151097, 0.81959117, 0.909151097),
+                                   0.446909314, false, 1, {7.138743535, 40.37345214});
+  params.stock = {make_region(post)};
+  Progress progress;
+  const Toolpath path = clear_pocket({square(0, 0, 62, 55)}, params, progress);
+  EXPECT_EQ(path.report.uncut_area, 0);
+  EXPECT_GT(path.report.passes, 100);
+}
+
 TEST(RestMachining, GivesNoEntryToRegionsThatHoldNothing) {
   const std::vector<Region> pockets{square(0, 0, 20, 20), square(30, 0, 50, 20)};
   ClearingParams params = params_for(6);

@@ -265,6 +265,28 @@ TEST(TightTurns, OfTheBorderItselfStay) {
   EXPECT_TRUE(has_corners(without_tight_turns(moves, place, ground, kTheta, 0.05)));
 }
 
+TEST(TightTurns, OfABorderThatIsNoWallAreWidened) {
+  const std::vector<Segment> moves = turn(0, 0.2227, 0.0724);
+  const Vec2 up{0, 20};
+  const Area place({make_region(Curve({{moves[0].a, 0},
+                                       {moves[1].a, moves[1].bulge()},
+                                       {moves[2].a, 0},
+                                       {moves[2].b, 0},
+                                       {moves[2].b + up, 0},
+                                       {moves[0].a + up, 0}},
+                                      true))});
+  ClearedGround ground = cleared_ground();
+  ASSERT_TRUE(has_corners(moves));
+  const auto posted = [&](const Area& walls) {
+    return with_wide_turns(moves, place, walls, ground, kTheta, 0.005).posted;
+  };
+  EXPECT_TRUE(has_corners(posted(place)));
+  const std::vector<Segment> wide = posted(Area({room()}));
+  EXPECT_FALSE(has_corners(wide));
+  for (const Segment& move : wide)
+    for (int i = 0; i <= 20; ++i) EXPECT_GE(place.signed_distance(move.point(i / 20.0)), -2e-6);
+}
+
 TEST(TightTurns, AreNotInTheCornersOfAStage) {
   const Region exact = make_region(rectangle(-10, -10, 10, 10));
   const std::vector<Region> tight = offset(offset({exact}, -0.05), 0.05);

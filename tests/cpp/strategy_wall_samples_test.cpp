@@ -316,7 +316,8 @@ class ChannelWalls : public ::testing::Test {
 
   const std::vector<Stage> stages_ = make_stages(make_region(rectangle(0, 0, 60, 4)), {});
   ClearedGround ground_{{{-10, 0}, {60, 4}}, kRadius, nullptr};
-  WallSamples samples_{stages_, ground_};
+  static constexpr int kMostPasses = 50;
+  WallSamples samples_{stages_, ground_, kMostPasses};
 };
 
 TEST_F(ChannelWalls, OfferAStartWhereTheClearedPartOfAWallEnds) {
@@ -347,7 +348,7 @@ TEST_F(ChannelWalls, OfferAStartThatCameToNothingAgainOnceItsSurroundingsHaveCha
 TEST_F(ChannelWalls, OfferNoStartForEverThatStaysWhateverPassesComeToSomething) {
   clear_the_left();
   const PassStart start = samples_.starts().front();
-  for (int i = 1; i < WallSamples::kMostPasses; ++i) samples_.note_pass(start.sample);
+  for (int i = 1; i < kMostPasses; ++i) samples_.note_pass(start.sample);
   EXPECT_TRUE(is_offered(start.sample));
   samples_.note_pass(start.sample);
   EXPECT_FALSE(is_offered(start.sample));

@@ -140,7 +140,7 @@ def test_what_was_chosen_is_cleared_and_judged(given):
 
 
 @pytest.mark.parametrize("name", sorted(path.stem for path in CHOSEN.glob("*.json")))
-def test_what_fuzzing_found_with_choices_stays_mended(name):
+def test_what_fuzzing_found_stays_mended(name):
     case = json.loads((CHOSEN / (name + ".json")).read_text())
     assert case["name"] == name
     answer = fuzz.judge(case, False)
