@@ -19,6 +19,9 @@ from evenload.tool import HELIX_ANGLE_DEG
 
 RAPID_FEED = 5000.0  # mm/min, where neither the cutting data nor a machine has one
 OUT_OF_STOCK = 0.005  # mm all round by which a part may reach out of its stock: rounding, chords
+# mm between the dexels in which rest machining sees what is left, and so many in the width of a cut:
+# of films thinner than what lies between dexels only pieces are seen, and fed for.
+COARSEST_REST, FINEST_REST, REST_IN_CUT = 0.05, 0.02, 16
 CUTTING_KEYS = ("material", "spindle_speed", "helix_angle_deg", "rapid_feed")
 FORCES = (
     "force_peak",
@@ -342,6 +345,11 @@ def _cutting(core, cutting, path):
         helix = float(HELIX_ANGLE_DEG if given is None else given)
         data["helix_angle"] = math.radians(helix)
     return data
+
+
+def rest_resolution(cut_width):
+    """mm between the dexels of a stock that is to be cleared by cuts `cut_width` mm wide, > 0."""
+    return max(FINEST_REST, min(COARSEST_REST, cut_width / REST_IN_CUT))
 
 
 def _check_within(stock, part):

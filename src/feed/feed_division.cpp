@@ -95,9 +95,9 @@ class Division {
   // Where the last piece may begin, and that piece up to the sample that was looked at last.
   struct Start {
     std::size_t at = 0;
-    double cost = 0;                       // s: of the pieces before
-    double mean = 0, peak = 0, share = 0;  // peak: over what it may be; share: what its feed
-                                           // follows from
+    double cost = 0;            // s: of the pieces before
+    double mean = 0, peak = 0;  // peak: over what a sample may be
+    double share = 0;           // what its feed follows from
     double least_share = std::numeric_limits<double>::infinity();
     double own = 0;                 // s
     std::size_t beaten_by = kNone;  // a later place

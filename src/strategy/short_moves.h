@@ -22,6 +22,8 @@ inline constexpr double kSmoothing = 1e-3;
 // each of its pieces is as long as kShortest, or four times as long as the shorter of the two, or
 // one and a half times along the border where posts write it as an arc (small_arc.h), but not the
 // shorter of the two: so there is an end to it.
+// Moves of some micrometres, which posts would turn by a degree, also give way to bi-arcs with the
+// joint near them, both of whose arcs stay arcs in posted programs.
 // A way off the border of `centres` and back to the same line or circle of it is left out where it
 // is shorter than kShortest and turns by less than 0.6 degrees all in all.
 // Laws: the moves follow each other as before, and end where they ended; other moves along the

@@ -33,8 +33,7 @@ struct PassStart {
 class WallSamples {
  public:
   // Both references must outlive this object. `most_passes`: to one sample, see note_pass().
-  WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground,
-              int most_passes = 5000);
+  WallSamples(const std::vector<Stage>& stages, const ClearedGround& ground, int most_passes);
 
   // Looks again at the samples that moves in the box from `low` to `high` may have cleared.
   void update(Vec2 low, Vec2 high);

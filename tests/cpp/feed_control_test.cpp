@@ -235,49 +235,6 @@ TEST(FeedControl, HoldsEverySampleWhereTheLoadJumps) {
   EXPECT_EQ(feeds.back(), params.maximum_feed);
 }
 
-// Over the nominal load: the worst mean over pieces of `length` mm, and so many that they are 0.1
-// mm, each looked at in its middle alone; the first begins anywhere.
-double worst_by_few_looks(const LoadedWay& way, double length) {
-  const int pieces = static_cast<int>(std::ceil(0.1 / length - 1e-9));
-  const double way_length = way.until.back();
-  double worst = 0;
-  for (double first = 0; first < way_length; first += 0.005) {
-    double sum = 0;
-    for (int i = 0; i < pieces; ++i) {
-      const double middle = first + (i + 0.5) * length;
-      const auto after = std::upper_bound(way.until.begin(), way.until.end(), middle);
-      if (after != way.until.end()) sum += way.load[after - way.until.begin() - 1];
-    }
-    worst = std::max(worst, sum / pieces);
-  }
-  return worst;
-}
-
-TEST(FeedControl, HoldsShortContactsHoweverFewLooksSeeThem) {
-  std::vector<double> worst_of_all;
-  for (const double contact : {0.04, 0.08, 0.12, 0.16, 0.2, 0.25}) {
-    // Up in a fifth of it, down in two fifths.
-    std::vector<LoadSample> profile;
-    for (int i = 0; i < 100; ++i) {
-      const double at = (0.01 * (i + 0.5) - 0.35) / contact;
-      const double share = std::clamp(std::min(5 * at, 2.5 * (1 - at)), 0.0, 1.0);
-      profile.push_back({0, 0, (i + 0.5) / 100, 0.01, 0, 0, 0, 1.4 * share});
-    }
-    FeedParams params;
-    params.maximum_feed = 1000;
-    params.mean_length = 0.1;
-    std::vector<PlanarRun> runs(1);
-    runs[0].moves.push_back({MoveKind::kCut, Segment::line({0, 0}, {1, 0})});
-    const std::vector<PlanarRun> before = runs;
-    const std::vector<double> feeds = set_constant_load(runs, profile, params);
-    for (const LoadedWay& way : loaded_ways(before, profile, feeds))
-      for (const double length : {0.05, 0.075, 0.1})
-        worst_of_all.push_back(worst_by_few_looks(way, length) / params.feed);
-  }
-  EXPECT_LE(*std::max_element(worst_of_all.begin(), worst_of_all.end()), 1.06);
-  EXPECT_GT(*std::max_element(worst_of_all.begin(), worst_of_all.end()), 0.95);
-}
-
 TEST(FeedControl, IsNoSlowerByMeansThanWithEverySampleHeld) {
   // A change of feed where a move ends has a price of half a millisecond.
   constexpr double kPricePerMove = 0.0005;

@@ -15,6 +15,7 @@ namespace {
 using shapes::rectangle;
 
 constexpr double kRadius = 3;
+constexpr int kMostPasses = 50;
 
 // The same laws as those of WallSamples, but every question goes through all the samples.
 class ScannedWalls {
@@ -197,7 +198,7 @@ class History {
         stages_(make_stages(centres, {0.9, 0.03})),
         bounds_(bounds_of({centres})),
         ground_(bounds_, kRadius, nullptr),
-        samples_(stages_, ground_),
+        samples_(stages_, ground_, kMostPasses),
         scanned_(stages_, ground_) {}
 
   void run(int steps, Met& met) {
@@ -316,7 +317,6 @@ class ChannelWalls : public ::testing::Test {
 
   const std::vector<Stage> stages_ = make_stages(make_region(rectangle(0, 0, 60, 4)), {});
   ClearedGround ground_{{{-10, 0}, {60, 4}}, kRadius, nullptr};
-  static constexpr int kMostPasses = 50;
   WallSamples samples_{stages_, ground_, kMostPasses};
 };
 

@@ -12,7 +12,7 @@ import math
 import evenload
 import pocket_case
 import shapes
-from evenload import _core, planar
+from evenload import _core, planar, simulation
 from shapely.geometry import Point, Polygon
 
 SPINDLE = {"teeth": 1, "spindle_speed": 6366.0}
@@ -33,8 +33,6 @@ RESTING = 0.2  # of its pieces
 ON_HULL = 1e-9  # mm
 REDUCED_FEED = "Cut at reduced feed"
 NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
-# mm between the dexels in which rest machining sees what is left, as the operations have it.
-COARSEST_REST, FINEST_REST, REST_IN_CUT = 0.05, 0.02, 16
 THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
 LEAST_PIECE = 1e-6  # mm2: less is rounding
 
@@ -147,9 +145,7 @@ def path_and_scene(case, resolution):
     with_larger = {key: case[key] for key in case if key not in ("choices", "hole")}
     with_larger["tool"] = given["tool_diameter"] = case["rest_of"]
     before = pocket_case.path_of(with_larger, minimum_radius=0.15 * case["rest_of"])
-    width = 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
-    seen = max(FINEST_REST, min(COARSEST_REST, width / REST_IN_CUT))
-    given["resolution"] = seen
+    seen = given["resolution"] = simulation.rest_resolution(shapes.cut_width(case))
     run = evenload.simulate(before, **given)
     stay = case.get("choices", {}).get("stock_to_leave", 0.0)
     reach = _core.reachable_ground([pocket_case.region(case)], case["tool"], stay)

@@ -85,7 +85,7 @@ def figures_of(case, path, scene, step=STEP):
 
     moves = posted(path.moves)
     run = evenload.simulate(moves, **scene, step=step)
-    nominal = cut_width(case) * case["axial_depth"] * case["feed"]
+    nominal = shapes.cut_width(case) * case["axial_depth"] * case["feed"]
     regions = 1 + sum(1 for move in moves[1:-1] if move[0] == 0 and move[3] >= 5.0) // 2
     return {
         "over": run.max_engagement_deg - case["engagement_deg"],
@@ -152,17 +152,12 @@ def sharp_left_turns(points):
     return count
 
 
-def cut_width(case):
-    """mm2 per mm of path at the engagement angle."""
-    return 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))
-
-
 def judge(case, twice):
     """{"figures" or "wrong": ..., "compute": seconds of the processor}."""
     import choices
     from evenload import _core
 
-    resolution = max(FINEST, min(RESOLUTION, cut_width(case) / ROWS))
+    resolution = max(FINEST, min(RESOLUTION, shapes.cut_width(case) / ROWS))
     start = time.process_time()
     try:
         path, scene = choices.path_and_scene(case, resolution)

@@ -188,3 +188,8 @@ def case_of(name, outer, islands, pick):
         "roll_radius": ROLL_RADIUS,
         "note": "Found by tests/fuzz/fuzz.py.",
     }
+
+
+def cut_width(case):
+    """mm2 per mm of path at the engagement angle."""
+    return 0.5 * case["tool"] * (1 - math.cos(math.radians(case["engagement_deg"])))

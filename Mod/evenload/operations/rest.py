@@ -11,10 +11,6 @@ import Path
 from evenload import host
 from evenload.operations.settings import REST_MACHINING
 
-# mm between the dexels of the simulated stock, and so many in the width of a cut: films thinner than
-# what lies between dexels are seen in pieces, which would be met at too high a feed.
-COARSEST, FINEST, IN_CUT = 0.05, 0.02, 16
-
 
 def is_wanted(op):
     """Whether an operation clears only what others left; not every kind can."""
@@ -39,17 +35,13 @@ def link_all(job):
         op.EarlierOperations = links
 
 
-def resolution_for(cut_width):
-    """mm between the dexels, for cuts so many mm wide."""
-    return max(FINEST, min(COARSEST, cut_width / IN_CUT))
-
-
 def standing(op, core, tool, regions, levels, slack):
     """([[Region, ...] for each level], notes): where material stands within the tool's reach.
 
     Raises ValueError with a sentence where the earlier operations' paths cannot be relied upon.
     """
     from evenload import job_simulation
+    from evenload.simulation import rest_resolution
 
     job = host.parent_job(op)
     link_all(job)
@@ -59,7 +51,7 @@ def standing(op, core, tool, regions, levels, slack):
                 "The path of '%s', which comes before '%s', is not up to date: recompute the "
                 "document once more." % (earlier.Label, op.Label)
             )
-    stock, notes = job_simulation.stock_before(op, resolution_for(op.SideStep.Value))
+    stock, notes = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
     reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
     return [stock.standing(z, reach) for z in levels], notes
 
