@@ -71,6 +71,7 @@ PROFILE_GAP = (
 ARC_STEP = math.radians(5)  # of pictures: arcs are drawn as chords over this angle
 LINK_COLOUR, ENTRY_COLOUR, WALL_COLOUR = "#9aa0a6", "#7b3fa0", "#202124"
 START_COLOUR = "#188038"
+LABEL_HEIGHT = 0.5  # inches that an axis' numbers and label take
 MOST_VECTORS = 20000  # samples: longer paths are pixels in an SVG, too
 
 
@@ -331,7 +332,22 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
     if outlines:
         axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label=walls)
     seen_from_above(axes)
-    axes.legend(loc="upper right", fontsize=8, framealpha=0.9)
+    legend_below(axes)
+
+
+def legend_below(axes, columns=6):
+    """Under the axes' label, however high the axes are: it hides nothing there."""
+    from matplotlib.transforms import ScaledTranslation
+
+    under_label = ScaledTranslation(0, -LABEL_HEIGHT, axes.figure.dpi_scale_trans)
+    axes.legend(
+        loc="upper center",
+        bbox_to_anchor=(0.5, 0),
+        bbox_transform=axes.transAxes + under_label,
+        fontsize=8,
+        frameon=False,
+        ncols=columns,
+    )
 
 
 def seen_from_above(axes):

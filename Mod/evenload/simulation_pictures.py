@@ -23,7 +23,6 @@ KINDS = (
     (planar.LINK, "links", report.LINK_COLOUR),
     (planar.RAPID, "rapids", "#dadce0"),
 )
-LABEL_HEIGHT = 0.5  # inches that an axis' numbers and label take
 MOST_LABELS = 8  # rests that are named by their area, the largest first
 COLUMNS = 1200  # of a plot over time: more samples are drawn as their least, mean and largest
 
@@ -194,7 +193,7 @@ def _draw_rest(axes, simulation, stock, part):
     report.seen_from_above(axes)
     if not simulation.incidents and not len(simulation.rest_outlines):
         axes.plot([], [], " ", label="no rest, no incidents")
-    _legend_below(axes)
+    report.legend_below(axes, columns=3)
 
 
 def _fill_part(axes, part):
@@ -286,21 +285,6 @@ def _dress(axes, time):
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     axes.grid(color="#e8eaed", linewidth=0.6)
     axes.set_axisbelow(True)
-
-
-def _legend_below(axes):
-    """Under the axes' label, however high the axes are."""
-    from matplotlib.transforms import ScaledTranslation
-
-    under_label = ScaledTranslation(0, -LABEL_HEIGHT, axes.figure.dpi_scale_trans)
-    axes.legend(
-        loc="upper center",
-        bbox_to_anchor=(0.5, 0),
-        bbox_transform=axes.transAxes + under_label,
-        fontsize=8,
-        frameon=False,
-        ncols=3,
-    )
 
 
 def _legend_above(axes):
