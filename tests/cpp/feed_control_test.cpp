@@ -485,9 +485,9 @@ TEST(FeedControl, HoldsMeansAtEveryPrice) {
       std::vector<PlanarRun> alone = before;
       set_constant_load(alone, profile, params);
       const auto cost = [&](const std::vector<PlanarRun>& runs) {
-        double cost = seconds(runs);
-        for (const PlanarRun& run : runs) cost += price * static_cast<double>(run.moves.size());
-        return cost;
+        double sum = seconds(runs);
+        for (const PlanarRun& run : runs) sum += price * static_cast<double>(run.moves.size());
+        return sum;
       };
       EXPECT_LE(cost(found.runs), 1.01 * cost(alone)) << price;
       for (std::size_t i = 0; i < profile.size(); ++i)

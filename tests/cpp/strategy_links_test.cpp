@@ -157,7 +157,9 @@ TEST(Links, TurnAboutInGapsOfHundredthsOfAMillimetre) {
       ASSERT_FALSE(link.empty()) << radius << " " << width;
       EXPECT_LE(length_of(link), 4 * width);
       for (const Segment& move : link) {
-        if (move.is_arc()) EXPECT_GE(move.radius, std::min(0.008, 0.05 * turn) - 1e-9);
+        if (move.is_arc()) {
+          EXPECT_GE(move.radius, std::min(0.008, 0.05 * turn) - 1e-9);
+        }
         for (int i = 0; i <= 50; ++i)
           EXPECT_GE(centres.signed_distance(move.point(i / 50.0)), -1e-6);
       }

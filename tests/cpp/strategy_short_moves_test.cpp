@@ -130,7 +130,9 @@ TEST(ShortMoves, OfMicrometresAreTakenUpByShortMovesToo) {
   const std::vector<Segment> smooth = without_short_moves(moves, room());
   for (std::size_t i = 0; i < smooth.size(); ++i) {
     EXPECT_GE(smooth[i].length(), 0.05);
-    if (i > 0) EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+    if (i > 0) {
+      EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+    }
     for (int k = 0; k <= 20; ++k)
       EXPECT_LE(distance_from(smooth[i].point(k / 20.0), moves), 1.05 * kSmoothing);
   }
@@ -190,7 +192,9 @@ TEST(ShortMoves, OfAWallThatPostsWouldWriteAsLinesAreTakenUpByTheWallBesideThem)
     EXPECT_EQ(smooth.back().b, way.back().b);
     for (std::size_t i = 0; i < smooth.size(); ++i) {
       EXPECT_FALSE(is_tight(smooth[i]));
-      if (i > 0) EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+      if (i > 0) {
+        EXPECT_LE(norm(smooth[i - 1].tangent(1) - smooth[i].tangent(0)), 5e-3);
+      }
       for (int k = 0; k <= 20; ++k) {
         EXPECT_LE(distance_from(smooth[i].point(k / 20.0), way), 5.1e-5);
         EXPECT_GE(centres.signed_distance(smooth[i].point(k / 20.0)), -5.1e-5);

@@ -271,7 +271,9 @@ TEST(Assemble, TakesWhatTheSlopeLeftFasterWhereItThinsOut) {
   for (std::size_t i = 1; i < moves.size(); ++i) {
     if (moves[i].kind != MoveKind::kEntry) continue;
     const bool level = moves[i].z == moves[i - 1].z;
-    if (!level) EXPECT_EQ(moves[i].feed, 255);
+    if (!level) {
+      EXPECT_EQ(moves[i].feed, 255);
+    }
     if (level) turned += moves[i].sweep;
     fastest = std::max(fastest, moves[i].feed);
   }

@@ -45,7 +45,9 @@ TEST(WayRound, RunsWithoutGapsOrKinksToWhereTheHelixArrives) {
           EXPECT_LT(distance(way[i - 1].tangent(1), way[i].tangent(0)), 1e-6);
         }
         EXPECT_NEAR(length, from - to, 1e-5);
-        if (to == 0) EXPECT_LT(distance(way.back().b, helix.at), 1e-9);
+        if (to == 0) {
+          EXPECT_LT(distance(way.back().b, helix.at), 1e-9);
+        }
       }
   }
 }
