@@ -184,11 +184,14 @@ class Walls {
   std::vector<std::vector<std::size_t>> buckets_;
 };
 
-// What the tool has cleared so far. A cell that one piece covered whole forgets the others.
+// What the tool has cleared so far. A cell that one piece covers whole forgets the others.
 class Cleared {
  public:
   Cleared(Bounds box, double radius)
-      : grid_(box, kClearedCell), radius_(radius), whole_(grid_.size()), part_(grid_.size()) {}
+      : grid_(box, kClearedCell),
+        radius_(radius),
+        whole_(grid_.size(), kNone),
+        part_(grid_.size()) {}
 
   void add(const Piece& piece) {
     const auto id = static_cast<std::int32_t>(pieces_.size());
@@ -199,28 +202,35 @@ class Cleared {
     for (int j = grid_.row(box.low.y - margin); j <= grid_.row(box.high.y + margin); ++j)
       for (int i = grid_.column(box.low.x - margin); i <= grid_.column(box.high.x + margin); ++i) {
         const std::size_t c = grid_.index(i, j);
-        if (whole_[c]) continue;
+        if (whole_[c] != kNone) continue;
         const double d = piece.distance_to(grid_.middle(i, j));
         if (d <= radius_ - grid_.half_diagonal()) {
-          whole_[c] = 1;
+          whole_[c] = id;
           part_[c] = {};
         } else if (d <= radius_ + grid_.half_diagonal()) {
           part_[c].push_back(id);
         }
       }
   }
-  bool contains(Vec2 p) const {
+  bool contains(Vec2 p) const { return depth(p) >= 0; }
+  // mm: a piece has cleared all that lies nearer to the point than this. Negative where the point
+  // is not cleared.
+  double depth(Vec2 p) const {
     const std::size_t c = grid_.at(p);
-    if (whole_[c]) return true;
-    for (auto id = part_[c].rbegin(); id != part_[c].rend(); ++id)
-      if (pieces_[*id].distance_to(p) <= radius_) return true;
-    return false;
+    if (whole_[c] != kNone) return std::max(0.0, radius_ - pieces_[whole_[c]].distance_to(p));
+    for (auto id = part_[c].rbegin(); id != part_[c].rend(); ++id) {
+      const double d = pieces_[*id].distance_to(p);
+      if (d <= radius_) return radius_ - d;
+    }
+    return -1;
   }
 
  private:
+  static constexpr std::int32_t kNone = -1;
+
   Grid grid_;
   double radius_;
-  std::vector<std::uint8_t> whole_;
+  std::vector<std::int32_t> whole_;  // the piece
   std::vector<std::vector<std::int32_t>> part_;
   std::vector<Piece> pieces_;
 };
@@ -436,13 +446,15 @@ class Check {
     return points;
   }
 
-  // Looks at points of the half circle, and between two that differ for where the material ends.
+  // Looks at points of the half circle, and between two that differ for where the material ends. A
+  // point deep in cleared ground answers for those after it.
   Load load_at(const Piece& piece, double t) const {
     const Vec2 p = piece.point(t), ahead = piece.direction(t), left = left_normal(ahead);
     const double r = radius_ - settings_.thinnest;
     const Piece gone = piece.until(t);
+    const auto at = [&](Vec2 towards) { return p + r * (towards.x * ahead + towards.y * left); };
     const auto meets = [&](Vec2 towards) {
-      const Vec2 q = p + r * (towards.x * ahead + towards.y * left);
+      const Vec2 q = at(towards);
       // The half circle itself lies that much inside the tool.
       return holds_material(q) &&
              !(piece.arc && gone.distance_to(q) <= radius_ - 2 * settings_.thinnest);
@@ -473,9 +485,15 @@ class Check {
           close(change);
       }
       before = now;
+      if (!now) k += cleared_after(at(half_circle_[k]), r * d);
     }
     if (before) close(kPi / 2);
     return load;
+  }
+
+  // How many points of the half circle, `spacing` mm apart, one piece has cleared with this one.
+  std::size_t cleared_after(Vec2 point, double spacing) const {
+    return static_cast<std::size_t>(std::max(0.0, cleared_.depth(point)) / spacing);
   }
 
   void note(const Load& load, Vec2 p, double length, const Move& move, bool cut) {
