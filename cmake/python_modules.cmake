@@ -47,6 +47,8 @@ endif()
 file(GLOB binding_sources CONFIGURE_DEPENDS src/python/*.cpp)
 pybind11_add_module(_core MODULE NO_EXTRAS ${binding_sources})
 target_link_libraries(_core PRIVATE evenload_core)
+precompile(_core <array> <optional> <string> <tuple> <vector> <pybind11/functional.h> <pybind11/numpy.h> <pybind11/pybind11.h>
+  <pybind11/stl.h>)
 
 file(GLOB occt_sources CONFIGURE_DEPENDS src/occt/*.cpp)
 pybind11_add_module(_occt MODULE NO_EXTRAS ${occt_sources})

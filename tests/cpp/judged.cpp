@@ -1,6 +1,8 @@
 #include "judged.h"
 
 #include <cmath>
+#include <map>
+#include <utility>
 
 #include "support/progress.h"
 
@@ -8,6 +10,7 @@ namespace evenload::corpus {
 namespace {
 
 constexpr double kMostRate = 1.05;
+constexpr double kThinnest = 1e-6;  // mm, that the simulator sees
 
 }  // namespace
 
@@ -25,6 +28,18 @@ path_check::Findings judge(const Case& pocket, const Toolpath& path,
     stock.hole_radius = 0.5 * pocket.hole->diameter;
   }
   return path_check::check_path(stock, 0.5 * pocket.tool_diameter, path.moves, settings);
+}
+
+const Home& at_home(const std::string& name) {
+  static std::map<std::string, Home> homes;
+  const auto known = homes.find(name);
+  if (known != homes.end()) return known->second;
+  Home home{load(name), {}, {}};
+  home.path = clear(home.pocket, home.pocket.params());
+  path_check::Settings settings;
+  settings.thinnest = kThinnest;
+  home.seen = judge(home.pocket, home.path, settings);
+  return homes.emplace(name, std::move(home)).first->second;
 }
 
 double nominal_rate(const Case& pocket) {

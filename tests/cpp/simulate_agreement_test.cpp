@@ -67,11 +67,7 @@ double mean_cut_engagement(const LoadRecord& record) {
 class EverySimulatedPocket : public testing::TestWithParam<std::string> {};
 
 TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
-  const Case pocket = corpus::load(GetParam());
-  const Toolpath path = corpus::clear(pocket, pocket.params());
-  path_check::Settings settings;
-  settings.thinnest = 1e-6;  // as thin as the simulator sees
-  const path_check::Findings seen = corpus::judge(pocket, path, settings);
+  const auto& [pocket, path, seen] = corpus::at_home(GetParam());
   // Side steps of a few rows only are told less exactly.
   const double step = side_step(pocket.engagement_angle, 0.5 * pocket.tool_diameter);
   const Simulation felt = simulate_case(pocket, path, std::min(kFine, step / 8));
@@ -93,7 +89,7 @@ TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
   EXPECT_NEAR(figures.time, path.report.cutting_time, 0.05 * path.report.cutting_time);
 }
 
-INSTANTIATE_TEST_SUITE_P(Corpus, EverySimulatedPocket, testing::ValuesIn(corpus::clearable()),
+INSTANTIATE_TEST_SUITE_P(Pocket, EverySimulatedPocket, testing::ValuesIn(corpus::clearable()),
                          [](const auto& pocket) { return pocket.param; });
 
 // Mean error in degrees of the engagement on contours of several radii.

@@ -1,5 +1,5 @@
-// Properties of constant-engagement clearing over the whole corpus, by a judge that shares no code
-// with it.
+// Properties of constant-engagement clearing in chosen pockets of the corpus, by a judge that
+// shares no code with it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,8 +9,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "corpus.h"
-#include "judged.h"
+#include "corpus_laws.h"
 #include "path_check.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
@@ -18,77 +17,23 @@
 namespace evenload {
 namespace {
 
+using corpus::at_home;
 using corpus::Case;
 using corpus::clear;
+using corpus::expect_within_limits;
 using corpus::judge;
+using corpus::kDeepestGouge;
+using corpus::kLeastClimb;
+using corpus::kMostLeft;
+using corpus::kMostOver;
 using path_check::check_path;
 using path_check::Findings;
 
 constexpr double kDegree = kPi / 180;
-// What is asked of every path.
-constexpr double kMostOver = 2 * kDegree;    // rad above the engagement angle
-constexpr double kMostLinked = 1 * kDegree;  // rad, of a link
-constexpr double kDeepestGouge = 0.005;      // mm
-constexpr double kMostLeft = 0.0005;         // of the area within reach
-constexpr double kLeastClimb = 0.995;        // of the cuts' length
 
 std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.y); }
 
-void expect_within_limits(const Case& pocket, const Toolpath& path, const Findings& found) {
-  EXPECT_EQ(path.report.termination, Termination::kComplete)
-      << (path.report.notes.empty() ? "" : path.report.notes.front());
-  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + kMostOver)
-      << found.cut_engagement / kDegree << " degrees at " << text(found.cut_engagement_at);
-  EXPECT_LE(found.gouge, kDeepestGouge) << "at " << text(found.gouge_at);
-  EXPECT_LE(found.left_share, kMostLeft) << "at " << text(found.left_at);
-  EXPECT_LE(found.link_engagement, kMostLinked)
-      << found.link_engagement / kDegree << " degrees at " << text(found.link_engagement_at);
-  EXPECT_EQ(found.bad_plunges, 0) << "at " << text(found.bad_plunge_at);
-  EXPECT_LE(found.arc_mismatch, 5e-6);
-  EXPECT_LE(found.largest_sweep, kPi * 1.001);
-}
-
-class EveryPocket : public testing::TestWithParam<std::string> {};
-
-TEST_P(EveryPocket, IsClearedWithinTheLimits) {
-  const Case pocket = corpus::load(GetParam());
-  const ClearingParams params = pocket.params();
-  const Toolpath path = clear(pocket, params);
-  const Findings found = judge(pocket, path);
-  expect_within_limits(pocket, path, found);
-  EXPECT_NEAR(path.report.max_engagement, found.cut_engagement, 2 * kDegree);
-  // A helix clears its disc in less than the ideal time where the engagement angle is small.
-  const double disc = kPi * std::pow(0.5 * (params.helix_diameter + params.tool_diameter), 2);
-  EXPECT_GE(path.report.cutting_time,
-            0.9 * path.report.ideal_time * (1 - disc / found.reachable_area));
-  EXPECT_NEAR(path.report.cut_length, found.cut_length, 1e-3 * found.cut_length);
-  EXPECT_NEAR(path.report.link_length, found.link_length, 1e-3 * found.link_length + 1e-3);
-  EXPECT_LE(path.report.uncut_area, kMostLeft * found.reachable_area);
-  EXPECT_GE(found.climb_length, kLeastClimb * (found.climb_length + found.conventional_length));
-
-  // The removal rate is held to a twentieth, and no feed exceeds its cap.
-  EXPECT_LE(found.removal_rate, corpus::most_rate(pocket)) << "at " << text(found.removal_rate_at);
-  for (std::size_t i = 0; i < path.moves.size(); ++i) {
-    const Move& move = path.moves[i];
-    if (move.kind == MoveKind::kCut) {
-      EXPECT_LE(move.feed, params.maximum_feed);
-      EXPECT_GT(move.feed, 0);
-    }
-    if (move.kind == MoveKind::kLink) {
-      EXPECT_EQ(move.feed, params.link_feed);
-    }
-    if (move.kind == MoveKind::kEntry && move.z < path.moves[i - 1].z) {
-      EXPECT_EQ(move.feed, params.plunge_feed);
-    } else if (move.kind == MoveKind::kEntry) {
-      EXPECT_GE(move.feed, params.plunge_feed);
-      EXPECT_LE(move.feed, params.maximum_feed);
-    }
-  }
-}
-
 std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
-
-INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocket, testing::ValuesIn(corpus::clearable()), name_of);
 
 // One pass was made for ever: what it took was a film that its smoothing left again.
 TEST(SlowCorpus, ABlobWithFilmsIsCleared) {
@@ -100,64 +45,16 @@ TEST(SlowCorpus, ABlobWithFilmsIsCleared) {
   expect_within_limits(pocket, path, judge(pocket, path));
 }
 
-TEST(Corpus, HoldsTheCasesThatWereWrittenForIt) { EXPECT_GE(corpus::names().size(), 25u); }
-
-TEST(Corpus, APocketThatIsTooSmallNamesTheLargestToolThatFits) {
-  const Case pocket = corpus::load("too_small");
-  try {
-    clear(pocket, pocket.params());
-    FAIL() << "no error";
-  } catch (const GeometryError& error) {
-    EXPECT_EQ(error.code(), GeometryErrorCode::kToolTooLarge);
-    const std::string sentence = error.what();
-    const std::size_t at = sentence.find("has ");
-    ASSERT_NE(at, std::string::npos) << sentence;
-    EXPECT_NEAR(std::stod(sentence.substr(at + 4)), 5, 0.01) << sentence;
-  }
-}
-
 // Six pockets stand for all: a hole, islands, two rooms, round and straight walls, an open border.
 class APocket : public testing::TestWithParam<std::string> {};
-INSTANTIATE_TEST_SUITE_P(Corpus, APocket,
+INSTANTIATE_TEST_SUITE_P(Pocket, APocket,
                          testing::Values("star", "square_island", "two_rooms", "ring", "lame_hex50",
                                          "boss_open"),
                          name_of);
 
-// Clears the moved case, and expects the same as of the case at home.
-void expect_same(const Case& original, const Toolpath& at_home, double angle, bool mirrored,
-                 Vec2 shift) {
-  SCOPED_TRACE(mirrored ? "mirrored" : "turned or shifted");
-  const Case pocket = corpus::moved(original, angle, mirrored, shift);
-  const Toolpath path = clear(pocket, pocket.params());
-  expect_within_limits(pocket, path, judge(pocket, path));
-  EXPECT_NEAR(path.report.cutting_time, at_home.report.cutting_time,
-              0.03 * at_home.report.cutting_time);
-  EXPECT_NEAR(path.report.cut_length, at_home.report.cut_length, 0.03 * at_home.report.cut_length);
-}
-
-void expect_same_bytes(const Toolpath& a, const Toolpath& b) {
-  ASSERT_EQ(a.moves.size(), b.moves.size());
-  for (std::size_t i = 0; i < a.moves.size(); ++i) {
-    const Move &m = a.moves[i], &n = b.moves[i];
-    ASSERT_EQ(m.kind, n.kind);
-    for (const double Move::*number :
-         {&Move::x, &Move::y, &Move::z, &Move::sweep, &Move::cx, &Move::cy, &Move::feed})
-      ASSERT_EQ(m.*number, n.*number) << "move " << i;
-  }
-  EXPECT_EQ(a.report.notes, b.report.notes);
-}
-
-TEST_P(EveryPocket, IsClearedByTheSameBytesAgainAndTheSameWhenItIsTurnedOrMirrored) {
-  const Case pocket = corpus::load(GetParam());
-  const Toolpath at_home = clear(pocket, pocket.params());
-  expect_same_bytes(at_home, clear(pocket, pocket.params()));
-  expect_same(pocket, at_home, 17 * kDegree, false, {});
-  expect_same(pocket, at_home, 0, true, {});
-}
-
 TEST_P(APocket, IsClearedTheSameFarFromTheOrigin) {
-  const Case pocket = corpus::load(GetParam());
-  expect_same(pocket, clear(pocket, pocket.params()), 0, false, {1000, -500});
+  const corpus::Home& home = at_home(GetParam());
+  corpus::expect_same_when_moved(home.pocket, home.path, 0, false, {1000, -500});
 }
 
 TEST_P(APocket, IsClearedConventionallyAsItsMirrorImageIsByClimb) {
@@ -180,7 +77,7 @@ TEST_P(APocket, IsClearedDownToTheExactFinalDepthLevelByLevel) {
   ClearingParams params = pocket.params();
   params.levels = {-1.7, -3.1000000000000001};
   const Toolpath path = clear(pocket, params);
-  const Toolpath one = clear(pocket, pocket.params());
+  const Toolpath& one = at_home(GetParam()).path;
   expect_within_limits(pocket, path, judge(pocket, path));
   std::vector<double> heights;
   double deepest = 0;

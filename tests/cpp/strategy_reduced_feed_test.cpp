@@ -223,18 +223,6 @@ TEST(ReducedFeed, KeepsTheEngagementLimitOutsideOfPassages) {
   }
 }
 
-class EveryPocketAtReducedFeed : public testing::TestWithParam<std::string> {};
-
-TEST_P(EveryPocketAtReducedFeed, IsClearedWithinTheLimits) {
-  const Case pocket = corpus::load(GetParam());
-  const Toolpath path =
-      clear(pocket, NarrowPassages::kReducedFeed, FeedControl::kConstantRemovalRate);
-  EXPECT_LE(expect_cleared(pocket, path).removal_rate, corpus::most_rate(pocket));
-}
-
-INSTANTIATE_TEST_SUITE_P(Corpus, EveryPocketAtReducedFeed, testing::ValuesIn(corpus::clearable()),
-                         [](const auto& test) { return test.param; });
-
 TEST(FeedLimits, HoldTheNominalRateInPassagesAndLeaveOtherMovesAlone) {
   PlanarMove wide, narrow, thin;
   wide.segment = narrow.segment = thin.segment = Segment::line({0, 0}, {10, 0});

@@ -4,17 +4,14 @@
 #include <cmath>
 #include <optional>
 #include <random>
-#include <set>
 #include <string>
 #include <utility>
 
 #include "geometry_shapes.h"
-#include "judged.h"
 #include "strategy/move_checks.h"
 #include "strategy/tight_turns.h"
 #include "strategy/turn_demands.h"
 #include "strategy/wider_bi_arc.h"
-#include "toolpath/path_commands.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
@@ -300,87 +297,6 @@ TEST(TightTurns, AreNotInTheCornersOfAStage) {
   // 0.0735 mm is the least radius of a quarter turn.
   EXPECT_NEAR(wide.front().area(), exact.area() - 0.0735 * 0.0735 * (4 - kPi), 1e-3);
 }
-
-// One command's move from where the tool is.
-Move move_of(const PathCommand& command, MoveKind kind, const Position& at) {
-  Move move{command.code == 0 ? MoveKind::kRapid : kind,
-            command.x.value_or(at.x),
-            command.y.value_or(at.y),
-            command.z.value_or(at.z),
-            0,
-            0,
-            0,
-            command.feed.value_or(0)};
-  if (command.code < 2) return move;
-  const Vec2 from{-*command.i, -*command.j}, to{move.x - at.x + from.x, move.y - at.y + from.y};
-  const double turned = std::atan2(cross(from, to), dot(from, to));
-  move.sweep = command.code == 3 ? wrap_positive(turned) : -wrap_positive(-turned);
-  move.cx = at.x + *command.i;
-  move.cy = at.y + *command.j;
-  return move;
-}
-
-// The moves of the program that is posted. Commands do not say what a move is for: moves for one
-// purpose are written together.
-std::vector<Move> posted(const std::vector<Move>& moves) {
-  std::vector<Move> result;
-  std::optional<Position> at;
-  // The first command only rises: anywhere will do, and far away the judge would look all the way.
-  const Position above{moves.front().x, moves.front().y, moves.front().z};
-  for (auto first = moves.begin(); first != moves.end();) {
-    const auto last = std::find_if(first, moves.end(),
-                                   [&](const Move& move) { return move.kind != first->kind; });
-    for (const PathCommand& command : path_commands({first, last}, at)) {
-      result.push_back(move_of(command, first->kind, at.value_or(above)));
-      at = {result.back().x, result.back().y, result.back().z};
-    }
-    first = last;
-  }
-  return result;
-}
-
-// Corners of the tool's place that the exact border runs into: those of the walls that are concave.
-int sharp_corners(const Region& region) {
-  int count = 0;
-  for (const Curve& curve : region.curves())
-    for (std::size_t i = 0; i < curve.segment_count(); ++i) {
-      const Vec2 before = curve.segment((i + curve.segment_count() - 1) % curve.segment_count())
-                              .tangent(1),
-                 after = curve.segment(i).tangent(0);
-      if (std::atan2(cross(before, after), dot(before, after)) > 0.02) ++count;
-    }
-  return count;
-}
-
-class APostedPocket : public testing::TestWithParam<std::string> {};
-
-TEST_P(APostedPocket, TurnsByMoreThanADegreeAtSharpCornersOnly) {
-  const corpus::Case pocket = corpus::load(GetParam());
-  Toolpath path = corpus::clear(pocket, pocket.params());
-  path.moves = posted(path.moves);
-  const path_check::Findings found = corpus::judge(pocket, path);
-  EXPECT_LE(found.kinks, sharp_corners(pocket.region))
-      << "the worst by " << found.worst_kink * 180 / kPi << " degrees at " << found.worst_kink_at.x
-      << ", " << found.worst_kink_at.y;
-}
-
-// Cases without a path, and those that still turn elsewhere; the moves themselves are tangent.
-const std::set<std::string> kLeftOut{
-    "too_small",  // the tool does not fit
-    // Between its stretched helix and the first circle the tool turns thrice at less than 0.1 mm:
-    // no wider arc has room.
-    "slot62",
-    // Pieces of some micrometres of the outline's corners, which rounding turns by some degrees.
-    "tiny_edges",
-};
-
-INSTANTIATE_TEST_SUITE_P(Corpus, APostedPocket, testing::ValuesIn([] {
-                           std::vector<std::string> names;
-                           for (const std::string& name : corpus::names())
-                             if (!kLeftOut.count(name)) names.push_back(name);
-                           return names;
-                         }()),
-                         [](const auto& pocket) { return pocket.param; });
 
 }  // namespace
 }  // namespace evenload
