@@ -212,13 +212,30 @@ def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
 
 
 def test_failing_cases_are_written_as_corpus_cases(tmp_path, monkeypatch):
-    monkeypatch.setitem(fuzz.LIMITS, "over", -200.0)
+    monkeypatch.setitem(fuzz.LIMITS, "gouge", -1.0)  # a figure that is not looked at twice
     summary = fuzz.fuzz(1.0, 1, 7, 1, tmp_path)
     (path,) = tmp_path.iterdir()
     case = json.loads(path.read_text())
-    assert case["name"] == path.stem and "over" in case["note"]
+    assert case["name"] == path.stem and "gouge" in case["note"]
     assert summary.failed == summary.cases == 1
     assert list(summary.lines())[0] == "1 cases, 1 failed, 0 too narrow"
+
+
+@pytest.mark.parametrize("name", fuzz.LIMITS)
+def test_a_mean_above_its_limit_is_looked_at_more_closely(name, monkeypatch):
+    steps = []
+
+    def look(case, path, scene, step=fuzz.STEP):
+        steps.append((step, scene["resolution"]))
+        return {**FINE, name: fuzz.LIMITS[name] + (1 if len(steps) == 1 else 0)}
+
+    monkeypatch.setattr(fuzz, "figures_of", look)
+    case = json.loads((ROOT / "tests" / "corpus" / "circle12.json").read_text())
+    answer = fuzz.judge(case, False)
+    assert steps[0] == (fuzz.STEP, fuzz.RESOLUTION)
+    closer = [(fuzz.CLOSE_STEP, fuzz.FINEST)] if name in fuzz.MEANS else []
+    assert steps[1:] == closer
+    assert bool(fuzz.faults(case, answer)) == (name not in fuzz.MEANS)
 
 
 # ---- operations that clear certain shapes only ----
@@ -257,7 +274,7 @@ def test_an_operations_own_limits_are_stricter():
 
 @pytest.mark.parametrize("operation", kinds.KINDS)
 def test_a_case_of_an_operation_is_cleared_and_judged(operation):
-    _, case = next(fuzz.cases(1, 0, operation))
+    _, case = next(fuzz.cases(1, 10, operation))
     answer = fuzz.judge(case, twice=True)
     assert fuzz.faults(case, answer) == [] and "figures" in answer
 
