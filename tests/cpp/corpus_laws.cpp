@@ -31,6 +31,8 @@ void expect_within_limits(const Case& pocket, const Toolpath& path,
 
 void expect_same_when_moved(const Case& original, const Toolpath& at_home, double angle,
                             bool mirrored, Vec2 shift) {
+  SCOPED_TRACE(std::string(mirrored ? "mirrored, " : "") + "turned by " +
+               std::to_string(angle / kDegree) + " degrees, shifted by " + text(shift));
   const Case pocket = moved(original, angle, mirrored, shift);
   const Toolpath path = clear(pocket, pocket.params());
   expect_within_limits(pocket, path, judge(pocket, path));
@@ -49,6 +51,7 @@ void expect_same_bytes(const Toolpath& a, const Toolpath& b) {
          {&Move::x, &Move::y, &Move::z, &Move::sweep, &Move::cx, &Move::cy, &Move::feed})
       ASSERT_EQ(m.*number, n.*number) << "move " << i;
   }
+  EXPECT_EQ(a.report.termination, b.report.termination);
   EXPECT_EQ(a.report.notes, b.report.notes);
 }
 

@@ -2,6 +2,7 @@
 // code with it. All tests of a pocket run in one process, which clears it as its file says once.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string>
 #include <vector>
@@ -68,9 +69,27 @@ TEST_P(EveryPocket, IsCutAtTheNominalRateAndAtFeedsWithinTheirCaps) {
   }
 }
 
-TEST_P(EveryPocket, IsClearedTheSameWhenItIsMirroredAndTurned) {
+TEST_P(EveryPocket, IsClearedTheSameWhenItIsTurned) {
   const Home& home = at_home(GetParam());
-  corpus::expect_same_when_moved(home.pocket, home.path, 17 * kDegree, true, {});
+  corpus::expect_same_when_moved(home.pocket, home.path, 17 * kDegree, false, {});
+}
+
+TEST_P(EveryPocket, IsClearedTheSameWhenItIsMirrored) {
+  const Home& home = at_home(GetParam());
+  corpus::expect_same_when_moved(home.pocket, home.path, 0, true, {});
+}
+
+TEST_P(EveryPocket, IsCrossedRapidlyAtTheSafeHeightOnly) {
+  const Home& home = at_home(GetParam());
+  const ClearingParams params = home.pocket.params();
+  const std::vector<Move>& moves = home.path.moves;
+  EXPECT_EQ(moves.front().kind, MoveKind::kRapid);
+  EXPECT_EQ(moves.front().z, params.clearance_height);
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    const Move &from = moves[i - 1], &to = moves[i];
+    if (to.kind != MoveKind::kRapid || (from.x == to.x && from.y == to.y)) continue;
+    EXPECT_GE(std::min(from.z, to.z), params.safe_height);
+  }
 }
 
 // Where no passage is cut at a reduced feed, that choice changes nothing: the path is the one at

@@ -168,24 +168,6 @@ TEST_P(APocket, StopsSoonWhenItIsCancelled) {
   EXPECT_GT(found.left_share, kMostLeft);
 }
 
-TEST(Clearing, NeverMovesRapidlyBelowTheSafeHeightButStraightUpAndDown) {
-  for (const char* name : {"two_rooms_closed", "square_island", "boss_open"}) {
-    const Case pocket = corpus::load(name);
-    const ClearingParams params = pocket.params();
-    const Toolpath path = clear(pocket, params);
-    const Move& first = path.moves.front();
-    EXPECT_EQ(first.kind, MoveKind::kRapid);
-    EXPECT_EQ(first.z, params.clearance_height);
-    for (std::size_t i = 1; i < path.moves.size(); ++i) {
-      const Move &from = path.moves[i - 1], &to = path.moves[i];
-      if (to.kind != MoveKind::kRapid) continue;
-      if (from.x != to.x || from.y != to.y) {
-        EXPECT_GE(std::min(from.z, to.z), params.safe_height) << name;
-      }
-    }
-  }
-}
-
 // The documented range of every parameter.
 TEST(Clearing, RefusesEveryParameterOutOfRange) {
   const Case pocket = corpus::load("slot9");

@@ -71,7 +71,10 @@ bool are_same(const std::vector<Segment>& a, const std::vector<Segment>& b) {
 }
 
 class RowsFound : public testing::TestWithParam<Rows> {};
-INSTANTIATE_TEST_SUITE_P(FewerMoves, RowsFound, testing::Values(Rows::kFitted, Rows::kQuick));
+INSTANTIATE_TEST_SUITE_P(FewerMoves, RowsFound, testing::Values(Rows::kFitted, Rows::kQuick),
+                         [](const auto& test) {
+                           return test.param == Rows::kFitted ? "Fitted" : "Quick";
+                         });
 
 TEST_P(RowsFound, LeadOnAsBeforeWithinTheLimit) {
   ClearedGround ground = front();
