@@ -1,8 +1,10 @@
 """Adds up test results. count_results.py FOLDER NAME=EXITCODE...
 
 Reads FOLDER/NAME.xml (JUnit) of every suite. A suite that ended badly without a failed test in its
-file, or wrote no file, counts as one failure. The last line is 'N passed, N failed', with
-', N skipped' where there are any; the exit code is 1 when anything failed.
+file, or wrote no file, counts as one failure, and so does one that ran no test. Suites that share
+what stands before a slash share their tests: one of them may have none. The last line is
+'N passed, N failed', with ', N skipped' where there are any; the exit code is 1 when anything
+failed.
 """
 import sys
 import xml.etree.ElementTree
@@ -25,22 +27,23 @@ def read(path):
 
 
 def main(folder, *suites):
-    total_passed, total_skipped, total_failed = 0, 0, []
+    total_passed, total_skipped, total_failed, ran = 0, 0, [], {}
     print("== summary")
     for suite in suites:
         name, code = suite.split("=")
         try:
             passed, skipped, failed = read(Path(folder) / (name + ".xml"))
         except (OSError, xml.etree.ElementTree.ParseError):
-            passed, skipped, failed = 0, 0, []
+            passed, skipped, failed = 0, 0, ["%s: wrote no results, exit code %s" % (name, code)]
         if code != "0" and not failed:
             failed = ["%s: ended with exit code %s" % (name, code)]
-        elif not passed + skipped + len(failed):
-            failed = ["%s: ran no test" % name]
-        print("%-8s %5d passed, %d failed, %d skipped" % (name, passed, len(failed), skipped))
+        print("%-9s %5d passed, %d failed, %d skipped" % (name, passed, len(failed), skipped))
         total_passed += passed
         total_skipped += skipped
         total_failed += failed
+        group = name.split("/")[0]
+        ran[group] = ran.get(group, 0) + passed + skipped + len(failed)
+    total_failed += ["%s: ran no test" % group for group, count in ran.items() if not count]
     for name in total_failed:
         print("FAILED  ", name)
     skips = ", %d skipped" % total_skipped if total_skipped else ""

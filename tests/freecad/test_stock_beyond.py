@@ -318,9 +318,9 @@ def test_the_time_grows_little_faster_than_the_number_of_edges(doc):
     times = []
     for pieces in (50, 200):
         part, stock = zigzag(pieces), block(-1, -5, 201, 31)
-        start = time.perf_counter()
+        start = time.process_time()
         assert floor_of(doc, part, stock).region().area == pytest.approx(202 * 25)
-        times.append(time.perf_counter() - start)
+        times.append(time.process_time() - start)
     assert times[1] < 12 * times[0]  # 4 times as many; strip by strip it was 64 times the time
 
 
