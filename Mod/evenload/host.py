@@ -348,6 +348,9 @@ def show_job(job):
     if not hasattr(view.Proxy, "getIcon"):
         view.addExtension("Gui::ViewProviderGroupExtensionPython")
         view.Proxy = job_gui.ViewProvider(view)
+        # FreeCAD takes it for the view of a job that is just being made, and Cancel in its first
+        # panel would delete the job with all its operations.
+        view.Proxy.deleteOnReject = False
 
 
 def add_to_workbench(commands):

@@ -11,7 +11,7 @@ import Path
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
-from evenload.operations import checks, force, rest
+from evenload.operations import checks, force, job_model, rest
 from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
@@ -74,7 +74,9 @@ class Operation(host.operation_base()):
         for setting in self.settings:
             if setting.in_setup_sheet():
                 obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
-                setattr(obj, setting.name, setting.value)
+                setattr(obj, setting.name, setting.in_prototype())
+                if isinstance(setting.value, list):  # so far it only has its choices
+                    setattr(obj, setting.name, setting.value[0])
 
     def _add(self, obj, setting):
         if hasattr(obj, setting.name):
@@ -190,12 +192,12 @@ class Operation(host.operation_base()):
         return False
 
     def addBase(self, obj, base, sub):
-        """Adds a face, an edge or, with sub '', a whole sketch. Doubles are left out."""
+        """Adds a face, an edge or, with sub '', a whole sketch; of what the job's models are made
+        from, their own faces and edges. Doubles are left out.
+        """
         entries = [(o, name) for o, names in obj.Base for name in (names or ("",))]
         if self._setBaseAndStock(obj, True):
-            for model in self.job.Model.Group:
-                if base == self.job.Proxy.baseObject(self.job, model):
-                    base = model
+            base, sub = job_model.of(self.job, base, sub)
         if (base, sub) not in entries:
             obj.Base = [*entries, (base, sub)]
 
@@ -426,8 +428,10 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
 
 
 def _show(obj):
-    """With a GUI, gives an operation that a script made its view provider."""
-    if FreeCAD.GuiUp:
+    """With a GUI, gives an operation that a script made its view provider. The SetupSheet's stand-in
+    for an operation is shown nowhere.
+    """
+    if FreeCAD.GuiUp and isinstance(obj, FreeCAD.DocumentObject):
         from evenload.gui import views
 
         views.attach(obj)

@@ -28,13 +28,17 @@ class Setting:
         """Whether FreeCAD's SetupSheet can keep a default for it."""
         return self.type in SETUP_SHEET_TYPES and self.value is not None and self.group == GROUP
 
+    def in_prototype(self):
+        """The default as FreeCAD's editor of the SetupSheet wants it: quantities with their unit."""
+        unit = UNITS.get(self.type)
+        return self.value if unit is None else FreeCAD.Units.Quantity(self.value, unit)
 
-SETUP_SHEET_TYPES = (
-    "App::PropertyAngle",
-    "App::PropertyBool",
-    "App::PropertyEnumeration",
-    "App::PropertyLength",
-)
+
+UNITS = {
+    "App::PropertyAngle": FreeCAD.Units.Angle,
+    "App::PropertyLength": FreeCAD.Units.Length,
+}
+SETUP_SHEET_TYPES = (*UNITS, "App::PropertyBool", "App::PropertyEnumeration")
 
 # What all operations have.
 SETTINGS = (
