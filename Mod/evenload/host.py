@@ -110,6 +110,19 @@ def parent_job(obj):
     return cam().utils.findParentJob(obj)
 
 
+def job_for_selection():
+    """With a GUI, the active document's job, of several the one that the selection or else the user
+    tells. None where there is none, or where the user cancels.
+    """
+    jobs = cam().utils.GetJobs()
+    return cam().utils.UserInput.chooseJob(jobs) if len(jobs) > 1 else next(iter(jobs), None)
+
+
+def no_tool_chosen():
+    """What FreeCAD raises where the user cancels the choice of an operation's tool controller."""
+    return cam().op.PathNoTCException
+
+
 def operation_under(obj):
     """The operation that a dressup dresses, through any number of them; an operation itself."""
     while hasattr(getattr(obj, "Base", None), "Path"):

@@ -12,6 +12,7 @@ import Path
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
 from evenload.operations import checks, force, job_model, rest
+from evenload.operations.refusal import Cancelled, Refusal
 from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
@@ -50,6 +51,7 @@ class Operation(host.operation_base()):
     last = None
     # callable(share) -> bool, asked while the core works; False stops it. None: the GUI's dialog.
     progress = None
+    _dialog = None
     _wished_controller = None
     _changing = False
 
@@ -223,8 +225,8 @@ class Operation(host.operation_base()):
     # ---- running ----
 
     def execute(self, obj):
-        """Computes the path. On any error the path is emptied, Report says why, and the operation
-        becomes invalid.
+        """Computes the path. On any error and when it is cancelled the path is emptied, Report says
+        why, and the operation becomes invalid.
         """
         self.last = None
         try:
@@ -233,7 +235,8 @@ class Operation(host.operation_base()):
                 self.follow_tool(obj)
             else:
                 self._clear_results(obj)
-            result = super().execute(obj)
+            with self._asked_all_along(obj):
+                result = super().execute(obj)
             if self.last is not None and not len(self.last.toolpath):
                 obj.Path = Path.Path()  # without the rapid at its end
             return result
@@ -246,7 +249,10 @@ class Operation(host.operation_base()):
                 obj.Report = "EvenLoad failed: %s." % _internal(error)
                 raise
             obj.Report = str(error)
-            raise error.with_traceback(None) from None
+            if isinstance(error, Cancelled):
+                obj.UncutArea = error.uncut_area
+                obj.Path = Path.Path([Path.Command(NOTHING_IS_CUT)])
+            raise Refusal(obj.Report) from None
 
     def opExecute(self, obj):
         core = compiled.core()
@@ -264,6 +270,8 @@ class Operation(host.operation_base()):
                 parameters["stock"] = stock
             parameters["progress"] = watch
             toolpath, own = self.generate(obj, core, regions, parameters)
+        if toolpath.report.termination == "cancelled":
+            raise Cancelled(self._area_in_reach(obj, core, tool, regions))
         self._check_entries(obj, tool, toolpath)
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
@@ -296,11 +304,29 @@ class Operation(host.operation_base()):
 
     def _watch(self, obj):
         """A context with what the core is to ask while it works."""
-        if self.progress is None and FreeCAD.GuiUp:
-            from evenload.gui import progress
+        return contextlib.nullcontext(self.progress or self._dialog)
 
-            return progress.Watch(obj.Label)
-        return contextlib.nullcontext(self.progress)
+    @contextlib.contextmanager
+    def _asked_all_along(self, obj):
+        """While this lasts, the GUI's dialog can be asked whether to go on: one for all that an
+        operation does, so that it is there in time whatever takes long.
+        """
+        if self.progress is not None or not FreeCAD.GuiUp:
+            yield
+            return
+        from evenload.gui import progress
+
+        with progress.Watch(obj.Label) as self._dialog:
+            try:
+                yield
+            finally:
+                self._dialog = None
+
+    @staticmethod
+    def _area_in_reach(obj, core, tool, regions):
+        """What a path would clear, in mm2."""
+        ground = core.reachable_ground(regions, tool.diameter, obj.StockToLeave.Value)
+        return sum(region.area for region in ground)
 
     @staticmethod
     def _notes(floors, final_depth):
@@ -397,6 +423,7 @@ class Operation(host.operation_base()):
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 OUTPUT = 8  # FreeCAD's property attribute for results
+NOTHING_IS_CUT = "(Cancelled: nothing is cut here)"  # what is posted for a cancelled operation
 
 
 def register(proxy_class, create):
@@ -428,8 +455,8 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
 
 
 def _show(obj):
-    """With a GUI, gives an operation that a script made its view provider. The SetupSheet's stand-in
-    for an operation is shown nowhere.
+    """With a GUI, gives an operation that a script made its view provider. The SetupSheet's
+    stand-in for an operation is shown nowhere.
     """
     if FreeCAD.GuiUp and isinstance(obj, FreeCAD.DocumentObject):
         from evenload.gui import views

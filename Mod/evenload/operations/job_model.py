@@ -10,8 +10,8 @@ SAME = 1e-6  # mm, and of areas as a share: shapes that a file has rounded are t
 
 
 def of(job, base, sub):
-    """(model, name) of the element of the job's models that `sub` of `base` is; (base, sub) where it
-    belongs to none. sub: 'Face3', 'Edge12', or '' for a whole object.
+    """(model, name) of the element of the job's models that `sub` of `base` is; (base, sub) where
+    it belongs to none. sub: 'Face3', 'Edge12', or '' for a whole object.
     """
     originals = [(model, job.Proxy.baseObject(job, model)) for model in job.Model.Group]
     owner, placement = base, FreeCAD.Placement()

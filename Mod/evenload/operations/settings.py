@@ -29,7 +29,7 @@ class Setting:
         return self.type in SETUP_SHEET_TYPES and self.value is not None and self.group == GROUP
 
     def in_prototype(self):
-        """The default as FreeCAD's editor of the SetupSheet wants it: quantities with their unit."""
+        """The default as FreeCAD's editor of the SetupSheet wants it: with its unit."""
         unit = UNITS.get(self.type)
         return self.value if unit is None else FreeCAD.Units.Quantity(self.value, unit)
 
