@@ -63,11 +63,11 @@ def click(widget, at=None):
         QtGui.QApplication.sendEvent(widget, event)
 
 
-def enter(widget):
-    """Presses Enter in a widget."""
-    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-        event = QtGui.QKeyEvent(kind, QtCore.Qt.Key_Return, QtCore.Qt.NoModifier)
-        QtGui.QApplication.sendEvent(widget, event)
+def leave(widget):
+    """Takes the focus from a widget, as a click elsewhere does."""
+    widget.clearFocus()
+    event = QtGui.QFocusEvent(QtCore.QEvent.FocusOut, QtCore.Qt.MouseFocusReason)
+    QtGui.QApplication.sendEvent(widget, event)
 
 
 @contextlib.contextmanager
