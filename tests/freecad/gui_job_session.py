@@ -181,11 +181,12 @@ def adaptives(doc):
 
 
 def cancelled_panel(doc, job, name):
-    """What the Job panel shows, and whether Cancel loses anything."""
+    """What the Job panel shows, and whether Cancel loses anything. name: of its pages' pictures."""
     before = names(doc)
     form = job_panel(job)
     seen = {"active": FreeCADGui.Control.activeDialog(), "pages": pages(form, name)}
     seen["rows"] = rows(op_defaults(form, OURS))
+    picture("our_defaults")
     press(CANCEL)
     later()
     seen["kept"] = names(doc) == before and not FreeCADGui.Control.activeDialog()
@@ -317,7 +318,7 @@ def again():
     job = next(o for o in doc.Objects if o.Name.startswith("Job"))
     result["states"] = [state_of(op) for op in adaptives(doc)]
     result["posted"] = host.post(job, "linuxcnc", "--no-show-editor")
-    result["panel"] = cancelled_panel(doc, job, os.environ["EVENLOAD_GUI_PICTURES"])
+    result["panel"] = cancelled_panel(doc, job, None)
     doc.recompute()
     result["all_valid"] = [op.isValid() for op in adaptives(doc)]
 

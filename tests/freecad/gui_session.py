@@ -76,8 +76,9 @@ def cancelled(op):
 
 
 def waited():
-    """A computation that asks often: after how many seconds the dialog shows, and how many seconds
-    after a click on its Cancel the computation is told to end.
+    """A computation that asks often: how long until the dialog shows, and how long from a click on
+    its Cancel until the computation is told to end. In seconds of the clock, and of this thread's
+    work, since other programs may keep it waiting.
     """
     from evenload.gui import progress
 
@@ -85,16 +86,22 @@ def waited():
         boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox)
         return [box for box in boxes if box.isVisible()]
 
-    begin = time.monotonic()
+    def times():
+        return time.monotonic(), time.thread_time()
+
+    def since(begin):
+        return [now - before for now, before in zip(times(), begin)]
+
+    begin = times()
     with progress.Watch("Long") as watch:
-        while not dialogs() and time.monotonic() < begin + 20:
+        while not dialogs() and since(begin)[0] < 20:
             assert watch(0.5)
-        shown = time.monotonic() - begin
+        shown = since(begin)
         click(dialogs()[0].button(QtGui.QMessageBox.Cancel))
-        begin = time.monotonic()
-        while watch(0.5) and time.monotonic() < begin + 20:
+        begin = times()
+        while watch(0.5) and since(begin)[0] < 20:
             pass
-        answered = time.monotonic() - begin
+        answered = since(begin)
         still = watch(0.5)
     return {"shown": shown, "answered": answered, "asked_again": still, "left": len(dialogs())}
 

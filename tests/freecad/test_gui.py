@@ -98,7 +98,9 @@ def test_cancel_stops_the_computation_and_leaves_nothing_that_passes_for_whole(s
 
 def test_the_dialog_is_there_within_half_a_second_and_cancel_is_answered_within_a_third(session):
     seen = session["waited"]
-    assert 0.1 < seen["shown"] < 0.5 and seen["answered"] < 0.3
+    clock, work = seen["shown"]
+    assert clock > 0.2 and work < 0.5, "what takes no time shows no dialog"
+    assert seen["answered"][1] < 0.3
     assert not seen["asked_again"] and seen["left"] == 0
 
 

@@ -37,21 +37,20 @@ def fresh(home, tmp_path_factory):
     return seen
 
 
-def opened_again(document, home, name):
+def opened_again(document, home):
     return in_gui(
         "gui_job_session.py",
         document.parent,
         FREECAD_USER_HOME=str(home),
         EVENLOAD_GUI_STAGE="again",
         EVENLOAD_GUI_DOCUMENT=str(document),
-        EVENLOAD_GUI_PICTURES=name,
     )
 
 
 @pytest.fixture(scope="module")
 def again(fresh, home):
     """The first session's document in another process."""
-    return opened_again(fresh["document"], home, "again")
+    return opened_again(fresh["document"], home)
 
 
 @pytest.fixture(scope="module")
@@ -63,7 +62,7 @@ def headless(home, tmp_path_factory):
     bench.done(bench.operation())
     doc.saveAs(str(folder / "headless.FCStd"))
     FreeCAD.closeDocument(doc.Name)
-    return opened_again(folder / "headless.FCStd", home, "headless")
+    return opened_again(folder / "headless.FCStd", home)
 
 
 def check_panel(panel):

@@ -304,6 +304,8 @@ class Operation(host.operation_base()):
 
     def _watch(self, obj):
         """A context with what the core is to ask while it works."""
+        if self._dialog is not None:
+            self._dialog(0.0)  # what came before may have taken long
         return contextlib.nullcontext(self.progress or self._dialog)
 
     @contextlib.contextmanager
