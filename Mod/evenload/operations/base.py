@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import FreeCAD
 import Path
 
-from evenload import commands, compiled, host, planar, shape
+from evenload import commands, compiled, host, planar, proof, shape
 from evenload import tool as tools
 from evenload.operations import checks, force, job_model, rest
 from evenload.operations.refusal import Cancelled, Refusal
@@ -239,6 +239,8 @@ class Operation(host.operation_base()):
                 result = super().execute(obj)
             if self.last is not None and not len(self.last.toolpath):
                 obj.Path = Path.Path()  # without the rapid at its end
+            elif self.last is not None:
+                self._prove(obj)
             return result
         except Exception as error:
             obj.Path = Path.Path()
@@ -283,17 +285,20 @@ class Operation(host.operation_base()):
         for name, value in own.items():
             self._quietly(obj, name, value)
 
-    def floors(self, obj, tool):
-        """The Floor of every region that the base geometry describes. Raises ValueError with
-        a sentence that names the geometry.
+    def floors(self, obj, tool, slot=None):
+        """The Floor of every region that the base geometry describes. slot: as for shape.floors.
+        Raises ValueError with a sentence that names the geometry.
         """
+        job = host.parent_job(obj)
         return shape.floors(
             obj.Base,
-            [m.Shape for m in self.model],
-            self.stock.Shape,
+            [model.Shape for model in job.Model.Group if not model.Shape.isNull()],
+            job.Stock.Shape,
             tool.diameter,
             obj.Tolerance.Value,
-            partly_open=self.partly_open,
+            slot,
+            self.partly_open,
+            obj.FinalDepth.Value,
         )
 
     def generate(self, obj, core, regions, parameters):
@@ -408,6 +413,14 @@ class Operation(host.operation_base()):
                     % (tool.name, nx, ny)
                 )
             x, y = nx, ny
+
+    def _prove(self, obj):
+        """Refuses a path with faults, and says in Report whether it was checked."""
+        faults = proof.check(obj) if obj.Check else []
+        if faults:
+            raise ValueError(faults[0].sentence)
+        said = proof.CHECKED if obj.Check else proof.UNCHECKED
+        obj.Report = "\n".join(filter(None, [obj.Report, said]))
 
     def _set_results(self, obj, report, notes):
         _set(obj, "MaxEngagement", math.degrees(report.max_engagement))

@@ -1,7 +1,7 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
-from evenload.operations.settings import POSITIVE
+from evenload.operations.settings import HOLE_ENTRIES, POSITIVE
 
 MOST_LEAST_LOAD = 0.95
 
@@ -78,7 +78,7 @@ def _levels(obj, tool):
 def hole(obj, tool, floors):
     """(x, y, diameter) of the pre-drilled hole, or None."""
     diameter, at = obj.HoleDiameter.Value, obj.EntryPoint
-    if obj.Entry not in ("Automatic", "Predrilled hole"):
+    if obj.Entry not in HOLE_ENTRIES:
         return None
     if not diameter > 0:
         if obj.Entry == "Predrilled hole":
