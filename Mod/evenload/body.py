@@ -18,6 +18,7 @@ from evenload.floor import UP, faces_within, points_of
 LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so exactly
 FLAT = 1e-9  # mm: edges that rise by less lie in a level plane
 DEFLECTION = 0.005  # mm: triangles leave round surfaces by this at the most
+COARSE = 0.01  # mm: the same of the heights, which no wall is taken from
 PROJECTED = 0.001  # mm: points on edges that are drawn anew in the plane lie as near as that
 POINTS = 9  # the fewest of these on a curve
 SHORTEST = 1e-7  # mm: edges that come out shorter have become points
@@ -59,7 +60,8 @@ class Body:
     @functools.cached_property
     def map(self):
         """Its upper side, as the core's HeightMap."""
-        points, triangles = self.shape.tessellate(DEFLECTION)
+        faces = Part.Compound([face.shape for face in self._faces if not face.is_upright])
+        points, triangles = faces.tessellate(COARSE)
         points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
         return compiled.core().HeightMap(points, numpy.array(triangles).reshape(-1, 3))
 

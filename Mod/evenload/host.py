@@ -105,6 +105,11 @@ def dressup(name):
     return importlib.import_module("PathScripts." + old[name])
 
 
+def path_array():
+    """FreeCAD's module of arrays of operations, with its ObjectArray(obj)."""
+    return importlib.import_module("Path.Op.Gui.Array" if _MOVED else "PathScripts.PathArray")
+
+
 def parent_job(obj):
     """The job that an operation belongs to, or None."""
     return cam().utils.findParentJob(obj)

@@ -10,10 +10,11 @@ from dataclasses import dataclass
 
 import numpy
 import Part
+from FreeCAD import Vector
 
 from evenload import body, compiled, host
 from evenload import tool as tools
-from evenload.floor import inside, points_of
+from evenload.floor import UP, inside, points_of
 from evenload.operations.settings import HOLE_ENTRIES
 
 CHECKED = "Checked against the model."
@@ -27,6 +28,10 @@ MOST_PER_SIDE = 400  # of that raster
 ABOVE_LEVEL = 2e-3  # mm: sections are made so far above a path's levels
 MOST_SECTIONS = 40  # levels at which a model that leans is cut; what lies between is seen at edges
 DEEPER = 1e-3  # mm below a face, from which on the operation is meant to cut into it
+BESIDE = 0.05  # mm beside a face's edge, where a model is looked for that its border keeps off
+FEWEST = 9  # points along an edge
+SLOT_SAMPLES = 0.1  # slot widths between places of a centreline, of what the slot covers
+NEARER = 1e-3  # mm by which a centreline may come nearer to a slot's border than half its width
 FIRST_LINES = "G21 G90\nF600\n"  # for the reader of G-code: FreeCAD's paths are always in mm
 NO_POINTS = numpy.zeros((0, 3))
 
@@ -60,9 +65,9 @@ def check(operation):
         labels += [label] * len(found)
         points.append(found)
     stock = body.of(job.Stock.Shape).map
-    outline = drawn.outline(SPACING * tool.diameter, stock)
-    labels += [drawn.name] * len(outline)
-    points = numpy.vstack([NO_POINTS, *points, outline])
+    borders = drawn.borders(SPACING * tool.diameter, stock, [each.map for _, each in models])
+    labels += [drawn.name] * len(borders)
+    points = numpy.vstack([NO_POINTS, *points, borders])
     options = {
         "tool_diameter": tool.diameter,
         "corner_radius": tools.corner_radius(host.controller_of(operation)),
@@ -167,44 +172,38 @@ def _meet(box, low, high, reach):
 
 class _Drawn:
     """What an operation is told to clear although the model stands there: outlines, slots round
-    centrelines, and faces down to below them. Its borders must not be passed, whatever stands
-    there.
+    centrelines, and faces down to below them. It must not pass their borders: those of outlines
+    and slots nowhere, those of faces where a model stands beyond.
     """
 
     def __init__(self, operation):
         self.name = ""
         self.depth = operation.FinalDepth.Value
-        self._polygons, self._edges, self._curves = [], [], []
+        self._grounds = []  # nested polygons of each outline or face
+        self._outlines, self._faces, self._curves = [], [], []  # edges
         self._width = getattr(getattr(operation, "SlotWidth", None), "Value", 0.0)
         labels = []
         for obj, names in operation.Base:
-            shape = Part.getShape(obj)
-            container = obj.getGlobalPlacement() * obj.Placement.inverse()
-            shape = shape.copy()
-            shape.Placement = container * shape.Placement
-            edges = []
-            for name in names or ("",):
-                part = shape.getElement(name) if name else shape
-                if part.ShapeType in ("Edge", "Wire"):
-                    edges += part.Edges
-                    labels.append(obj.Label)
-                elif part.Faces and self._is_to_be_cut(part, shape):
-                    self._add_faces(part.Faces)
-                    labels.append(obj.Label)
-                elif not part.Faces:
-                    edges += part.Edges
-                    labels.append(obj.Label)
+            shape = _placed(obj)
+            parts = [shape.getElement(name) if name else shape for name in names or ("",)]
+            faces = [part for part in parts if part.Faces and self._is_to_be_cut(part, shape)]
+            edges = [edge for part in parts if not part.Faces for edge in part.Edges]
+            self._add_faces([face for part in faces for face in part.Faces])
             self._add_edges(edges)
+            labels += [obj.Label] if faces or edges else []
         self.name = ", ".join(dict.fromkeys(labels))
 
     def _is_to_be_cut(self, part, shape):
-        """Whether faces are outlines drawn by themselves, or lie higher than what is cut."""
+        """Whether faces were drawn by themselves, or lie higher than what is cut."""
         return not shape.Solids or part.BoundBox.ZMin > self.depth + DEEPER
 
     def _add_faces(self, faces):
-        for face in faces:
-            self._polygons.append([points_of(wire) for wire in face.Wires])
-            self._edges += face.Edges
+        level = [face.translated(UP * -face.BoundBox.ZMax) for face in faces]
+        if len(level) > 1:  # what two of them share is no border
+            level = level[0].fuse(level[1:]).removeSplitter().Faces
+        for face in level:
+            self._grounds.append([points_of(wire) for wire in face.Wires])
+            self._faces += face.Edges
 
     def _add_edges(self, edges):
         wires = [Part.Wire(each) for each in Part.sortEdges(edges)] if edges else []
@@ -213,58 +212,79 @@ class _Drawn:
             return
         closed = [wire for wire in wires if wire.isClosed()]
         if closed:
-            self._polygons.append([points_of(wire) for wire in closed])
-            self._edges += [edge for wire in closed for edge in wire.Edges]
+            self._grounds.append([points_of(wire) for wire in closed])
+            self._outlines += [edge for wire in closed for edge in wire.Edges]
+
+    def _within(self, flat):
+        """For each of some points, n x 2, whether it lies on a ground that is to be cut."""
+        result = numpy.zeros(len(flat), bool)
+        for polygons in self._grounds:
+            result |= inside(flat, polygons)
+        for x, y in self._samples(SLOT_SAMPLES * self._width):
+            result |= numpy.hypot(flat[:, 0] - x, flat[:, 1] - y) < 0.5 * self._width
+        return result
 
     def left(self, points):
         """Those of the points, n x 3, that must stay nevertheless."""
         if not self.name or not len(points):
             return points
-        stays = numpy.ones(len(points), bool)
         flat = numpy.ascontiguousarray(points[:, :2])
-        for polygons in self._polygons:
-            stays &= ~inside(flat, polygons)
-        for samples in self._samples(0.1 * self._width):
-            for x, y in samples:
-                stays &= numpy.hypot(flat[:, 0] - x, flat[:, 1] - y) > 0.5 * self._width
-        return points[stays | (points[:, 2] < self.depth)]
+        return points[~self._within(flat) | (points[:, 2] < self.depth)]
 
-    def outline(self, spacing, stock):
-        """Points of the borders at the height of the stock there, n x 3."""
-        found = [
-            (p.x, p.y) for edge in self._edges for p in _along(edge, spacing)
-        ] + self._slot_border(spacing)
-        tops = ((x, y, stock.top_at(x, y)) for x, y in found)
-        points = [point for point in tops if math.isfinite(point[2])]
+    def borders(self, spacing, stock, models):
+        """Points of what must not be passed, n x 3, as high as what stands there. stock and
+        models: HeightMaps.
+        """
+        found = [(p.x, p.y) for edge in self._outlines for p in _along(edge, spacing)]
+        found += self._slot_border(spacing)
+        points = [(x, y, stock.top_at(x, y)) for x, y in found]
+        for edge in self._faces:
+            for p, side in _beside(edge, spacing):
+                beyond = numpy.array([(p.x + s * side.x, p.y + s * side.y) for s in (BESIDE, -BESIDE)])
+                for x, y in beyond[~self._within(beyond)]:
+                    top = max((model.top_at(x, y) for model in models), default=-math.inf)
+                    points.append((p.x, p.y, top))
+        points = [point for point in points if math.isfinite(point[2])]
         return numpy.array(points).reshape(-1, 3)
 
     def _samples(self, spacing):
-        return [[(p.x, p.y) for p in _along(edge, spacing)] for edge in self._curves]
+        return [(p.x, p.y) for edge in self._curves for p in _along(edge, spacing)]
 
     def _slot_border(self, spacing):
         """(x, y) half the slot's width beside its centrelines, to both sides, where no other part
         of them is nearer.
         """
-        if not self._curves:
-            return []
-        own = numpy.array([p for each in self._samples(spacing) for p in each])
-        found = []
+        own = numpy.array(self._samples(spacing)).reshape(-1, 2)
+        half, found = 0.5 * self._width, []
         for edge in self._curves:
-            count = max(2, math.ceil(edge.Length / spacing) + 1)
-            first, last = edge.ParameterRange
-            for k in range(count):
-                u = first + k / (count - 1) * (last - first)
-                p, t = edge.valueAt(u), edge.tangentAt(u)
-                for side in (0.5 * self._width, -0.5 * self._width):
-                    x, y = p.x - side * t.y, p.y + side * t.x
-                    away = numpy.hypot(own[:, 0] - x, own[:, 1] - y).min()
-                    if away > 0.5 * self._width - 1e-3:
+            for p, side in _beside(edge, spacing):
+                for x, y in ((p.x + s * side.x, p.y + s * side.y) for s in (half, -half)):
+                    if numpy.hypot(own[:, 0] - x, own[:, 1] - y).min() > half - NEARER:
                         found.append((x, y))
         return found
 
 
+def _placed(obj):
+    """An object's shape where it is in the world."""
+    shape = obj.Shape.copy()
+    shape.Placement = obj.getGlobalPlacement() * obj.Placement.inverse() * shape.Placement
+    return shape
+
+
 def _along(edge, spacing):
-    return edge.discretize(Number=max(9, math.ceil(edge.Length / max(spacing, 1e-3)) + 1))
+    return edge.discretize(Number=max(FEWEST, math.ceil(edge.Length / spacing) + 1))
+
+
+def _beside(edge, spacing):
+    """[(a point of an edge, the level unit vector across it), ...]"""
+    count = max(FEWEST, math.ceil(edge.Length / spacing) + 1)
+    first, last = edge.ParameterRange
+    result = []
+    for k in range(count):
+        at = first + k / (count - 1) * (last - first)
+        along = edge.tangentAt(at)
+        result.append((edge.valueAt(at), Vector(-along.y, along.x, 0)))
+    return result
 
 
 def _fault(kind, amount, at, move, points, labels):

@@ -312,7 +312,9 @@ MoveKind LoadWalk::inferred_kind(const Move& from, const std::vector<MovePiece>&
   };
   double length = 0;
   for (const MovePiece& piece : pieces) length += piece.path.length();
-  if (from.z - now_.move.z > kEntrySlope * length) {
+  const bool descends = from.z - now_.move.z > kEntrySlope * length;
+  if (descends && length == 0 && !cuts()) return MoveKind::kLink;  // down where all is cleared
+  if (descends) {
     for (const MovePiece& piece : pieces) entry_.push_back(piece.path);
     return MoveKind::kEntry;
   }

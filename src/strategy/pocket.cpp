@@ -92,7 +92,9 @@ void check(const ClearingParams& p) {
 // mm: a tool this much wider than the one asked for would just fit; rounded down to what can be
 // printed.
 double largest_fitting_tool(const std::vector<Region>& regions, const ClearingParams& params) {
-  const double width = largest_tool(regions) - 2 * (params.stock_to_leave + kWallGap);
+  double widest = 0;  // of one region: what two of them share with their borders is not open
+  for (const Region& region : regions) widest = std::max(widest, largest_tool({region}));
+  const double width = widest - 2 * (params.stock_to_leave + kWallGap);
   return std::floor(width * 1000) / 1000;
 }
 

@@ -239,7 +239,7 @@ def with_stock(square, body):
 
 def test_a_box_of_stock_has_its_outline_top_and_bottom(square):
     host.set_stock_margin(square.job, 2.0)
-    found = job_simulation.read(square.done(square.operation()))
+    found = job_simulation.read(square.done(square.operation(StartDepth=2.0)))
     (stock,) = found.stock
     assert stock.area == pytest.approx((30 + 2 * MARGIN + 4) ** 2) and len(stock.outer) == 4
     assert (found.top, found.bottom) == pytest.approx((2, -BLOCK - 2))

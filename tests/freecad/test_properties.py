@@ -187,7 +187,7 @@ def links_of(op):
     """Runs of moves at the link feed: [[move, ...], ...]."""
     runs, before = [], None
     for move in moves_of(op):
-        is_link = move[0] != "G0" and move[4] == pytest.approx(LINK)
+        is_link = move[0] != "G0" and move[4] == pytest.approx(LINK) and move[1][:2] != move[2][:2]
         if is_link and before:
             runs[-1].append(move)
         elif is_link:

@@ -30,7 +30,7 @@ GROUPS = (
         "Entry",
         ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
     ),
-    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs")),
+    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs", "Check")),
 )
 LABELS = {
     "EngagementAngle": "Engagement angle",
@@ -56,6 +56,7 @@ LABELS = {
     "NarrowPassages": "Narrow passages",
     "Tolerance": "Tolerance",
     "Arcs": "Arcs (G2, G3)",
+    "Check": "Check against the model",
 }
 FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock

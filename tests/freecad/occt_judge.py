@@ -1,0 +1,199 @@
+"""A judge of paths by OpenCASCADE's booleans: the tool's swept body against models and stock.
+
+It shares nothing with the addon: commands are followed here, swept bodies are solids. Slow, so only
+moves are put to it that come near what they must not touch; which do, points of edges tell.
+"""
+
+import math
+
+import numpy
+import Part
+from FreeCAD import Vector
+
+GOUGE = 0.005  # mm beyond the tolerance
+TOUCH = 0.02  # mm: the rim of a tool may touch what stands
+LEAST = 1e-4  # mm3: less is rounding of the booleans
+HIGH = 1000.0  # mm: tools reach as far up
+FLAT = 1e-6  # mm
+NEAR = 0.06  # mm: moves that stay further away are not put to the booleans
+
+
+class Move:
+    """A move from `start` to `end`, with the centre and the sweep of an arc."""
+
+    def __init__(self, name, start, end, centre=None, sweep=0.0):
+        self.is_rapid = name == "G0"
+        self.start, self.end, self.centre, self.sweep = start, end, centre, sweep
+        self.low = min(start.z, end.z)
+
+    def point(self, t):
+        if self.centre is None:
+            return self.start + (self.end - self.start) * t
+        arm = self.start - self.centre
+        turn = self.sweep * t
+        return Vector(
+            self.centre.x + arm.x * math.cos(turn) - arm.y * math.sin(turn),
+            self.centre.y + arm.x * math.sin(turn) + arm.y * math.cos(turn),
+            self.start.z + t * (self.end.z - self.start.z),
+        )
+
+    def length(self):
+        flat = math.hypot(self.end.x - self.start.x, self.end.y - self.start.y)
+        if self.centre is not None:
+            radius = math.hypot(self.start.x - self.centre.x, self.start.y - self.centre.y)
+            flat = abs(self.sweep) * radius
+        return flat
+
+    def is_level(self):
+        return abs(self.start.z - self.end.z) < FLAT
+
+
+def moves_of(commands):
+    """The moves of FreeCAD's Path commands from where x, y and z are known on."""
+    at, moves = {}, []
+    for command in commands:
+        p = command.Parameters
+        if command.Name not in ("G0", "G1", "G2", "G3"):
+            continue
+        before = dict(at)
+        at.update({k: v for k, v in p.items() if k in "XYZ"})
+        if len(before) < 3:
+            continue
+        start = Vector(before["X"], before["Y"], before["Z"])
+        end = Vector(at["X"], at["Y"], at["Z"])
+        centre, sweep = None, 0.0
+        if command.Name in ("G2", "G3"):
+            centre = Vector(start.x + p["I"], start.y + p["J"], 0)
+            first = math.atan2(start.y - centre.y, start.x - centre.x)
+            last = math.atan2(end.y - centre.y, end.x - centre.x)
+            sweep = (last - first) % (2 * math.pi) or 2 * math.pi
+            if command.Name == "G2":
+                sweep = -((first - last) % (2 * math.pi) or 2 * math.pi)
+        if (end - start).Length > FLAT or centre is not None:
+            moves.append(Move(command.Name, start, end, centre, sweep))
+    return moves
+
+
+def swept(move, radius, raised=0.0):
+    """The solids that a flat tool sweeps along a move, at the lower of its ends."""
+    z = move.low + raised
+    discs = [
+        Part.makeCylinder(radius, HIGH, Vector(p.x, p.y, z)) for p in (move.start, move.end)
+    ]
+    length = move.length()
+    if length < FLAT:
+        return discs[:1]
+    if move.centre is None:
+        along = Vector(move.end.x - move.start.x, move.end.y - move.start.y, 0) / length
+        side = Vector(-along.y, along.x, 0) * radius
+        a, b = Vector(move.start.x, move.start.y, z), Vector(move.end.x, move.end.y, z)
+        face = Part.Face(Part.makePolygon([a - side, b - side, b + side, a + side, a - side]))
+        return [*discs, face.extrude(Vector(0, 0, HIGH))]
+    arm = math.hypot(move.start.x - move.centre.x, move.start.y - move.centre.y)
+    first = math.degrees(math.atan2(move.start.y - move.centre.y, move.start.x - move.centre.x))
+    if move.sweep < 0:
+        first += math.degrees(move.sweep)
+    base = Vector(move.centre.x, move.centre.y, z)
+    degrees = math.degrees(abs(move.sweep))
+    band = Part.makeCylinder(arm + radius, HIGH, base, Vector(0, 0, 1), degrees)
+    band.rotate(base, Vector(0, 0, 1), first)
+    if arm > radius + FLAT:
+        inner = Part.makeCylinder(arm - radius, HIGH, base)
+        band = band.cut(inner)
+    return [*discs, band]
+
+
+def gouges(moves, models, radius, tolerance):
+    """[(mm3, move), ...] of moves that cut deeper into a model than is allowed."""
+    allowed = GOUGE + tolerance
+    found = []
+    for model in models:
+        points = _surface(model)
+        for move in moves:
+            if move.low + allowed >= model.BoundBox.ZMax or not _is_near(move, points, radius):
+                continue
+            if not move.is_level() and move.length() > FLAT:
+                continue  # helices and ramps go where a level turn goes after them, at its depth
+            volume = sum(
+                solid.common(model).Volume for solid in swept(move, radius - allowed, allowed)
+            )
+            if volume > LEAST:
+                found.append((volume, move))
+    return found
+
+
+def _surface(shape):
+    """Points of a shape's edges and faces, n x 3, dense enough to tell what is near."""
+    points = [p for edge in shape.Edges if not edge.Degenerated for p in _along(edge)]
+    vertices, _ = shape.tessellate(0.05)
+    points += vertices
+    return numpy.array([tuple(p) for p in points])
+
+
+def _along(edge):
+    return edge.discretize(Number=max(2, math.ceil(edge.Length / 0.5) + 1))
+
+
+def _is_near(move, points, radius):
+    high = points[points[:, 2] > move.low + FLAT]
+    if not len(high):
+        return False
+    count = max(2, math.ceil(move.length() / 0.5) + 1)
+    for k in range(count):
+        p = move.point(k / (count - 1))
+        if (numpy.hypot(high[:, 0] - p.x, high[:, 1] - p.y) < radius + NEAR).any():
+            return True
+    return False
+
+
+def collisions(moves, stock, radius, earlier=()):
+    """[(mm3, move), ...] of rapids and straight plunges that meet what stands of the stock.
+
+    earlier: [(moves, radius), ...] of what has been cut before.
+    """
+    found = []
+    cut = [(move, r) for path, r in earlier for move in path]
+    for move in moves:
+        plunges = move.length() < FLAT and move.end.z < move.start.z - FLAT
+        if (move.is_rapid or plunges) and move.low < stock.BoundBox.ZMax - TOUCH:
+            left = _standing(move, stock, radius - TOUCH, cut)
+            if left > LEAST:
+                found.append((left, move))
+        cut.append((move, radius))
+    return found
+
+
+def _standing(move, stock, radius, cut):
+    """mm3 of the stock in the way of a move after what has been cut."""
+    solids = [s for s in swept(move, radius, TOUCH)]
+    left = [s.common(stock) for s in solids]
+    left = [s for s in left if s.Volume > LEAST]
+    box = None
+    for before, r in reversed(cut):
+        if not left:
+            return 0.0
+        if before.is_rapid or (not before.is_level() and before.length() > FLAT):
+            continue
+        if before.low > move.low + TOUCH:
+            continue  # what stays under a higher cut is still in the way, and it may go at once
+        box = left[0].BoundBox
+        for s in left[1:]:
+            box.add(s.BoundBox)
+        if not _may_meet(before, r, box):
+            continue
+        for solid in swept(before, r):
+            left = [s.cut(solid) for s in left]
+        left = [s for s in left if s.Volume > LEAST]
+    return sum(s.Volume for s in left)
+
+
+def _may_meet(move, radius, box):
+    count = max(2, math.ceil(move.length()) + 1)
+    points = [move.point(k / (count - 1)) for k in range(count)]
+    reach = radius + 1.0
+    return (
+        min(p.x for p in points) - reach < box.XMax
+        and max(p.x for p in points) + reach > box.XMin
+        and min(p.y for p in points) - reach < box.YMax
+        and max(p.y for p in points) + reach > box.YMin
+    )
