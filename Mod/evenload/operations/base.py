@@ -11,7 +11,7 @@ import Path
 
 from evenload import commands, compiled, host, planar, proof, shape
 from evenload import tool as tools
-from evenload.operations import checks, force, job_model, rest
+from evenload.operations import checks, force, job_model, rest, stock_checks
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.operations.settings import (
     FOLLOWERS,
@@ -237,10 +237,10 @@ class Operation(host.operation_base()):
                 self._clear_results(obj)
             with self._asked_all_along(obj):
                 result = super().execute(obj)
-            if self.last is not None and not len(self.last.toolpath):
-                obj.Path = Path.Path()  # without the rapid at its end
-            elif self.last is not None:
-                self._prove(obj)
+                if self.last is not None and not len(self.last.toolpath):
+                    obj.Path = Path.Path()  # without the rapid at its end
+                elif self.last is not None:
+                    self._prove(obj)
             return result
         except Exception as error:
             obj.Path = Path.Path()
@@ -262,6 +262,8 @@ class Operation(host.operation_base()):
         levels = checks.settings(obj, tool, data)
         floors = self.floors(obj, tool)
         regions = [floor.region() for floor in floors]
+        stock_checks.refuse_floors_below(obj, floors)
+        stock_checks.refuse_material_above(obj, core, tool, regions)
         hole = checks.hole(obj, tool, floors)
         with self._watch(obj) as watch:
             slack = max(floor.slack for floor in floors)
@@ -280,7 +282,8 @@ class Operation(host.operation_base()):
         self.commandlist.extend(commands.from_moves(toolpath, left_out_from=last))
         material = regions if stock is None else next(filter(None, reversed(stock)), [])
         self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
-        notes += self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
+        notes += self._notes(floors, obj.FinalDepth.Value) + stock_checks.notes_of(obj)
+        notes += force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
         for name, value in own.items():
             self._quietly(obj, name, value)

@@ -9,12 +9,18 @@ import FreeCAD
 import Path
 
 from evenload import host
+from evenload.floor import SAME_HEIGHT
 from evenload.operations.settings import REST_MACHINING
 
 
 def is_wanted(op):
     """Whether an operation clears only what others left; not every kind can."""
     return getattr(op, REST_MACHINING.name, False)
+
+
+def starts_below(op, job):
+    """Whether an operation starts below the top of the stock, where others must have cut before."""
+    return job.Stock.Shape.BoundBox.ZMax > op.StartDepth.Value + SAME_HEIGHT
 
 
 def link_all(job):
@@ -26,7 +32,8 @@ def link_all(job):
     for item in host.operations(job):
         inner = host.operation_under(item)
         if hasattr(inner, "EarlierOperations"):
-            wanted.append((inner, list(earlier) if is_wanted(inner) else []))
+            links = list(earlier) if is_wanted(inner) or starts_below(inner, job) else []
+            wanted.append((inner, links))
         earlier.append(item)
     changed = [(op, links) for op, links in wanted if op.EarlierOperations != links]
     for op, _ in changed:
@@ -43,17 +50,21 @@ def standing(op, core, tool, regions, levels, slack):
     from evenload import job_simulation
     from evenload.simulation import rest_resolution
 
-    job = host.parent_job(op)
-    link_all(job)
+    wait_for_earlier(op)
+    stock, notes = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
+    return [stock.standing(z, reach) for z in levels], notes
+
+
+def wait_for_earlier(op):
+    """Links an operation to those before it; raises ValueError where one is not up to date."""
+    link_all(host.parent_job(op))
     for earlier in op.EarlierOperations:
         if host.is_active(earlier) and _is_waiting(earlier):
             raise ValueError(
                 "The path of '%s', which comes before '%s', is not up to date: recompute the "
                 "document once more." % (earlier.Label, op.Label)
             )
-    stock, notes = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
-    reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
-    return [stock.standing(z, reach) for z in levels], notes
 
 
 def empty_after(failed):

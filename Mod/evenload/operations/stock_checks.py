@@ -1,0 +1,62 @@
+"""Whether an operation fits into its job's stock: floors within it, and nothing above StartDepth."""
+
+from evenload import body, host, job_simulation
+from evenload.operations import rest
+from evenload.simulation import rest_resolution
+
+LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
+FILM = 0.02  # mm: what stands no higher above StartDepth is none
+INSET = 0.02  # mm off a region's border, where what stands beside it begins
+LOOKS = 0.25  # tool diameters between places where stock is looked for
+LEAST = 0.01  # tool diameters squared of material above StartDepth that are none
+
+
+def refuse_floors_below(op, floors):
+    """Raises ValueError for a face under the stock's underside, or for nothing but air to cut."""
+    box = host.parent_job(op).Stock.Shape.BoundBox
+    for floor in floors:
+        if floor.of_solid and floor.z < box.ZMin - LEVEL:
+            raise ValueError(
+                "%s lies %g mm below the underside of the stock: make the stock larger, or move it "
+                "there." % (floor.name, round(box.ZMin - floor.z, 3))
+            )
+    if op.StartDepth.Value < box.ZMin + LEVEL:
+        raise ValueError(
+            "StartDepth (%g mm) does not lie above the underside of the stock (%g mm): there is "
+            "nothing to cut." % (op.StartDepth.Value, box.ZMin)
+        )
+
+
+def notes_of(op):
+    """What Report says of a depth below the stock."""
+    below = host.parent_job(op).Stock.Shape.BoundBox.ZMin - op.FinalDepth.Value
+    if below <= LEVEL:
+        return []
+    return ["FinalDepth lies %g mm below the underside of the stock." % round(below, 3)]
+
+
+def refuse_material_above(op, core, tool, regions):
+    """Raises ValueError with the place where material stands above StartDepth within an operation's
+    regions, after all that the job's earlier operations cut.
+    """
+    start = op.StartDepth.Value + FILM
+    place = _highest(body.of(host.parent_job(op).Stock.Shape).map, regions, start, tool)
+    if place is None:
+        return
+    rest.wait_for_earlier(op)
+    stock, _ = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    reach = core.reachable_ground(regions, tool.diameter, 0.0)
+    left = stock.standing(start, reach)
+    if sum(region.area for region in left) < LEAST * tool.diameter**2:
+        return
+    raise ValueError(
+        "Material stands up to %g mm, above StartDepth (%g mm), near (%.3f, %.3f): raise StartDepth, "
+        "or clear it before." % (round(place[2], 3), op.StartDepth.Value, *left[0].outer[0][:2])
+    )
+
+
+def _highest(heights, regions, z, tool):
+    found = [
+        heights.highest_within(region, z, INSET, LOOKS * tool.diameter) for region in regions
+    ]
+    return max(filter(None, found), key=lambda place: place[2], default=None)
