@@ -105,6 +105,15 @@ def dressup(name):
     return importlib.import_module("PathScripts." + old[name])
 
 
+def array(operation):
+    """FreeCAD's array of an operation, as a new document object that is in no job yet."""
+    module = importlib.import_module(("Path.Op.Gui." if _MOVED else "PathScripts.Path") + "Array")
+    made = operation.Document.addObject("Path::FeaturePython", "Array")
+    module.ObjectArray(made)
+    made.Base = [operation]
+    return made
+
+
 def parent_job(obj):
     """The job that an operation belongs to, or None."""
     return cam().utils.findParentJob(obj)
@@ -115,6 +124,20 @@ def operation_under(obj):
     while hasattr(getattr(obj, "Base", None), "Path"):
         obj = obj.Base
     return obj
+
+
+def all_under(obj):
+    """An operation, dressup or array, and all that it is made from, however deep."""
+    result, waiting = [], [obj]
+    while waiting:
+        item = waiting.pop()
+        if item in result or not hasattr(item, "Path"):
+            continue
+        result.append(item)
+        below = getattr(item, "Base", None)
+        # Arrays have a list of operations, operations one of base geometry.
+        waiting += [b for b in (below if isinstance(below, list) else [below]) if b is not None]
+    return result
 
 
 def operations(job):

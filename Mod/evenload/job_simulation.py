@@ -34,6 +34,7 @@ BEYOND = 0.1
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
 # exact at any.
 COARSE = 0.25
+POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -149,7 +150,7 @@ def stock_before(operation, resolution):
     core, job, notes = compiled.core(), host.parent_job(operation), []
     regions, top, bottom = _stock(job.Stock, notes)
     stock = core.DexelStock([(region, top) for region in regions], bottom, resolution)
-    earlier = _earlier(job, operation, top, notes, rounded=True)
+    earlier = _earlier(job, operation, top, notes)
     earlier += _hole(host.operation_under(operation), top)
     for moves, diameter in earlier:
         core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
@@ -173,12 +174,8 @@ def _moves(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
-def _earlier(job, operation, top, notes, rounded=False):
-    """[(moves, tool diameter), ...] of the active operations before one, and of their holes.
-
-    rounded: a bull-nosed tool cuts nothing outside of its flat up to the height of its corner, so
-    that no more is taken for cleared than is.
-    """
+def _earlier(job, operation, top, notes):
+    """[(moves, tool diameter), ...] of the active operations before one, and of their holes."""
     result = []
     inner = host.operation_under(operation)
     for other in host.operations(job):
@@ -188,9 +185,7 @@ def _earlier(job, operation, top, notes, rounded=False):
         if not host.is_active(other) or controller is None or not controller.Tool:
             continue
         kind, diameter = tools.other_shape(controller), tools.diameter(controller)
-        if kind == tools.OTHER_SHAPES["drill"]:
-            notes.append("'%s' is simulated with a drill without a point." % other.Label)
-        elif kind or not diameter > 0:
+        if not diameter > 0 or (kind and not tools.is_drill(controller)):
             notes.append(
                 "'%s' is left out: its tool is %s, which the simulator cannot follow."
                 % (other.Label, kind or "without a diameter")
@@ -200,13 +195,25 @@ def _earlier(job, operation, top, notes, rounded=False):
         result += _hole(host.operation_under(other), top)
         if len(moves) < 2:
             continue
-        corner = tools.corner_radius(controller) if rounded else 0.0
-        if corner > 0:
-            result.append(([(*m[:3], m[3] + corner, *m[4:]) for m in moves], diameter))
-            diameter -= 2 * corner
-        if diameter > 0:
-            result.append((moves, diameter))
+        result += [
+            ([(*m[:3], m[3] + above, *m[4:]) for m in moves], width)
+            for above, width in _discs(controller)
+        ]
     return result
+
+
+def _discs(controller):
+    """[(mm above the tip, diameter), ...] of flat tools within a tool, the widest first: together
+    they clear no more than the tool does, whose end is a cone or has a rounded corner.
+    """
+    diameter = tools.diameter(controller)
+    if tools.is_drill(controller):
+        point = tools.point_length(controller)
+        shares = [1 - k / POINT_STEPS for k in range(POINT_STEPS)]
+        return [(share * point, share * diameter) for share in shares]
+    corner = tools.corner_radius(controller)
+    discs = [(corner, diameter), (0.0, diameter - 2 * corner)] if corner > 0 else [(0.0, diameter)]
+    return [(above, width) for above, width in discs if width > 0]
 
 
 def _hole(operation, top):

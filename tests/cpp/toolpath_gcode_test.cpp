@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 GCodeProgram from_origin(const std::string& text) {
   GCodeOptions options;
   options.start = {{0, 0, 0}};
-  return read_gcode("F100\n" + text, options);
+  return read_gcode("G21 F100\n" + text, options);
 }
 
 Move last(const GCodeProgram& program) { return program.moves.back(); }
@@ -628,10 +628,49 @@ TEST(GCodeCycles, ThatCannotBeMadeAreRefused) {
   EXPECT_THAT(error_of("F1 G81 X1 R1 Z0 L2000", 1), HasSubstr("whole number"));
 }
 
-TEST(GCodeCycles, ThatAreNotSimulatedAreNotedAtEachHole) {
-  const GCodeProgram program = from_origin("G0 Z9\nG84 X1 Z-5 R2\nX2\nG80");
+TEST(GCodeCycles, TapAndBoreAndComeOutAtTheFeedOrByARapid) {
+  for (const char* code : {"G74", "G84", "G85", "G89 P1"}) {
+    const GCodeProgram program = from_origin(std::string("G0 Z9\n") + code + " X1 Z-5 R2\nG80");
+    EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "F1,2", "R1,9"))
+        << code;
+    EXPECT_THAT(program.notes, IsEmpty()) << code;
+  }
+  for (const char* code : {"G76 Q0.2", "G76 I0.2 J0", "G86 P1", "G88 P1"}) {
+    const GCodeProgram program = from_origin(std::string("G0 Z9\n") + code + " X1 Z-5 R2\nG80");
+    EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "R1,9")) << code;
+    EXPECT_THAT(program.notes, IsEmpty()) << code;
+  }
+}
+
+TEST(GCodeCycles, HoldForTheLinesAfterThem) {
+  EXPECT_THAT(strokes(from_origin("G0 Z9\nG99 G76 X1 Z-5 R2 Q0.2\nX2")),
+              ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "R1,2", "R2,2", "F2,-5", "R2,2"));
+}
+
+TEST(GCodeCycles, OfBackBoringAreNotedAndStayAbove) {
+  const GCodeProgram program = from_origin("G0 Z9\nG99 G87 X1 Z-5 R-8 Q0.5\nX2\nG80");
   EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R2,9")) << "rapids only";
-  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("3 G84 is not"), HasSubstr("4 G84 is not")));
+  EXPECT_THAT(notes_of(program),
+              ElementsAre(HasSubstr("3 G87 bores from below"), HasSubstr("4 G87 bores")));
+}
+
+TEST(GCodeCycles, AreNoThreads) {
+  const GCodeProgram program = from_origin("G0 Z9\nG76 P1 Z-5 I-1 J0.2 K1\nX2");
+  EXPECT_THAT(strokes(program), ElementsAre("R0,9")) << "where it is afterwards is unknown";
+  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("3 'G76"), HasSubstr("4 'X2'")));
+}
+
+// ---- units ----
+
+TEST(GCodeUnits, ThatTheProgramDoesNotNameAreNotedOnceWhereItMoves) {
+  GCodeOptions options;
+  options.start = {{0, 0, 0}};
+  const auto notes = [&](const std::string& text) { return notes_of(read_gcode(text, options)); };
+  EXPECT_THAT(notes("G90\nG0 X1\nX2"), ElementsAre(HasSubstr("2 The program moves before")));
+  EXPECT_THAT(notes("G0 X1\nG20\nX2"), ElementsAre(HasSubstr("1 The program moves before")));
+  EXPECT_THAT(notes("G20 G0 X1"), IsEmpty());
+  EXPECT_THAT(notes("G21\nG0 X1"), IsEmpty());
+  EXPECT_THAT(notes("M3 S1000\nG4 P1"), IsEmpty()) << "it does not move";
 }
 
 }  // namespace

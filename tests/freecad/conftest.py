@@ -121,6 +121,18 @@ def reopened(doc, path):
         FreeCAD.closeDocument(again.Name)
 
 
+@contextlib.contextmanager
+def saved_copy(doc, path):
+    """Saves a document as it is now, and opens the copy for the context's length."""
+    doc.saveCopy(str(path))
+    copy = FreeCAD.openDocument(str(path))
+    try:
+        yield copy
+    finally:
+        FreeCAD.closeDocument(copy.Name)
+        FreeCAD.setActiveDocument(doc.Name)
+
+
 def freecad(*arguments, cwd=None, command=None, timeout=120, **environment):
     """Runs FreeCAD without a GUI, or the command in place of it; returns (exit code, output).
 

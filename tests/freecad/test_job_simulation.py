@@ -149,6 +149,24 @@ def test_pecks_go_down_by_q_and_end_at_the_bottom(code, clears):
     assert before_cut == [1, -1.246, -3.746]
 
 
+@pytest.mark.parametrize(
+    "code, way_out",
+    [("G85", CUT), ("G89", CUT), ("G84", CUT), ("G74", CUT)]
+    + [("G76", RAPID), ("G86", RAPID), ("G88", RAPID)],
+)
+def test_boring_and_tapping_cycles_go_down_and_come_out_as_they_do(code, way_out):
+    found, numbers = moves("G99", code + " X3 Y4 Z-5 R2 Q0.1 P1 F1")
+    assert ends(found) == [(RAPID, 3, 4, 2), (CUT, 3, 4, -5), (way_out, 3, 4, 2)]
+    assert set(numbers) == {2}
+    found, _ = moves("G98", code + " X3 Y4 Z-5 R2 Q0.1 P1 F1")
+    assert ends(found)[-1] == (RAPID, 3, 4, 10)
+
+
+def test_back_boring_takes_nothing_that_stands():
+    found, _ = moves("G98", "G87 X3 Y4 Z-3 R-8 Q0.5 F1", "G80", "G0 X6")
+    assert ends(found) == [(RAPID, 6, 4, 10)]
+
+
 def test_moves_there_and_back_are_the_same(square):
     op = square.done(square.operation())
     computed = op.Proxy.last.toolpath.moves
@@ -506,17 +524,35 @@ def _controller(square, diameter, shape="endmill"):
     return controller
 
 
-def test_an_earlier_drill_has_cut_and_an_earlier_v_bit_is_left_out_both_with_a_note(square):
+def test_an_earlier_drill_has_cut_and_an_earlier_v_bit_is_left_out_with_a_note(square):
     drilled = "G0 Z15", "G81 X15 Y15 Z-3 R1 F1"
-    foreign(square, *drilled, name="Drilled", controller=_controller(square, 9.0, "drill"))
+    drill = _controller(square, 9.0, "drill")
+    drill.Tool.TipAngle = 90
+    foreign(square, *drilled, name="Drilled", controller=drill)
     foreign(square, *CUTS, name="Engraved", controller=_controller(square, 9.0, "v-bit"))
     found = job_simulation.read(square.done(square.operation()))
-    assert [diameter for _, diameter in found.earlier] == [9]
-    assert [z for *_, z in ends(found.earlier[0][0])] == [15, 1, -3, 15]
-    assert "'Drilled' is simulated with a drill without a point." in found.notes
-    assert any(
-        note.startswith("'Engraved' is left out: its tool is a V bit") for note in found.notes
-    )
+    # Its point is a cone of 90 degrees, as long as the drill's radius.
+    assert [diameter for _, diameter in found.earlier] == [9, 6.75, 4.5, 2.25]
+    for path, diameter in found.earlier:
+        assert [z - 0.5 * diameter for *_, z in ends(path)] == pytest.approx([15, 1, -3, 15])
+    assert [note[:23] for note in found.notes] == ["'Engraved' is left out:"]
+
+
+def test_a_drill_that_does_not_tell_its_point_has_one_of_118_degrees(square):
+    drill = _controller(square, 10.0, "drill")
+    drill.Tool.TipAngle = 0
+    assert tool.point_length(drill) == pytest.approx(5 / math.tan(math.radians(59)))
+
+
+def test_a_bull_nosed_tool_before_leaves_its_corner(square):
+    nosed = _controller(square, 10.0, "bullnose")
+    nosed.Tool.FlatRadius = 4.0
+    assert tool.corner_radius(nosed) == pytest.approx(1.0)
+    foreign(square, *CUTS, name="First", controller=nosed)
+    found = job_simulation.read(square.done(square.operation()))
+    assert [diameter for _, diameter in found.earlier] == [10, 8]
+    lowest = [min(z for *_, z in ends(path)) for path, _ in found.earlier]
+    assert lowest == pytest.approx([0, -1])
 
 
 def test_a_pre_drilled_hole_is_ground_without_material(square):

@@ -236,15 +236,22 @@ class Operation(host.operation_base()):
                 obj.Path = Path.Path()  # without the rapid at its end
             return result
         except Exception as error:
-            obj.Path = Path.Path()
-            obj.CycleTime = ""
-            self._clear_results(obj)
+            ours = not isinstance(error, (ValueError, ImportError))
+            self.empty(obj, "EvenLoad failed: %s." % _internal(error) if ours else str(error))
             rest.empty_after(obj)
-            if not isinstance(error, (ValueError, ImportError)):
-                obj.Report = "EvenLoad failed: %s." % _internal(error)
+            if ours:
                 raise
-            obj.Report = str(error)
             raise error.with_traceback(None) from None
+
+    def empty(self, obj, why):
+        """Leaves nothing that could pass for a computed operation: no path, no times, no results;
+        Report says why.
+        """
+        self.last = None
+        obj.Path = Path.Path()
+        obj.CycleTime = ""
+        self._clear_results(obj)
+        obj.Report = why
 
     def opExecute(self, obj):
         core = compiled.core()
