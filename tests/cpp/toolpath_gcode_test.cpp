@@ -103,7 +103,7 @@ TEST(GCodeWords, OfFlowParametersAndExpressionsAreRefused) {
 
 TEST(GCodeWords, MayBeProgramAndLineNumbers) {
   const GCodeProgram program =
-      read_gcode("%\nO01000 (PART 1)\nN5 G0 X1 Y2 Z3\nN10 (only a number)\n:7\nN15 M30\n%\n");
+      read_gcode("%\nO01000 (PART 1)\nN5 G21 G0 X1 Y2 Z3\nN10 (only a number)\n:7\nN15 M30\n%\n");
   EXPECT_THAT(program.notes, IsEmpty());
   EXPECT_EQ(program.start_y, 2);
 }
@@ -147,7 +147,7 @@ TEST(GCodeWords, OfStrangeCharactersAreRefusedByTheirCode) {
 }
 
 TEST(GCode, ReadsLinesWithASlashUnlessTheSwitchIsOn) {
-  const std::string text = "G0 X0 Y0 Z0\n/G0 X1\n/2 G0 X2\nG0 Y5\n";
+  const std::string text = "G21 G0 X0 Y0 Z0\n/G0 X1\n/2 G0 X2\nG0 Y5\n";
   const GCodeProgram off = read_gcode(text);
   EXPECT_THAT(off.lines, ElementsAre(2, 3, 4));
   EXPECT_THAT(notes_of(off), ElementsAre(HasSubstr("2 Lines that begin with '/' are run")));
@@ -160,7 +160,8 @@ TEST(GCode, ReadsLinesWithASlashUnlessTheSwitchIsOn) {
 
 TEST(GCode, EndsWithM2M30AndTheSecondPercent) {
   for (const char* end : {"M2", "M30", "G1 X1 M30", "%"}) {
-    const GCodeProgram program = read_gcode(std::string("%\nG0 X0 Y0 Z0 F1\n") + end + "\n%\n\nX@");
+    const GCodeProgram program =
+        read_gcode(std::string("%\nG21 G0 X0 Y0 Z0 F1\n") + end + "\n%\n\nX@");
     EXPECT_LE(program.moves.size(), 1u);
     EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("6 The program has ended"))) << end;
   }
@@ -450,7 +451,7 @@ TEST(GCodeArcs, OfUnreasonablyManyLinesAreRefused) {
 // ---- places that are unknown ----
 
 TEST(GCodePlaces, BeginWhereXYAndZAreAllKnown) {
-  const GCodeProgram program = read_gcode("G0 Z5\nG0 X1 Y2\nG0 X3\n");
+  const GCodeProgram program = read_gcode("G21 G0 Z5\nG0 X1 Y2\nG0 X3\n");
   EXPECT_TRUE(program.has_start);
   EXPECT_EQ(program.start_x, 1);
   EXPECT_EQ(program.start_y, 2);
@@ -470,20 +471,20 @@ TEST(GCodePlaces, MayBeGivenBeforeTheProgram) {
 }
 
 TEST(GCodePlaces, ThatAreUnknownMakeFeedMovesNotes) {
-  const GCodeProgram program = read_gcode("F9\nG1 X1 Y1\nG1 X2\nG1 Z1\nG1 X3\n");
+  const GCodeProgram program = read_gcode("G21 F9\nG1 X1 Y1\nG1 X2\nG1 Z1\nG1 X3\n");
   EXPECT_THAT(program.lines, ElementsAre(5));
   EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("2 Feed moves from here on are not")));
-  EXPECT_EQ(read_gcode("F9\nG1 X1 Y1\nG1 Z1\nG53 G0 Z0\nG1 X2\nX3\n").notes.size(), 3u)
+  EXPECT_EQ(read_gcode("G21 F9\nG1 X1 Y1\nG1 Z1\nG53 G0 Z0\nG1 X2\nX3\n").notes.size(), 3u)
       << "one for each stretch, and G53";
-  const GCodeProgram relative = read_gcode("G91 F9\nG1 X1 Y1 Z1\nX1\n");
+  const GCodeProgram relative = read_gcode("G21 G91 F9\nG1 X1 Y1 Z1\nX1\n");
   EXPECT_FALSE(relative.has_start);
   EXPECT_EQ(relative.notes.size(), 1u);
   EXPECT_THROW(read_gcode("F9 G0 X1\nG2 X5 Y5 I1"), GCodeError);
 }
 
 TEST(GCodePlaces, AreLostByG28AndFoundAgainOverTheGreatestHeight) {
-  const GCodeProgram program =
-      read_gcode("F9 G0 X0 Y0 Z20\nZ5\nG1 Z-2\nX10\nG91 G28 Z0\nG90 G0 X50 Y60\nZ4\nG1 Z-3\nG28\n");
+  const GCodeProgram program = read_gcode(
+      "G21 F9 G0 X0 Y0 Z20\nZ5\nG1 Z-2\nX10\nG91 G28 Z0\nG90 G0 X50 Y60\nZ4\nG1 Z-3\nG28\n");
   const std::vector<Move>& m = program.moves;
   ASSERT_EQ(m.size(), 7u);
   EXPECT_THAT(program.lines, ElementsAre(2, 3, 4, 7, 7, 7, 8));
@@ -532,7 +533,7 @@ TEST(GCodePlaces, AreInDoubtAfterShiftsAndOtherWorkCoordinates) {
       ElementsAre(HasSubstr("3 G55 changes the work"), HasSubstr("4 G54.1 changes the work"),
                   HasSubstr("5 'G92 X0' shifts"), HasSubstr("6 'G10 L2 P1 X5 Y6' shifts"),
                   HasSubstr("7 'G52 X1 Y1' shifts"), "8 'G68 X0 Y0 R45' is not simulated."));
-  EXPECT_THAT(read_gcode("G55\nG0 X1 Y1 Z1\nG55\nX2").notes, IsEmpty()) << "one system only";
+  EXPECT_THAT(read_gcode("G21 G55\nG0 X1 Y1 Z1\nG55\nX2").notes, IsEmpty()) << "one system only";
 }
 
 TEST(GCodePlaces, ThatWereUnknownAreToldByG92) {

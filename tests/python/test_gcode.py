@@ -17,7 +17,7 @@ INCH = 25.4
 
 
 def test_lists_begin_with_a_rapid_to_the_start():
-    program = core.read_gcode("G0 Z5\nT2 M6\nG0 X1 Y2 S900 M3\nG1 Z-1 F50\nG3 X3 I1 F80\n")
+    program = core.read_gcode("G21 G0 Z5\nT2 M6\nG0 X1 Y2 S900 M3\nG1 Z-1 F50\nG3 X3 I1 F80\n")
     assert program.moves == [
         (RAPID, 1, 2, 5, 0, 0, 0, 0),
         (CUT, 1, 2, -1, 0, 0, 0, 50),
@@ -52,7 +52,7 @@ def test_errors_are_value_errors_with_their_line():
 
 
 def test_notes_hold_their_line_and_any_bytes():
-    program = core.read_gcode(b"(Stra\xdfe)\n$N0=\xdf\n/G0 X1 A2\n")
+    program = core.read_gcode(b"(Stra\xdfe)\n$N0=\xdf\n/G21 G0 X1 A2\n")
     assert [line for line, text in program.notes] == [2, 3, 3]
     assert program.notes[2][1] == "'A2' is not simulated."
     assert core.read_gcode("/G0 A2", block_delete=True).notes == []
@@ -67,7 +67,7 @@ def test_the_arc_tolerance_decides_how_many_lines_an_upright_arc_has():
 def test_the_example_of_the_documentation_runs_as_written(tmp_path, monkeypatch, capsys):
     page = Path(__file__).resolve().parents[2] / "docs" / "gcode.md"
     (example,) = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
-    (tmp_path / "part.ngc").write_text("G0 X0 Y0 Z5\nG1 Z0 F9 A5\n")
+    (tmp_path / "part.ngc").write_text("G21 G0 X0 Y0 Z5\nG1 Z0 F9 A5\n")
     monkeypatch.chdir(tmp_path)
     exec(example, {})
     assert capsys.readouterr().out == "2 'A5' is not simulated.\n"

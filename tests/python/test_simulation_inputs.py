@@ -78,7 +78,7 @@ def test_samples_of_a_file_have_its_lines_and_those_of_moves_the_lines_given(tmp
 
 
 def test_a_file_s_notes_and_spindle_speed_are_taken(tmp_path):
-    text = "T1 M6\nS3000 M3\nG0 X-40 Y1.5 Z5 A2\nG1 Z-3 F600\nS4000\nT2 M6\nG1 X40 F400\n"
+    text = "T1 M6\nG21 S3000 M3\nG0 X-40 Y1.5 Z5 A2\nG1 Z-3 F600\nS4000\nT2 M6\nG1 X40 F400\n"
     run = simulated(written(tmp_path, text), BELOW, teeth=2)
     assert run.feed_per_tooth[middle(run)] == pytest.approx(400 / 3000 / 2)  # the lowest speed
     assert run.notes == [
