@@ -98,10 +98,17 @@ def freecads_adaptive(name, job, controller):
 
 
 def dressup(name):
-    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary' or 'Tags'."""
+    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary', 'Dogbone' or
+    'Tags'.
+    """
     if _MOVED:
-        return importlib.import_module("Path.Dressup." + name)
-    old = {"Boundary": "PathDressupPathBoundary", "Tags": "PathDressupHoldingTags"}
+        gui = "Gui." if name == "Dogbone" else ""
+        return importlib.import_module("Path.Dressup.%s%s" % (gui, name))
+    old = {
+        "Boundary": "PathDressupPathBoundary",
+        "Dogbone": "PathDressupDogbone",
+        "Tags": "PathDressupHoldingTags",
+    }
     return importlib.import_module("PathScripts." + old[name])
 
 
@@ -273,8 +280,8 @@ def post(job, processor, arguments):
     """The G-code of the whole job, as text.
 
     processor: a name such as 'linuxcnc' or 'grbl'; arguments: its command line, e.g.
-    '--no-show-editor --precision 4'. Raises ValueError for a processor that does not exist and for
-    arguments that it refuses.
+    '--no-show-editor --precision 4'. Raises ValueError for a processor that does not exist or
+    fails, and for arguments that it refuses.
     """
     known = post_processors()
     if processor not in known:
@@ -290,6 +297,11 @@ def post(job, processor, arguments):
                 texts = _post_old(job, processor, arguments)
     except SystemExit:  # what they do about arguments that they do not know
         texts = []
+    except Exception as error:  # of FreeCAD's and other people's post-processors
+        raise ValueError(
+            "The post-processor '%s' failed (%s): choose another, or mend it."
+            % (processor, named(error))
+        ) from error
     if not texts or any(text is None for text in texts):
         raise ValueError(
             "The post-processor '%s' refuses the arguments '%s'." % (processor, arguments)
@@ -325,6 +337,18 @@ def _post_old(job, processor, arguments):
         finally:
             os.remove(name)
     return texts
+
+
+def text_of(error):
+    """What an exception says, without the dot at its end; FreeCAD's own carry a dictionary."""
+    first = error.args[0] if error.args else ""
+    text = first.get("sErrMsg", "") if isinstance(first, dict) else str(error)
+    return " ".join(text.split()).rstrip(".")
+
+
+def named(error):
+    """An exception's kind and what it says."""
+    return "%s: %s" % (type(error).__name__, text_of(error))
 
 
 # ---- GUI: imported by evenload.gui only ----
