@@ -72,8 +72,9 @@ def to_moves(commands, z, feed):
 
     mm, rad, mm/min. G0 and the quick parts of cycles become RAPID, with a feed of 0, all else CUT.
     feed: in mm/min, of feed moves before the first F. Drilling, tapping and boring cycles become
-    their single moves; of back boring only the way to its place. The centres of arcs are moved to where both radii are the same. Raises ValueError, with the
-    number, for a command that cannot be followed.
+    their single moves; of back boring only the way to its place. The centres of arcs are moved to
+    where both radii are the same. Raises ValueError, with the number, for a command that cannot be
+    followed.
     """
     first = {
         axis: next((c.Parameters[axis] for c in commands if axis in c.Parameters), 0.0)

@@ -23,7 +23,7 @@ from FreeCAD import Vector
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
-from evenload.floor import UP
+from evenload.floor import UP, listed
 
 PRISMATIC = 1e-3  # share of the volume that a body may differ by from the prisms that stand for it
 MOST_SLABS = 200  # sections of a model; a body with more is a mesh or a free form
@@ -56,7 +56,7 @@ class Setup:
 
     def simulate(
         self,
-        resolution=0.05,
+        resolution=None,
         step=0.1,
         material=None,
         machine=None,
@@ -94,7 +94,7 @@ class Setup:
 
 def of(
     operation,
-    resolution=0.05,
+    resolution=None,
     step=0.1,
     material=None,
     machine=None,
@@ -104,11 +104,11 @@ def of(
 ):
     """The Simulation of a Path operation in its Job.
 
-    resolution: distance in mm of the stock's rows; step: along the path, in mm; material: name or
-    coefficients, None for no forces; machine: name, file or dictionary of a machine's limits, None
-    for programmed times only; progress: callable(share) -> bool, False stops it; after_earlier:
-    whether the job's earlier active operations have cut before; fixtures: what must not be touched,
-    as `simulate` takes it. Raises ValueError with a sentence
+    resolution: distance in mm of the stock's rows, None: by the tool; step: along the path, in mm;
+    material: name or coefficients, None for no forces; machine: name, file or dictionary of a
+    machine's limits, None for programmed times only; progress: callable(share) -> bool, False stops
+    it; after_earlier: whether the job's earlier active operations have cut before; fixtures: what
+    must not be touched, as `simulate` takes it. Raises ValueError with a sentence
     for an operation that cannot be simulated.
     """
     setup = read(operation, after_earlier)
@@ -135,6 +135,8 @@ def read(operation, after_earlier=True):
         cutting["spindle_speed"] = data.spindle_speed
     else:
         notes.append("The tool controller has no spindle speed: there is no chip thickness.")
+    if data.spindle == tools.REVERSE:
+        notes.append("The spindle turns counter-clockwise: it is simulated as if clockwise.")
     earlier = _earlier(job, operation, top, notes) if after_earlier else []
     earlier += _hole(host.operation_under(operation), top)
     part = _part(job, operation, tool, stock, top, bottom, notes)
@@ -277,7 +279,7 @@ def _part(job, operation, tool, stock, top, bottom, notes):
     if others:
         notes.append(
             "'%s' works on %s, which is not of the model: what must stay is not known."
-            % (inner.Label, " and ".join("'%s'" % obj.Label for obj in others))
+            % (inner.Label, listed(["'%s'" % obj.Label for obj in others], " and ", "others"))
         )
         return None
     return _model([m.Shape for m in models if not m.Shape.isNull()], bottom, notes)

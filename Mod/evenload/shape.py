@@ -20,6 +20,7 @@ from evenload.floor import (
     face_of,
     in_order,
     is_exact,
+    listed,
     name_of,
     wire_of,
 )
@@ -240,7 +241,7 @@ def _united(slots):
             continue
         faces = [face_of(slot) for slot in level]
         fused = Part.Compound(faces[0].fuse(faces[1:]).removeSplitter().Faces)
-        name = " and ".join(dict.fromkeys(slot.name for slot in level))
+        name = listed([slot.name for slot in level], " and ", "others")
         slack = max(slot.slack for slot in level)
         result += [
             Floor(name, z, list(outer), [list(island) for island in islands], False, slack=slack)

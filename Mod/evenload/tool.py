@@ -8,6 +8,9 @@ ASSUMED_RAPID = (
     5000.0  # mm/min: for estimated times only, where the tool controller names no rapid feed
 )
 
+# How a tool controller's spindle turns, as FreeCAD calls it: M3, M4, not at all.
+FORWARD, REVERSE, STANDING = "Forward", "Reverse", "None"
+
 HELIX_ANGLE_DEG = 30.0  # of end mills, where nobody says
 
 # Tools that do not leave a flat floor and a straight wall: the tool bit's shape, and its name in a
@@ -55,6 +58,7 @@ class CuttingData:
     plunge_feed: float  # > 0
     rapid_feed: float  # 0 where the tool controller does not say
     spindle_speed: float
+    spindle: str = FORWARD  # how it turns: FORWARD, REVERSE or STANDING
 
 
 def read(controller):
@@ -93,6 +97,7 @@ def read(controller):
         60 * controller.VertFeed.Value,
         60 * controller.HorizRapid.Value,
         float(controller.SpindleSpeed),
+        str(getattr(controller, "SpindleDir", FORWARD)),
     )
     for value, meaning, name in (
         (data.feed, "horizontal", "HorizFeed"),

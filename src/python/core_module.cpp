@@ -114,6 +114,20 @@ std::vector<std::tuple<double, double, double, int>> profile_for_python(
   return result;
 }
 
+// Each Python function that an exception leaves adds its place; one that is raised here has none.
+py::object without_traceback(const py::tuple& kinds, const py::function& function,
+                             const py::args& arguments) {
+  try {
+    return function(*arguments);
+  } catch (py::error_already_set& error) {
+    if (!error.matches(kinds)) throw;
+    const py::object value = error.value();
+    PyException_SetTraceback(value.ptr(), Py_None);
+    PyErr_SetObject(error.type().ptr(), value.ptr());
+    throw py::error_already_set();
+  }
+}
+
 }  // namespace
 }  // namespace evenload
 
@@ -197,6 +211,10 @@ PYBIND11_MODULE(_core, m) {
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
+  m.def(
+      "without_traceback", &without_traceback,
+      "(kinds, function, *arguments): the function's result; exceptions of these kinds, a tuple of "
+      "classes, come without the places in the code that they came through.");
   bind_trochoid(m);
   bind_lame(m);
   bind_simulate(m);

@@ -117,7 +117,7 @@ def test_cancel_stops_the_computation_and_keeps_what_there_is(session):
 
 def test_an_error_shows_its_sentence(session):
     assert not session["error_valid"]
-    assert session["error"].startswith("EngagementAngle is 200 degrees")
+    assert session["error"].startswith("Engagement angle is 200 degrees")
 
 
 def test_an_operation_made_without_a_gui_has_icon_and_panel_when_opened_in_it(session):

@@ -1,9 +1,9 @@
 """What the simulator is given of an operation: moves, tool, stock, part and earlier cuts."""
 
 import math
-import sys
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
+import evenload
 import Part
 import Path
 import pytest
@@ -588,9 +588,7 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
         calls.append((source, stock, top, bottom, tool_diameter, options))
         return SimpleNamespace(notes=["of the simulator"])
 
-    stub = ModuleType("evenload.simulation")
-    stub.simulate = simulate
-    monkeypatch.setitem(sys.modules, "evenload.simulation", stub)
+    monkeypatch.setattr(evenload.simulation, "simulate", simulate)
     square.controller.SpindleSpeed = 0
     op = square.done(square.operation())
     watched = []

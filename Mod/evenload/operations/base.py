@@ -3,6 +3,7 @@ the path.
 """
 
 import contextlib
+import functools
 import math
 from dataclasses import dataclass
 
@@ -11,6 +12,8 @@ import Path
 
 from evenload import commands, compiled, host, planar, shape
 from evenload import tool as tools
+from evenload.floor import name_of
+from evenload.labels import told
 from evenload.operations import checks, force, rest
 from evenload.operations.settings import (
     FOLLOWERS,
@@ -35,6 +38,26 @@ class Computation:
     data: object  # tool.CuttingData
     hole: tuple  # (x, y, diameter) in mm, or None
     material: list  # the core's Regions where material stood at the lowest level
+
+
+SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
+
+
+class InOneLine:
+    """Makes a method of which FreeCAD's report view shows sentences without a traceback. It prints
+    one for all that comes out of Python code, so the core makes the outermost call.
+    """
+
+    def __init__(self, method):
+        self.method = method
+        self.__doc__ = method.__doc__
+
+    def __get__(self, instance, owner):
+        bound = self.method.__get__(instance, owner)
+        try:
+            return functools.partial(compiled.core().without_traceback, SENTENCES, bound)
+        except ImportError:  # the method tells why there is no core
+            return bound
 
 
 class Operation(host.operation_base()):
@@ -220,6 +243,7 @@ class Operation(host.operation_base()):
 
     # ---- running ----
 
+    @InOneLine
     def execute(self, obj):
         """Computes the path. On any error the path is emptied, Report says why, and the operation
         becomes invalid.
@@ -236,12 +260,14 @@ class Operation(host.operation_base()):
                 obj.Path = Path.Path()  # without the rapid at its end
             return result
         except Exception as error:
-            ours = not isinstance(error, (ValueError, ImportError))
-            self.empty(obj, "EvenLoad failed: %s." % _internal(error) if ours else str(error))
+            ours = not isinstance(error, SENTENCES)
+            sentence = "EvenLoad failed: %s." % host.named(error) if ours else told(str(error))
+            self.empty(obj, sentence)
             rest.empty_after(obj)
             if ours:
                 raise
-            raise error.with_traceback(None) from None
+            kind = ImportError if isinstance(error, ImportError) else ValueError
+            raise kind(sentence) from None
 
     def empty(self, obj, why):
         """Leaves nothing that could pass for a computed operation: no path, no times, no results;
@@ -256,8 +282,10 @@ class Operation(host.operation_base()):
     def opExecute(self, obj):
         core = compiled.core()
         tool, data = tools.read(obj.ToolController)
-        levels = checks.settings(obj, tool, data)
+        # Geometry first: depths follow it, and what is wrong with them then is not the cause.
+        checks.for_geometry(obj)
         floors = self.floors(obj, tool)
+        levels = checks.settings(obj, tool, data)
         regions = [floor.region() for floor in floors]
         hole = checks.hole(obj, tool, floors)
         with self._watch(obj) as watch:
@@ -275,6 +303,7 @@ class Operation(host.operation_base()):
         self.commandlist.extend(commands.from_moves(toolpath, left_out_from=last))
         material = regions if stock is None else next(filter(None, reversed(stock)), [])
         self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
+        notes += _spindle_notes(obj, data)
         notes += self._notes(floors, obj.FinalDepth.Value) + force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
         for name, value in own.items():
@@ -310,18 +339,14 @@ class Operation(host.operation_base()):
     @staticmethod
     def _notes(floors, final_depth):
         notes = [note for floor in floors for note in floor.notes]
+        beside = {}  # faces by how far FinalDepth lies from them
         for floor in floors:
-            above = floor.z - final_depth
+            above = round(floor.z - final_depth, 4)
             if floor.is_face and abs(above) > LEVEL:
-                notes.append(
-                    "FinalDepth lies %g mm %s %s%s."
-                    % (
-                        round(abs(above), 4),
-                        "below" if above > 0 else "above",
-                        floor.name,
-                        ": the tool cuts into it" if above > 0 else ": the rest of it stays",
-                    )
-                )
+                beside.setdefault(above, []).extend(floor.parts)
+        for above, parts in beside.items():
+            what = "below %s: the tool cuts into it." if above > 0 else "above %s: the rest stays."
+            notes.append("FinalDepth lies %g mm " % abs(above) + what % name_of(parts))
         return notes
 
     def _check_job(self, obj):
@@ -341,7 +366,7 @@ class Operation(host.operation_base()):
         return {
             "tool_diameter": tool.diameter,
             "engagement_angle": math.radians(obj.EngagementAngle.Value),
-            "cut_mode": obj.CutMode.lower(),
+            "cut_mode": _core_cut_mode(obj, data),
             "feed_control": obj.FeedControl.lower(),
             "feed": data.feed,
             "plunge_feed": data.plunge_feed,
@@ -393,7 +418,7 @@ class Operation(host.operation_base()):
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
         obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.Report = "\n".join([*notes, *report.notes])
+        obj.Report = "\n".join(told(note) for note in [*notes, *report.notes])
 
     def _clear_results(self, obj):
         for setting in self.results:
@@ -440,11 +465,23 @@ def _show(obj):
         views.attach(obj)
 
 
-def _internal(error):
-    """What an unexpected error says; FreeCAD's own carry a dictionary."""
-    first = error.args[0] if error.args else ""
-    text = first.get("sErrMsg", "") if isinstance(first, dict) else str(error)
-    return "%s: %s" % (type(error).__name__, text.strip().rstrip("."))
+def _core_cut_mode(obj, data):
+    """The cut mode as the core has it, whose spindle turns clockwise."""
+    if data.spindle != tools.REVERSE:
+        return obj.CutMode.lower()
+    return "conventional" if obj.CutMode == "Climb" else "climb"
+
+
+def _spindle_notes(obj, data):
+    controller = obj.ToolController.Label
+    if data.spindle == tools.REVERSE:
+        return [
+            "The spindle of '%s' turns counter-clockwise, as its SpindleDir says: the path goes "
+            "the other way round, so that it cuts as %s." % (controller, obj.CutMode.lower())
+        ]
+    if data.spindle == tools.STANDING:
+        return ["The spindle of '%s' does not turn: set its SpindleDir." % controller]
+    return []
 
 
 def _set(obj, name, value):

@@ -1,9 +1,16 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
+from evenload.floor import listed
 from evenload.operations.settings import POSITIVE
 
 MOST_LEAST_LOAD = 0.95
+
+
+def for_geometry(obj):
+    """Raises ValueError for settings that reading the base geometry needs."""
+    if not obj.Tolerance.Value > 0:
+        raise ValueError("Tolerance is %s: it must be positive." % _text(obj, "Tolerance"))
 
 
 def settings(obj, tool, data):
@@ -51,8 +58,8 @@ def _levels(obj, tool):
         )
     if not start > last:
         raise ValueError(
-            "StockToLeaveAxial (%g mm) leaves nothing to cut between StartDepth (%g mm) and "
-            "FinalDepth (%g mm): lower it." % (last - final, start, final)
+            "StockToLeaveAxial is %g mm: between StartDepth (%g mm) and FinalDepth (%g mm) that "
+            "leaves nothing to cut, lower it." % (last - final, start, final)
         )
     if not step > 0:
         raise ValueError("StepDown is %g mm: it must be positive." % step)
@@ -94,8 +101,8 @@ def hole(obj, tool, floors):
         )
     if not any(floor.contains(at.x, at.y) for floor in floors):
         raise ValueError(
-            "EntryPoint (%g, %g) lies outside %s: move it inside."
-            % (at.x, at.y, " and ".join(floor.name for floor in floors))
+            "EntryPoint is (%g, %g), outside %s: move it inside."
+            % (at.x, at.y, listed([floor.name for floor in floors], " and ", "others"))
         )
     return at.x, at.y, diameter
 
