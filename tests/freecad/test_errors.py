@@ -39,6 +39,12 @@ def change(bench, op, **properties):
         ({"StartDepth": -3}, ["Start Depth (-3 mm)", "Final Depth (-3 mm)", "raise Start Depth"]),
         ({"StartDepth": -5}, ["Start Depth (-5 mm)", "raise Start Depth"]),
         ({"StepDown": 0}, ["Step Down is 0 mm", "positive"]),
+        ({"StepDown": 0.0005}, ["Step Down is 0.0005 mm", "more than 5000 levels", "raise it"]),
+        (
+            {"EngagementAngle": 1},
+            ["Side step is 0.0004", "Tolerance of 0.005 mm", "raise Engagement"],
+        ),
+        ({"Tolerance": 2}, ["Side step is 1.5 mm", "Tolerance of 2 mm"]),
         ({"SafeHeight": -1}, ["Safe Height (-1 mm)", "Start Depth (0 mm)", "raise it"]),
         ({"ClearanceHeight": 1}, ["Clearance Height (1 mm)", "Safe Height (3 mm)", "raise it"]),
         ({"FinalDepth": -31}, ["31 mm", "cutting length of 30 mm", "longer tool"]),

@@ -5,6 +5,7 @@ from evenload.floor import listed
 from evenload.operations.settings import POSITIVE
 
 MOST_LEAST_LOAD = 0.95
+MOST_LEVELS = 5000  # more is a slip of the pen, and would take days
 
 
 def for_geometry(obj):
@@ -24,6 +25,12 @@ def settings(obj, tool, data):
         raise ValueError(
             "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
             % (obj.SideStep.Value, tool.diameter)
+        )
+    # Nothing could be held that is less than what the path may be off; it would not end, either.
+    if obj.SideStep.Value < obj.Tolerance.Value:
+        raise ValueError(
+            "SideStep is %g mm, less than the Tolerance of %g mm: raise EngagementAngle."
+            % (obj.SideStep.Value, obj.Tolerance.Value)
         )
     for name in POSITIVE:
         if not getattr(obj, name).Value > 0:
@@ -63,6 +70,11 @@ def _levels(obj, tool):
         )
     if not step > 0:
         raise ValueError("StepDown is %g mm: it must be positive." % step)
+    if start - last > MOST_LEVELS * step:
+        raise ValueError(
+            "StepDown is %g mm: from StartDepth to FinalDepth that makes more than %d levels, "
+            "raise it." % (step, MOST_LEVELS)
+        )
     if tool.cutting_length and start - last > tool.cutting_length + 1e-6:
         raise ValueError(
             "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
