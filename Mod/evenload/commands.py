@@ -59,6 +59,7 @@ FED_OUT = (74, 84, 85, 89)
 # stands, seen from above, it takes nothing.
 BACK_BORING = 87
 CYCLES = (*PECKING, 76, 81, 82, 86, *FED_OUT, BACK_BORING, 88)
+HOMES = (28, 30)
 RETRACTS = {98: True, 99: False}  # whether cycles end at the height where they began, not at R
 # G-codes that move nothing, or say what holds anyway: dwell, plane XY, mm, no tool radius
 # compensation, tool length, fixtures, path modes, end of cycles, absolute, units per minute.
@@ -72,9 +73,9 @@ def to_moves(commands, z, feed):
 
     mm, rad, mm/min. G0 and the quick parts of cycles become RAPID, with a feed of 0, all else CUT.
     feed: in mm/min, of feed moves before the first F. Drilling, tapping and boring cycles become
-    their single moves; of back boring only the way to its place. The centres of arcs are moved to
-    where both radii are the same. Raises ValueError, with the number, for a command that cannot be
-    followed.
+    their single moves; of back boring only the way to its place. G28 and G30 end at the height z.
+    The centres of arcs are moved to where both radii are the same. Raises ValueError, with the
+    number, for a command that cannot be followed.
     """
     first = {
         axis: next((c.Parameters[axis] for c in commands if axis in c.Parameters), 0.0)
@@ -96,7 +97,7 @@ class _Reader:
 
     def __init__(self, at, feed):
         self.moves, self.numbers = [], [0]
-        self.feed = feed
+        self.feed, self.top = feed, at["Z"]
         self._add(RAPID, at, 0.0, 0.0, 0.0)
         self.cycles_began = None  # the height; None outside of cycles
         self.to_begin = True
@@ -110,10 +111,14 @@ class _Reader:
             code = float(name[1:])
         except ValueError:
             raise ValueError("is no G-code: leave it out.") from None
+        if "G" in p:
+            raise ValueError("has a second G word, which is lost: give that a line of its own.")
         if code in RETRACTS:
             self.to_begin = RETRACTS[code]
         elif code in (0, 1, 2, 3, *CYCLES):
             self._motion(int(code), p)
+        elif code in HOMES:
+            self._home(p)
         elif code not in QUIET:
             raise ValueError("is not known to the simulator: leave it out.")
 
@@ -133,6 +138,16 @@ class _Reader:
             self._arc(code, end, p)
         elif end != self.at:
             self._line(CUT if code else RAPID, **end)
+
+    def _home(self, p):
+        """Through the place that is named, and up from there: where the machine's own place lies
+        nobody knows, but no material is there.
+        """
+        end = {axis: float(p.get(axis, self.at[axis])) for axis in "XYZ"}
+        self.cycles_began = None
+        if end != self.at:
+            self._line(RAPID, **end)
+        self._rapid_to(max(self.top, self.at["Z"]))
 
     def _line(self, kind, **end):
         self._add(kind, {**self.at, **end}, 0.0, 0.0, 0.0)

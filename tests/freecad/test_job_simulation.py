@@ -107,6 +107,7 @@ def test_a_centre_beside_its_place_is_moved_to_equal_radii():
         ("G18", ["G18"]),
         ("G20", ["G20"]),
         ("G38.2 Z-10", ["G38.2"]),
+        ("G98 G81 X0 Y0 Z-5 R1", ["Command 3", "G98, has a second G word", "line of its own"]),
         ("G1 X3 A20", ["turns the work"]),
         ("G81 X0 Y0 Z5 R1", ["drills from Z1 up to Z5"]),
         ("G83 X0 Y0 Z-5 R1", ["no depth of peck"]),
@@ -165,6 +166,17 @@ def test_boring_and_tapping_cycles_go_down_and_come_out_as_they_do(code, way_out
 def test_back_boring_takes_nothing_that_stands():
     found, _ = moves("G98", "G87 X3 Y4 Z-3 R-8 Q0.5 F1", "G80", "G0 X6")
     assert ends(found) == [(RAPID, 6, 4, 10)]
+
+
+def test_the_way_home_goes_through_its_place_and_up():
+    found, _ = moves("G0 X1 Y2", "G1 Z-3 F1", "G28 Z2", "G1 X4 Z1", "G30", z=10.0)
+    assert ends(found) == [
+        (CUT, 1, 2, -3),
+        (RAPID, 1, 2, 2),
+        (RAPID, 1, 2, 10),
+        (CUT, 4, 2, 1),
+        (RAPID, 4, 2, 10),
+    ]
 
 
 def test_moves_there_and_back_are_the_same(square):
