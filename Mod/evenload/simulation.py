@@ -225,9 +225,10 @@ def simulate(
         stock_regions = [region for region, _ in blocks]
         dexels = core.DexelStock(blocks, bottom, resolution)
         _check_within(dexels, prisms)
-    for moves, diameter in _earlier(core, earlier):
+    before = _earlier(core, earlier)
+    for cut, diameter in before:
         core.simulate(
-            moves, dexels, tool_diameter=diameter, step=_coarse(diameter), find_rest=False
+            cut.moves, dexels, tool_diameter=diameter, step=_coarse(diameter), find_rest=False
         )
 
     record, figures, cancelled = core.simulate(
@@ -256,7 +257,10 @@ def simulate(
             result.machine_time_total_s += path.dwell_s
     result.stock, result.stock_regions, result.part = dexels, stock_regions, prisms
     result.tool_diameter, result.top, result.bottom = float(tool_diameter), dexels.top, bottom
-    result.notes = list(path.notes)
+    result.notes = [
+        *path.notes,
+        *("Earlier cut: " + note for cut, _ in before for note in cut.notes),
+    ]
     return result
 
 
@@ -380,13 +384,13 @@ def _check_within(stock, part):
 
 
 def _earlier(core, earlier):
-    """[(moves, tool diameter), ...] of what was cut beforehand."""
+    """[(_Path, tool diameter), ...] of what was cut beforehand."""
     cuts = _listed(earlier)
     if cuts is None or any(not isinstance(cut, (list, tuple)) or len(cut) != 2 for cut in cuts):
         raise ValueError("earlier must be a list of (source, tool diameter).")
     for _, diameter in cuts:
         _check_number("The tool diameter of an earlier cut", diameter)
-    return [(_Path(core, source, None).moves, diameter) for source, diameter in cuts]
+    return [(_Path(core, source, None), diameter) for source, diameter in cuts]
 
 
 def _listed(values):

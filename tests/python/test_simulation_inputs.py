@@ -90,6 +90,12 @@ def test_a_file_s_notes_and_spindle_speed_are_taken(tmp_path):
     assert own.feed_per_tooth[middle(own)] == pytest.approx(400 / 8000 / 2)
 
 
+def test_notes_of_a_file_that_was_cut_before_are_taken_too(tmp_path):
+    before = [(written(tmp_path, "G0 X-40 Y9 Z5\nG1 Z-3 F600\nX40\n"), 2 * RADIUS)]
+    (note,) = simulated(climb(60), BELOW, earlier=before).notes
+    assert note.startswith("Earlier cut: Line 1: The program moves before it names its units")
+
+
 def test_kinds_are_told_from_what_moves_do_in_files_only_unless_asked(tmp_path):
     # Down beside the stock, through it, on faster beside it, and back up.
     path = written(tmp_path, "G0 X-40 Y0 Z5\nG1 Z-3 F600\nX40 F255\nY50 F900\nZ5\nG0 X0\n")
