@@ -1,7 +1,7 @@
 """A floor: one region of an operation's base geometry, as chains of (x, y, bulge, open)."""
 
 import math
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 import FreeCAD
 import numpy
@@ -35,12 +35,18 @@ class Floor:
     outer: list  # of (x, y, bulge, open)
     islands: list
     is_face: bool  # a floor of the model; else an outline drawn at any height
+    of_solid: bool = False  # a face of a body, not one that was drawn by itself
+    cut_to: float = None  # mm: how deep it is cut; its own height where nobody says
     enclosed: bool = False  # by upright walls of the model, all round
     slack: float = 0.0  # mm, by which the chains may leave the geometry, to either side
     notes: list = field(default_factory=list)
     parts: list = field(default_factory=list)  # of (label, sub-element) of faces, as for name_of
     grown: bool = False  # it goes on beyond its geometry, where stock stands
     beyond: list = field(default_factory=list)  # of stock_beyond.Beyond, where it does
+
+    def __post_init__(self):
+        if self.cut_to is None:
+            self.cut_to = self.z
 
     def region(self):
         """The core's Region. Raises ValueError, naming the geometry, for one that is crossed or
@@ -55,6 +61,11 @@ class Floor:
         """True for points in mm inside of the outer boundary and of no island."""
         polygons = [flattened(chain) for chain in [self.outer, *self.islands]]
         return bool(inside(numpy.array([[x, y]]), polygons)[0])
+
+
+def with_chains(floor, outer, islands):
+    """A floor with other chains."""
+    return replace(floor, outer=list(outer), islands=[list(island) for island in islands])
 
 
 def name_of(parts):

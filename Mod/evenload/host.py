@@ -126,6 +126,19 @@ def parent_job(obj):
     return cam().utils.findParentJob(obj)
 
 
+def job_for_selection():
+    """With a GUI, the active document's job, of several the one that the selection or else the user
+    tells. None where there is none, or where the user cancels.
+    """
+    jobs = cam().utils.GetJobs()
+    return cam().utils.UserInput.chooseJob(jobs) if len(jobs) > 1 else next(iter(jobs), None)
+
+
+def no_tool_chosen():
+    """What FreeCAD raises where the user cancels the choice of an operation's tool controller."""
+    return cam().op.PathNoTCException
+
+
 def operation_under(obj):
     """The operation that a dressup dresses, through any number of them; an operation itself."""
     while hasattr(getattr(obj, "Base", None), "Path"):
@@ -395,6 +408,9 @@ def show_job(job):
     if not hasattr(view.Proxy, "getIcon"):
         view.addExtension("Gui::ViewProviderGroupExtensionPython")
         view.Proxy = job_gui.ViewProvider(view)
+        # FreeCAD takes it for the view of a job that is just being made, and Cancel in its first
+        # panel would delete the job with all its operations.
+        view.Proxy.deleteOnReject = False
 
 
 def add_to_workbench(commands):

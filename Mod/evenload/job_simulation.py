@@ -6,11 +6,12 @@ What must stay, the part, is taken from here:
 - EvenLoad's operations say themselves what they clear: the stock outside of their floors must stay,
   and StockToLeave along its walls. Open sides of a floor have nothing beyond them. Below, a floor
   that is a face of the model must stay, and below outlines, and faces deeper than FinalDepth, what
-  lies under FinalDepth with StockToLeaveAxial on it. The model does not matter: it may be a block
+  lies under FinalDepth with StockToLeaveAxial on it. Whatever of the job's models stands above
+  a face must stay, too. In outlines that were drawn the model does not matter: it may be a block
   without the pocket in it.
-- For any other operation it is the Job's model, as a stack of prisms: its sections half-way between
-  the heights of its vertices. What remains between them and the stock counts as rest, also where
-  another operation is meant to take it.
+- For any other operation it is the Job's model: where it is all level and upright as it is, else as
+  what stands above each level of the path. What remains between that and the stock counts as rest,
+  also where another operation is meant to take it.
 - An operation on geometry that is not the model's, such as a sketch, may well cut the model. As for
   a model that is no stack of sections, nothing can be said of its part then, and a note says so.
 """
@@ -21,13 +22,14 @@ from dataclasses import dataclass
 import Part
 from FreeCAD import Vector
 
-from evenload import commands, compiled, host, planar, shape
+from evenload import body, commands, compiled, host, planar
 from evenload import tool as tools
-from evenload.floor import UP, listed
+from evenload.floor import ABOVE_FLOOR, listed
+from evenload.operations.settings import HOLE_ENTRIES
 
-PRISMATIC = 1e-3  # share of the volume that a body may differ by from the prisms that stand for it
-MOST_SLABS = 200  # sections of a model; a body with more is a mesh or a free form
-SAME_LEVEL = 1e-3  # mm: vertices nearer in height bound no slab of their own
+MOST_LEVELS = 200  # of a path at which a model that leans is looked at; roughing has fewer
+SAME_LEVEL = 1e-3  # mm: moves nearer in height are at one level
+LEAST_COVER = 1e-3  # mm2: less of a model over a floor is rounding
 # mm: how far beyond a floor's open sides nothing must stay. More than BESIDE of open_edges.py, from
 # where on that has seen that there is nothing, and than the tolerance of curves.
 BEYOND = 0.1
@@ -46,6 +48,7 @@ class Setup:
     moves: list  # of (kind, x, y, z, sweep, cx, cy, feed); the first says where the tool is
     lines: list  # for each move, the number of its command in the operation's path, from 1; 0: none
     stock: list  # of the core's Region: seen from above
+    blocks: object  # the stock as [(Region, top), ...], or a HeightMap where it leans
     top: float
     bottom: float
     tool: object  # tool.Tool
@@ -72,7 +75,7 @@ class Setup:
             cutting["helix_angle_deg"] = self.tool.helix_angle
         result = simulate(
             self.moves,
-            self.stock[0] if len(self.stock) == 1 else self.stock,
+            self.blocks,
             self.top,
             self.bottom,
             self.tool.diameter,
@@ -129,7 +132,7 @@ def read(operation, after_earlier=True):
         raise ValueError("'%s' has no path to simulate: recompute it first." % operation.Label)
     if tool.bull_nosed:
         notes.append("The tool '%s' is simulated with sharp corners." % tool.name)
-    stock, top, bottom = _stock(job.Stock, notes)
+    stock, blocks, top, bottom = _stock(job.Stock)
     cutting = {"rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID}
     if data.spindle_speed > 0:
         cutting["spindle_speed"] = data.spindle_speed
@@ -139,8 +142,21 @@ def read(operation, after_earlier=True):
         notes.append("The spindle turns counter-clockwise: it is simulated as if clockwise.")
     earlier = _earlier(job, operation, top, notes) if after_earlier else []
     earlier += _hole(host.operation_under(operation), top)
-    part = _part(job, operation, tool, stock, top, bottom, notes)
-    found = operation.Label, moves, lines, stock, top, bottom, tool, cutting, part, earlier, notes
+    part = _part(job, operation, tool, stock, top, bottom, moves, notes)
+    found = (
+        operation.Label,
+        moves,
+        lines,
+        stock,
+        blocks,
+        top,
+        bottom,
+        tool,
+        cutting,
+        part,
+        earlier,
+        notes,
+    )
     return Setup(*found)
 
 
@@ -150,8 +166,8 @@ def stock_before(operation, resolution):
     Raises ValueError with a sentence.
     """
     core, job, notes = compiled.core(), host.parent_job(operation), []
-    regions, top, bottom = _stock(job.Stock, notes)
-    stock = core.DexelStock([(region, top) for region in regions], bottom, resolution)
+    _, blocks, top, bottom = _stock(job.Stock)
+    stock = core.DexelStock(blocks, bottom, resolution)
     earlier = _earlier(job, operation, top, notes)
     earlier += _hole(host.operation_under(operation), top)
     for moves, diameter in earlier:
@@ -220,7 +236,7 @@ def _discs(controller):
 
 def _hole(operation, top):
     """The pre-drilled hole of one of our operations as what its drill did: [(moves, diameter)]."""
-    if not _is_ours(operation) or operation.Entry not in ("Automatic", "Predrilled hole"):
+    if not _is_ours(operation) or operation.Entry not in HOLE_ENTRIES:
         return []
     diameter, at = operation.HoleDiameter.Value, operation.EntryPoint
     if not diameter > 0:
@@ -239,38 +255,23 @@ def _is_ours(operation):
 # ---- stock and part ----
 
 
-def _stock(stock, notes):
-    """([Region, ...], top, bottom) of a job's stock."""
-    body = stock.Shape
-    box = body.BoundBox
-    regions = _section(body, 0.5 * (box.ZMin + box.ZMax))
-    if not regions:
-        raise ValueError("The stock '%s' has no outline at half its height." % stock.Label)
-    volume = sum(region.area for region in regions) * box.ZLength
-    if abs(volume - body.Volume) > PRISMATIC * body.Volume:
-        notes.append(
-            "The stock '%s' is no prism: its outline at half its height is taken." % stock.Label
-        )
-    return regions, box.ZMax, box.ZMin
-
-
-def _section(body, z):
-    """The Regions of a body's section at a height. Raises ValueError where they cannot be had."""
-    wires = body.slice(UP, z)
-    return _regions(Part.Compound(wires)) if wires else []
-
-
-def _regions(body):
-    """The Regions of a shape's level faces and closed edges."""
-    core, occt = compiled.core(), compiled.occt()
+def _stock(stock):
+    """(outline as [Region, ...], [(Region, top), ...] or a HeightMap, top, bottom) of a job's
+    stock.
+    """
+    found = body.of(stock.Shape)
+    top, bottom = found.box.ZMax, found.box.ZMin
     try:
-        found = occt.regions_from_brep(body.exportBrepToString(), planar.DEFLECTION)
-    except occt.ShapeError as error:
-        raise ValueError(str(error)) from None
-    return [core.Region(outer, islands) for _, outer, islands in found]
+        outline = _level_regions(Part.Compound(found.standing(bottom + SAME_LEVEL)))
+        blocks = found.prisms() or found.map
+    except ValueError as error:
+        raise ValueError("The stock '%s' cannot be read: %s." % (stock.Label, error)) from None
+    if not outline:
+        raise ValueError("The stock '%s' is empty: give the job another one." % stock.Label)
+    return outline, blocks, top, bottom
 
 
-def _part(job, operation, tool, stock, top, bottom, notes):
+def _part(job, operation, tool, stock, top, bottom, moves, notes):
     inner = host.operation_under(operation)
     if _is_ours(inner):
         return _outside_floors(job, inner, tool, stock, top)
@@ -282,7 +283,13 @@ def _part(job, operation, tool, stock, top, bottom, notes):
             % (inner.Label, listed(["'%s'" % obj.Label for obj in others], " and ", "others"))
         )
         return None
-    return _model([m.Shape for m in models if not m.Shape.isNull()], bottom, notes)
+    heights = {round(m[3] / SAME_LEVEL) for m, n in zip(moves, moves[1:]) if m[3] == n[3]}
+    levels = [z for z in (SAME_LEVEL * each for each in sorted(heights)) if bottom < z < top]
+    return _model(_bodies(job), levels, bottom, notes)
+
+
+def _bodies(job):
+    return [body.of(model.Shape) for model in job.Model.Group if not model.Shape.isNull()]
 
 
 def _base_objects(operation):
@@ -297,18 +304,7 @@ def _base_objects(operation):
 def _outside_floors(job, op, tool, stock, top):
     """The part of one of our operations."""
     last = op.Proxy.last
-    floors = (
-        last.floors
-        if last is not None
-        else shape.floors(
-            op.Base,
-            [m.Shape for m in job.Model.Group],
-            job.Stock.Shape,
-            tool.diameter,
-            op.Tolerance.Value,
-            partly_open=op.Proxy.partly_open,
-        )
-    )
+    floors = last.floors if last is not None else op.Proxy.floors(op, tool)
     whole = Part.Compound([_face(region.outer, region.islands) for region in stock])
     grounds = [_ground(floor) for floor in floors]
     walls = _level_regions(whole.cut(grounds))
@@ -320,6 +316,19 @@ def _outside_floors(job, op, tool, stock, top):
     for floor, ground in zip(floors, grounds):
         height = max(floor.z, final) if floor.is_face else final
         part += [(region, height) for region in _level_regions(ground.common(whole))]
+        if floor.of_solid and floor.z < final + SAME_LEVEL:
+            part += _above(job, ground, final)
+    return part
+
+
+def _above(job, ground, z):
+    """[(Region, top), ...] of what stands above the height z on a ground, of any model."""
+    part = []
+    for model in _bodies(job):
+        standing = model.standing(z + ABOVE_FLOOR)
+        cover = ground.common(standing) if standing else None
+        if cover and cover.Area > LEAST_COVER:
+            part += [(region, model.box.ZMax) for region in _level_regions(cover)]
     return part
 
 
@@ -332,7 +341,7 @@ def _ground(floor):
 def _level_regions(faces):
     """The Regions of a shape's faces, those that adjoin each other as one."""
     faces = faces.removeSplitter().Faces
-    return _regions(Part.Compound(faces)) if faces else []
+    return body.regions_of(Part.Compound(faces)) if faces else []
 
 
 def _face(outer, islands=()):
@@ -390,33 +399,27 @@ def _band(piece, after):
     return Part.Face(Part.Wire(edges))
 
 
-def _model(bodies, bottom, notes):
-    """The bodies as [(Region, top), ...]; None, with a note, where they are no stack of prisms."""
+def _model(bodies, levels, bottom, notes):
+    """The bodies as [(Region, top), ...] between the `levels` of a path, the lowest first; None,
+    with a note, where they lean and there are too many levels.
+    """
     part = []
-    for body in bodies:
-        box = body.BoundBox
-        levels = [box.ZMin]
-        for z in sorted(v.Z for v in body.Vertexes):
-            if z > levels[-1] + SAME_LEVEL:
-                levels.append(z)
-        if box.ZMax > levels[-1] + SAME_LEVEL:
-            levels.append(box.ZMax)
-        if len(levels) > MOST_SLABS:
-            notes.append("The model has more than %d heights: no part is taken." % MOST_SLABS)
-            return None
-        volume = 0.0
-        for low, high in zip(levels, levels[1:]):
-            try:
-                regions = _section(body, 0.5 * (low + high))
-            except ValueError as error:
-                notes.append("The model cannot be cut into prisms, so there is no part: %s" % error)
-                return None
-            volume += sum(region.area for region in regions) * (high - low)
-            if high > bottom:
-                part += [(region, high) for region in regions]
-        if abs(volume - body.Volume) > PRISMATIC * body.Volume:
+    for each in bodies:
+        prisms = each.prisms()
+        if prisms is not None:
+            part += [(region, top) for region, top in prisms if top > bottom]
+            continue
+        if len(levels) > MOST_LEVELS:
             notes.append(
-                "The model has sides that are not upright: it is taken as steps between the "
-                "heights of its vertices, and gouge and rest near such sides are not exact."
+                "The path has more than %d levels and the model leans: no part is taken."
+                % MOST_LEVELS
             )
+            return None
+        try:
+            for low, high in zip([bottom, *levels], [*levels, each.box.ZMax]):
+                standing = Part.Compound(each.standing(low + ABOVE_FLOOR))
+                part += [(region, high) for region in _level_regions(standing)]
+        except ValueError as error:
+            notes.append("What must stay of the model is not known: %s." % error)
+            return None
     return part

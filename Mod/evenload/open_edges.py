@@ -1,5 +1,5 @@
-"""Which edges of a floor are open: those with no wall above them, and nothing of the stock beyond
-them. There the tool may come in from outside.
+"""Which edges of a floor are open: those with no wall above what is cut, and nothing of the stock
+beyond them. There the tool may come in from outside.
 """
 
 import math
@@ -7,23 +7,19 @@ import math
 import numpy
 import Part
 
-from evenload import compiled, stock_beyond
+from evenload import body, compiled, stock_beyond
 from evenload.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
     SAME_HEIGHT,
-    UP,
     inside,
     is_exact,
     oriented,
-    points_of,
 )
 from evenload.planar import flattened
 
 BESIDE = 0.02  # mm: nearest distance from an edge where a wall is looked for; more than DEFLECTION
 REACH = 2.5  # tool diameters: no wall may stand nearer to an open edge, for the tool travels there
-MOST_HEIGHTS = 16  # heights at which walls are looked for above an edge that has none at its foot
-UPRIGHT = 1e-9  # of unit vectors: what rises in a right angle
 ACROSS = 10  # rows of points on the ground up to there
 FAN = (-80, -50, -25, 0, 25, 50, 80)  # degrees from an edge's normal, at its ends
 
@@ -47,79 +43,30 @@ def enclosed(floor, models):
 
 def _rises(face, z):
     """Whether a face stands upright on the height z."""
-    surface = face.Surface
-    if isinstance(surface, Part.Plane):
-        upright = abs(surface.Axis.z) < UPRIGHT
-    elif isinstance(surface, Part.Cylinder):
-        upright = abs(surface.Axis.z) > 1 - UPRIGHT
-    else:
-        extruded = isinstance(surface, Part.SurfaceOfExtrusion)
-        upright = extruded and abs(surface.Direction.z) > 1 - UPRIGHT
     box = face.BoundBox
-    return upright and box.ZMin > z - SAME_HEIGHT and box.ZMax > z + 2 * ABOVE_FLOOR
+    return body.is_upright(face.Surface) and box.ZMin > z - SAME_HEIGHT and box.ZMax > z + 2 * ABOVE_FLOOR
 
 
 class Walls:
-    """The model's and the stock's outlines at any height, made when they are asked for."""
+    """The ground over which the model and the stock stand higher than any height."""
 
     def __init__(self, models, stock):
-        self.models = models
-        self.stock = stock
-        self.top = max((m.BoundBox.ZMax for m in models), default=-math.inf)
-        self._wires = {}
-        self._sections = {}
+        self._models = [body.of(model) for model in models]
+        self._stock = [body.of(stock)] if stock else []
 
-    def model_at(self, z):
-        return self._section("model", z)
+    def model_above(self, z):
+        """Of each model its outlines as nested polygons."""
+        return [each.outlines(z)[1] for each in self._models]
 
-    def stock_at(self, z):
-        return self._section("stock", z)
+    def stock_above(self, z):
+        return [each.outlines(z)[1] for each in self._stock]
 
-    def _outlines(self, what, z):
-        """The closed wires of each shape at a height."""
-        key = what, round(z, 6)
-        if key not in self._wires:
-            shapes = self.models if what == "model" else [self.stock] if self.stock else []
-            self._wires[key] = [
-                [wire for wire in shape.slice(UP, z) if wire.isClosed()]
-                for shape in shapes
-                if shape.BoundBox.ZMin < z < shape.BoundBox.ZMax
-            ]
-        return self._wires[key]
+    def model_outlines(self, z, at):
+        """[(closed wires in the plane z = `at`, the same as polygons)] of each model."""
+        return [each.outlines(z, at) for each in self._models]
 
-    def _section(self, what, z):
-        key = what, round(z, 6)
-        if key not in self._sections:
-            self._sections[key] = [
-                [points_of(wire) for wire in wires] for wires in self._outlines(what, z)
-            ]
-        return self._sections[key]
-
-    def model_outlines(self, heights, z):
-        """What the model covers at some heights: [(closed wires of a shape, moved to the height z;
-        the same as polygons)]. What is the same at several of them comes once.
-        """
-        found = {}
-        for height in heights:
-            polygons = self.model_at(height)
-            for wires, outlines in zip(self._outlines("model", height), polygons):
-                key = _key(outlines)
-                if key not in found:
-                    found[key] = _level(wires, z - height), outlines
-        return list(found.values())
-
-    def stock_outlines(self, height, z):
-        """The same of the stock at one height."""
-        wires = self._outlines("stock", height)
-        return [(_level(w, z - height), o) for w, o in zip(wires, self.stock_at(height))]
-
-    def heights_above(self, z):
-        """Heights, one between each two at which the model has a vertex."""
-        levels = {round(v.Z, 4) for m in self.models for v in m.Vertexes if v.Z > z + ABOVE_FLOOR}
-        levels = [z + ABOVE_FLOOR] + sorted(levels)
-        between = [0.5 * (a + b) for a, b in zip(levels, levels[1:]) if b - a > 2 * ABOVE_FLOOR]
-        step = max(1, math.ceil(len(between) / MOST_HEIGHTS))
-        return between[::step]
+    def stock_outlines(self, z, at):
+        return [each.outlines(z, at) for each in self._stock]
 
     @staticmethod
     def any_inside(points, sections):
@@ -139,12 +86,12 @@ def drop_holes(floor, walls):
     floor.islands = [oriented(island, counter_clockwise=False) for island in floor.islands]
     if floor.enclosed:
         return
-    z = floor.z + ABOVE_FLOOR
+    z = floor.cut_to + ABOVE_FLOOR
     kept = []
     for island in floor.islands:
         if not any(_walled(island, walls, z)):
             within = _beside(island)[0]
-            if walls.any_inside(within, walls.stock_at(z)).any():
+            if walls.any_inside(within, walls.stock_above(z)).any():
                 continue  # a hole in the floor: its stock is cut with the rest
         kept.append(island)
     floor.islands = kept
@@ -156,11 +103,11 @@ def extend(floor, walls, others, tool_diameter, tolerance, partly_open=True):
     """
     if floor.enclosed:
         return
-    outer, z = floor.outer, floor.z + ABOVE_FLOOR
+    outer, z = floor.outer, floor.cut_to + ABOVE_FLOOR
     # A boss on the floor itself does not close a side near it, nor a wall that goes on past it.
     near = 0.5 * tool_diameter
     walled = _walled(outer, walls, z, near, off_floor=[flattened(outer)], fan=())
-    blocked = _touching(outer, walls.stock_at(z), walls) & ~walled
+    blocked = _touching(outer, walls.stock_above(z), walls) & ~walled
     if not blocked.any():
         return
     sides = numpy.flatnonzero(blocked)
@@ -169,9 +116,8 @@ def extend(floor, walls, others, tool_diameter, tolerance, partly_open=True):
         if not walled.any() and _open_all_round(floor, walls, z, others, tolerance):
             floor.beyond = [stock_beyond.Beyond(outer, places, [])]
             return
-        heights = [z, *walls.heights_above(z)]
         growth = stock_beyond.continued(
-            floor, list(walled), walls, heights, others, tool_diameter, tolerance, partly_open
+            floor, list(walled), walls, z, others, tool_diameter, tolerance, partly_open
         )
     except (ValueError, Part.OCCError) as error:  # of the geometry there; the floor needs none
         floor.notes.append(
@@ -195,8 +141,8 @@ def _left(outer, sides, walls, z, distance):
     result = []
     for i in sides:
         points = numpy.array(_beside_piece(outer, i, 0.0, distance + BESIDE, ()))
-        stands = walls.any_inside(points, walls.stock_at(z))
-        stands &= ~walls.any_inside(points, walls.model_at(z))
+        stands = walls.any_inside(points, walls.stock_above(z))
+        stands &= ~walls.any_inside(points, walls.model_above(z))
         result += [(outer[i][:2], tuple(point)) for point in points[stands][:1]]
     return result
 
@@ -206,9 +152,9 @@ def mark(floor, walls, tool_diameter):
     outer = floor.outer
     if floor.enclosed or all(vertex[3] for vertex in outer):
         return
-    z, reach = floor.z + ABOVE_FLOOR, REACH * tool_diameter
+    z, reach = floor.cut_to + ABOVE_FLOOR, REACH * tool_diameter
     free = ~_walled(outer, walls, z, reach)
-    free &= ~_touching(outer, walls.stock_at(z), walls, reach)
+    free &= ~_touching(outer, walls.stock_above(z), walls, reach)
     for i in numpy.flatnonzero(free):
         outer[i] = (*outer[i][:3], True)
 
@@ -226,12 +172,8 @@ def _open_all_round(floor, walls, z, others, tolerance):
         if inside(within, [polygon]).all()
     ]
     outline = [flattened(floor.outer)]
-    standing = [
-        polygon
-        for height in [z, *walls.heights_above(z)]
-        for polygons in walls.model_at(height)
-        for polygon in polygons
-    ] + [flattened(other.outer) for other in others]
+    standing = [polygon for polygons in walls.model_above(z) for polygon in polygons]
+    standing += [flattened(other.outer) for other in others]
     if len(around) != 1 or not all(inside(polygon, outline).all() for polygon in standing):
         return False
     curve_tolerance = CURVE_SHARE * tolerance
@@ -246,33 +188,17 @@ def _open_all_round(floor, walls, z, others, tolerance):
     return True
 
 
-def _key(polygons):
-    """The same for outlines that have the same points."""
-    points = numpy.vstack(polygons) if polygons else numpy.zeros((0, 2))
-    return numpy.unique(numpy.round(points, 6) + 0.0, axis=0).tobytes()
-
-
-def _level(wires, by):
-    """Copies of wires, higher by so many mm."""
-    copies = [wire.copy() for wire in wires]
-    for copy in copies:
-        copy.translate(UP * by)
-    return copies
-
-
 def _walled(chain, walls, z, reach=0.0, off_floor=(), fan=FAN):
     """For each piece of a chain, whether a wall of the model stands beside it, at any height above
     z; only off the floor within nested polygons. reach and fan as for _beside.
     """
-    result = _touching(chain, walls.model_at(z), walls)
+    standing = walls.model_above(z)
+    result = _touching(chain, standing, walls)
     points, piece = _beside(chain, reach, fan=fan)
     if off_floor:
         off = ~inside(points, off_floor)
         points, piece = points[off], piece[off]
-    for height in [z, *walls.heights_above(z)]:
-        left = ~result[piece]
-        points, piece = points[left], piece[left]
-        result[piece[walls.any_inside(points, walls.model_at(height))]] = True
+    result[piece[walls.any_inside(points, standing)]] = True
     return result
 
 

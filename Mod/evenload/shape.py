@@ -9,7 +9,7 @@ from dataclasses import dataclass, replace
 
 import Part
 
-from evenload import compiled, open_edges, stock_beyond
+from evenload import body, compiled, covered, open_edges, stock_beyond
 from evenload.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
@@ -26,7 +26,7 @@ from evenload.floor import (
 )
 
 
-def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True):
+def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True, depth=None):
     """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
 
     models: shapes of the job's model, stock: shape of its stock or None, both in place;
@@ -34,8 +34,10 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     core's Region of the slot round a sketch's or edges' curve, or None where it is an outline;
     slots that meet are one floor. Without it open curves are refused. partly_open: False for
     operations that cannot take an outline that is open beside walls; where stock stands beyond a
-    floor's sides, it goes on by no more than it must then, and has no open edge. Raises ValueError
-    with a sentence that names the geometry.
+    floor's sides, it goes on by no more than it must then, and has no open edge. depth: z in mm
+    down to which all is cut, where sides must be open to count as such; None: down to each face, or
+    to where outlines are drawn. Ground that the model covers is left out of its faces. Raises
+    ValueError with a sentence that names the geometry.
     """
     found, slots = [], []
     for item in _items(base):
@@ -49,10 +51,13 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
                 floor.enclosed = True
         found += read
     for united in _united(slots):
-        found += _within_stock(united, stock)
+        found += _within_stock(united, stock, united.z if depth is None else depth)
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     _refuse_overlaps(found)
+    found = [part for floor in found for part in _uncovered(floor, models, tool_diameter, tolerance)]
+    for floor in found:
+        floor.cut_to = floor.z if depth is None else min(floor.z, depth)
     walls = open_edges.Walls(models, stock)
     for floor in found:
         if floor.is_face:
@@ -69,6 +74,12 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
         note = stock_beyond.note_of(floor, found, tool_diameter) if floor.grown else None
         floor.notes += [note] if note else []
     return found
+
+
+def _uncovered(floor, models, tool_diameter, tolerance):
+    if not floor.of_solid:  # drawn by itself, it may well lie in the model
+        return [floor]
+    return covered.uncovered(floor, models, tool_diameter, tolerance)
 
 
 def heights(base):
@@ -95,6 +106,7 @@ class _Item:
     parts: list  # of (label of the object, sub-element or '' for a whole object)
     shape: object
     is_face: bool
+    of_solid: bool = False  # faces of a body
 
     @property
     def name(self):
@@ -141,7 +153,8 @@ def _items(base):
             if part is None:
                 raise ValueError("There is no %s on %s: pick the geometry anew." % (name, label))
             if part.ShapeType == "Face":
-                result.append(_Item([(label, name)], part, True))
+                _refuse_downward(part, shape, "%s of %s" % (name, label))
+                result.append(_Item([(label, name)], part, True, bool(shape.Solids)))
             elif name and part.ShapeType in ("Edge", "Wire"):
                 edges.append((name, part))
             elif name:
@@ -156,6 +169,12 @@ def _items(base):
             shapes = Part.Compound([edge for _, edge in edges])
             result.append(_Item([(label, name) for name, _ in edges], shapes, False))
     return _merged(result)
+
+
+def _refuse_downward(face, shape, name):
+    """Raises ValueError for a level face of a body that has its material above it."""
+    if shape.Solids and face.BoundBox.ZLength < SAME_HEIGHT and face.normalAt(0, 0).z < 0:
+        raise ValueError("%s looks down: pick a face that looks up." % name)
 
 
 def _merged(items):
@@ -189,7 +208,8 @@ def _joined(group):
         return group[0]
     group = sorted(group, key=lambda item: [(k, len(n), n) for k, n in item.parts])  # Face9, Face10
     fused = group[0].shape.fuse([item.shape for item in group[1:]]).removeSplitter()
-    return _Item([part for item in group for part in item.parts], Part.Compound(fused.Faces), True)
+    parts, of_solid = [part for each in group for part in each.parts], group[0].of_solid
+    return _Item(parts, Part.Compound(fused.Faces), True, of_solid)
 
 
 def _read(item, tolerance):
@@ -207,6 +227,7 @@ def _read(item, tolerance):
             list(outer),
             [list(i) for i in islands],
             item.is_face,
+            of_solid=item.of_solid,
             slack=slack,
             parts=item.parts,
         )
@@ -252,14 +273,14 @@ def _united(slots):
     return result
 
 
-def _within_stock(slot, stock):
-    """The floors that the stock leaves of a slot, open where it runs out of the stock."""
+def _within_stock(slot, stock, depth):
+    """The floors that the stock above `depth`, mm, leaves of a slot, open where it runs out of the
+    stock.
+    """
     if stock is None:
         return [slot]
-    outlines = [wire for wire in stock.slice(UP, slot.z + ABOVE_FLOOR) if wire.isClosed()]
-    face, ground = face_of(slot), [Part.Face(outline) for outline in outlines]
-    for each in ground:
-        each.translate(UP * -ABOVE_FLOOR)
+    standing = body.of(stock).standing(depth + ABOVE_FLOOR)
+    face, ground = face_of(slot), [each.translated(UP * slot.z) for each in standing]
     inside = face.common(ground) if ground else Part.Shape()
     if not inside.Faces:
         raise ValueError(
@@ -351,6 +372,8 @@ def _union(group, tolerance):
             list(outer),
             [list(island) for island in islands],
             True,
+            of_solid=group[0].of_solid,
+            cut_to=group[0].cut_to,
             slack=slack,
             notes=notes,
             parts=parts,

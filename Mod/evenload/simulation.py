@@ -177,8 +177,9 @@ def simulate(
     source: the path of a G-code file, a Toolpath of the core, or a list of moves (kind, x, y, z,
         sweep, cx, cy, feed), the first of which says where the tool is; mm, rad, mm/min.
     stock: a Region, a box (xmin, ymin, xmax, ymax), a closed chain [(x, y, bulge), ...], or a list
-        of these, from `bottom` to `top` or, as (what, height), to another height; or a Simulation,
-        whose remaining stock is taken with its top, bottom and resolution.
+        of these, from `bottom` to `top` or, as (what, height), to another height; or the upper side
+        of a body as the core's HeightMap; or a Simulation, whose remaining stock is taken with its
+        top, bottom and resolution.
     part: what must stay, in the same words; None or an empty list: nothing must stay. fixtures:
         what must not be touched, likewise.
     cutting: {"material": see materials.load, "spindle_speed": rev/min, "helix_angle_deg",
@@ -221,8 +222,11 @@ def simulate(
         prisms = prisms_of(core, part, top, "The part", may_be_none=True)
     else:
         prisms = prisms_of(core, part, top, "The part", may_be_none=True)
-        blocks = prisms_of(core, stock, top, "The stock")
-        stock_regions = [region for region, _ in blocks]
+        if isinstance(stock, core.HeightMap):
+            blocks = stock
+        else:
+            blocks = prisms_of(core, stock, top, "The stock")
+            stock_regions = [region for region, _ in blocks]
         dexels = core.DexelStock(blocks, bottom, resolution)
         _check_within(dexels, prisms)
     before = _earlier(core, earlier)

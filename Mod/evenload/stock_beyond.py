@@ -64,22 +64,22 @@ class Beyond:
     distance: float = 0.0  # mm from the floor, up to which it is cleared there
 
 
-def continued(floor, walled, walls, heights, others, tool_diameter, tolerance, partly_open=True):
+def continued(floor, walled, walls, z, others, tool_diameter, tolerance, partly_open=True):
     """The Continuation of `floor` beyond those pieces of its outer chain, which goes
     counter-clockwise, that are not `walled`, a truth value each. None where there is no ground.
 
-    On that ground stands the stock at the first of `heights`, mm, the lowest first, and the model
-    at none of them, nor is it part of `others`, Floors. tool_diameter and tolerance in mm.
+    On that ground the stock stands higher than z, mm, and the model nowhere, nor is it part of
+    `others`, Floors. tool_diameter and tolerance in mm.
     partly_open: as for shape.floors. Without it the ground goes on out of the stock, or corners at
     the stock's edge would stay, where the tool does not come in. Raises ValueError or Part.OCCError
     where the geometry has errors.
     """
     within = CURVE_SHARE * tolerance
-    obstacles = walls.model_outlines(heights, floor.z) + [_outlines_of(o, floor.z) for o in others]
+    obstacles = walls.model_outlines(z, floor.z) + [_outlines_of(o, floor.z) for o in others]
     bare = beside_bare(floor, walled, NONE_UP_TO * tool_diameter)
     ground = _divided(bare, obstacles, False)
     if partly_open:
-        in_stock = _divided(ground, walls.stock_outlines(heights[0], floor.z), True)
+        in_stock = _divided(ground, walls.stock_outlines(z, floor.z), True)
     else:
         in_stock = ground
     to_the_edge = partly_open and _is_edge_near(floor, ground, in_stock, tool_diameter)

@@ -3,6 +3,8 @@
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
+#include <array>
+
 #include <string>
 #include <tuple>
 
@@ -11,12 +13,14 @@
 #include "feed/load_profile.h"
 #include "geometry/medial_axis.h"
 #include "geometry/region.h"
+#include "geometry/united.h"
 #include "python/clearing_params.h"
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
 #include "python/lame_module.h"
 #include "python/path_commands_module.h"
+#include "python/proof_module.h"
 #include "python/simulate_module.h"
 #include "python/trochoid_module.h"
 #include "strategy/constant_engagement.h"
@@ -114,20 +118,6 @@ std::vector<std::tuple<double, double, double, int>> profile_for_python(
   return result;
 }
 
-// Each Python function that an exception leaves adds its place; one that is raised here has none.
-py::object without_traceback(const py::tuple& kinds, const py::function& function,
-                             const py::args& arguments) {
-  try {
-    return function(*arguments);
-  } catch (py::error_already_set& error) {
-    if (!error.matches(kinds)) throw;
-    const py::object value = error.value();
-    PyException_SetTraceback(value.ptr(), Py_None);
-    PyErr_SetObject(error.type().ptr(), value.ptr());
-    throw py::error_already_set();
-  }
-}
-
 }  // namespace
 }  // namespace evenload
 
@@ -197,6 +187,23 @@ PYBIND11_MODULE(_core, m) {
 
   m.def("offset", &offset, py::arg("regions"), py::arg("distance"),
         "The regions grown (distance > 0) or shrunk by a distance in mm, arcs kept.");
+  m.def(
+      "united",
+      [](const std::vector<std::vector<std::array<double, 2>>>& polygons, double tolerance) {
+        std::vector<std::vector<Vec2>> points;
+        for (const auto& polygon : polygons) {
+          points.emplace_back();
+          for (const auto& [x, y] : polygon) points.back().push_back({x, y});
+        }
+        std::vector<std::vector<std::array<double, 2>>> result;
+        for (const std::vector<Vec2>& outline : united(points, tolerance)) {
+          result.emplace_back();
+          for (const Vec2 p : outline) result.back().push_back({p.x, p.y});
+        }
+        return result;
+      },
+      py::arg("polygons"), py::arg("tolerance"),
+      "Nested outlines of what polygons, lists of (x, y) in mm, cover, to a tolerance in mm.");
   m.def("largest_tool", &largest_tool, py::arg("regions"),
         "Diameter in mm of the largest tool that fits.");
   bind_force(m);
@@ -211,12 +218,9 @@ PYBIND11_MODULE(_core, m) {
   m.def("engagement_profile", &profile_for_python, py::arg("regions"), py::arg("toolpath"),
         py::arg("tool_diameter"), py::arg("hole") = py::none(),
         "(x, y, engagement in degrees, kind) along the lowest level of a toolpath.");
-  m.def(
-      "without_traceback", &without_traceback,
-      "(kinds, function, *arguments): the function's result; exceptions of these kinds, a tuple of "
-      "classes, come without the places in the code that they came through.");
   bind_trochoid(m);
   bind_lame(m);
+  bind_proof(m);
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);

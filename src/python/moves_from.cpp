@@ -3,6 +3,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "toolpath/gcode.h"
+
 namespace py = pybind11;
 
 namespace evenload {
@@ -23,10 +25,19 @@ Move move_from(const py::sequence& values, std::size_t number) {
       " must be (kind, x, y, z, sweep, cx, cy, feed), kind 0 rapid, 1 link, 2 entry or 3 cut.");
 }
 
+std::vector<Move> moves_of(const GCodeProgram& program) {
+  if (!program.has_start) return {};
+  std::vector<Move> moves{
+      {MoveKind::kRapid, program.start_x, program.start_y, program.start_z, 0, 0, 0, 0}};
+  moves.insert(moves.end(), program.moves.begin(), program.moves.end());
+  return moves;
+}
+
 }  // namespace
 
 std::vector<Move> moves_from(const py::object& source) {
   if (py::isinstance<Toolpath>(source)) return source.cast<const Toolpath&>().moves;
+  if (py::isinstance<GCodeProgram>(source)) return moves_of(source.cast<const GCodeProgram&>());
   std::vector<Move> moves;
   for (const py::handle& item : py::cast<py::iterable>(source)) {
     if (!py::isinstance<py::sequence>(item))

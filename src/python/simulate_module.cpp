@@ -180,6 +180,8 @@ void bind_simulate(py::module_& module) {
              return DexelStock(prisms_from(prisms), bottom, resolution);
            }),
            py::arg("prisms"), py::arg("bottom"), py::arg("resolution"))
+      .def(py::init<const HeightMap&, double, double>(), py::arg("map"), py::arg("bottom"),
+           py::arg("resolution"))
       .def("copy", [](const DexelStock& stock) { return DexelStock(stock); })
       .def(
           "drill",

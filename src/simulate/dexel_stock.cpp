@@ -84,8 +84,6 @@ void split(const Segment& path, Part part) {
 DexelStock::DexelStock(const std::vector<Prism>& prisms, double bottom, double resolution)
     : resolution_(resolution), top_(bottom), bottom_(bottom) {
   if (prisms.empty()) throw std::invalid_argument("The stock has no region: give it one.");
-  if (!(resolution > 0 && std::isfinite(resolution)))
-    throw std::invalid_argument("The resolution must be positive, in mm.");
   std::vector<Region> regions;
   for (const Prism& prism : prisms) {
     if (!(std::isfinite(prism.top) && std::isfinite(bottom)))
@@ -93,22 +91,37 @@ DexelStock::DexelStock(const std::vector<Prism>& prisms, double bottom, double r
     regions.push_back(prism.region);
     top_ = std::max(top_, prism.top);
   }
-  if (!(top_ > bottom)) throw std::invalid_argument("The stock's top must lie above its bottom.");
-  bounds_ = bounds_of(regions);
+  lay_out(bounds_of(regions));
+  fill(prisms);
+}
+
+DexelStock::DexelStock(const HeightMap& map, double bottom, double resolution)
+    : resolution_(resolution), top_(map.highest()), bottom_(bottom) {
+  if (map.empty()) throw std::invalid_argument("The stock has no upper side: give it one.");
+  lay_out(map.bounds());
+  map.raise(rows_, origin_.y, resolution_, false);
+  map.raise(columns_, origin_.x, resolution_, true);
+}
+
+// Finds the rows and columns of a stock whose resolution, top and bottom are set.
+void DexelStock::lay_out(const Bounds& bounds) {
+  if (!(resolution_ > 0 && std::isfinite(resolution_)))
+    throw std::invalid_argument("The resolution must be positive, in mm.");
+  if (!(top_ > bottom_)) throw std::invalid_argument("The stock's top must lie above its bottom.");
+  bounds_ = bounds;
   const double width = bounds_.high.x - bounds_.low.x, height = bounds_.high.y - bounds_.low.y;
-  if ((width + height) / resolution > kMostRows)
+  if ((width + height) / resolution_ > kMostRows)
     throw std::invalid_argument(
         "The stock would need too many dexels: choose a coarser resolution.");
-  if (std::min(width, height) < resolution)
+  if (std::min(width, height) < resolution_)
     throw std::invalid_argument(
         "The resolution is coarser than the stock is wide: choose a finer one.");
   // As many as come nearest to covering the box, in its middle.
-  const auto count = [&](double extent) { return std::round(extent / resolution); };
+  const auto count = [&](double extent) { return std::round(extent / resolution_); };
   rows_.resize(static_cast<std::size_t>(count(height)));
   columns_.resize(static_cast<std::size_t>(count(width)));
   origin_ = 0.5 * (bounds_.low + bounds_.high) -
-            0.5 * resolution * Vec2{count(width) - 1, count(height) - 1};
-  fill(prisms);
+            0.5 * resolution_ * Vec2{count(width) - 1, count(height) - 1};
 }
 
 DexelStock::DexelStock(const std::vector<Prism>& prisms, const DexelStock& grid)

@@ -14,6 +14,7 @@
 
 #include "geometry/region.h"
 #include "simulate/dexel_row.h"
+#include "simulate/height_map.h"
 #include "simulate/swept_disc.h"
 
 namespace evenload {
@@ -42,6 +43,8 @@ class DexelStock {
   // Prisms that overlap count as one. Nothing reaches below `bottom`. Throws std::invalid_argument
   // for no prisms, a resolution that is not positive, and more than kMostRows rows.
   DexelStock(const std::vector<Prism>& prisms, double bottom, double resolution);
+  // Stock that is no stack of prisms, as high as its upper side. Throws the same, for an empty map.
+  DexelStock(const HeightMap& map, double bottom, double resolution);
   // The prisms on the rows and columns of another stock, and only where these are; they may be
   // none.
   DexelStock(const std::vector<Prism>& prisms, const DexelStock& grid);
@@ -75,6 +78,7 @@ class DexelStock {
 
  private:
   Removal cut_piece(const Segment& path, double radius, double z);
+  void lay_out(const Bounds& bounds);
   void fill(const std::vector<Prism>& prisms);
 
   double resolution_;

@@ -340,6 +340,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   assembly.clearance_height = params.clearance_height;
   assembly.entry = entry_feeds(params);
   assembly.rapid_feed = params.rapid_feed;
+  assembly.link_feed = params.link_feed;
   assembly.helix_angle = params.helix_angle;
   assembly.link_lift = params.link_lift;
   assembly.tool_radius = radius;

@@ -188,12 +188,11 @@ class Assembler {
       rapid_xy(start);
     }
     if (descent.kind == DescentKind::kPlunge) {
-      if (descent.over_cleared_ground) {
-        rapid_z(level);
-      } else {
-        rapid_z(from);
+      rapid_z(from);
+      if (descent.over_cleared_ground)
+        line(start, level, MoveKind::kLink, params_.link_feed);
+      else
         line(start, level, MoveKind::kEntry, params_.entry.plunge);
-      }
       return;
     }
     rapid_z(from);

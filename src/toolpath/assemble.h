@@ -20,6 +20,7 @@ struct AssemblyParams {
   double safe_height = 5;        // mm: rapids below it only over cleared ground
   double clearance_height = 10;  // mm: rapids to the first descent
   double rapid_feed = 5000;      // mm/min, for the time only
+  double link_feed = 1500;       // mm/min: also down into what the same level has cleared
   LevelTurnFeeds entry;          // entries descend with its plunge feed
   double helix_angle = 0.05;     // rad
   double link_lift = 0;          // mm
@@ -35,7 +36,8 @@ inline constexpr double kAboveMaterial = 0.05;
 
 // The moves of `runs` at every level, regions in the order given, each level of a region after the
 // one above it and by its own descent. Between regions the tool rises to the clearance height. Arcs
-// turn by at most half a circle. Without arcs the lines stay on the side of each arc that the tool
+// turn by at most half a circle. No rapid goes below what the levels before have cleared: the rest
+// of the way down is a feed move, which a machinist can stop. Without arcs the lines stay on the side of each arc that the tool
 // may touch.
 std::vector<Move> assemble(const std::vector<PlanarRun>& runs, const AssemblyParams& params);
 

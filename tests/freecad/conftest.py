@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib
+import json
 import math
 import os
 import shutil
@@ -163,6 +164,51 @@ def freecad(*arguments, cwd=None, command=None, timeout=120, **environment):
         timeout=timeout,
     )
     return result.returncode, result.stdout
+
+
+def in_gui(script, folder, *arguments, **environment):
+    """Runs a script of this folder in FreeCAD's GUI, on a virtual screen; returns what it reports
+    (see gui_tools.py). At its end nothing may stand in red in the report view but sentences that
+    the script provoked, and no traceback.
+
+    folder: for its report and its pictures; arguments: FreeCAD's.
+    """
+    program = shutil.which("freecad") or shutil.which("FreeCAD")
+    assert program and shutil.which("xvfb-run"), "freecad and xvfb are needed"
+    _, log = freecad(
+        os.path.join(os.path.dirname(os.path.abspath(__file__)), script),
+        *arguments,
+        command=["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program],
+        timeout=300,
+        EVENLOAD_GUI_OUT=str(folder),
+        QTWEBENGINE_DISABLE_SANDBOX="1",
+        LIBGL_ALWAYS_SOFTWARE="1",
+        **environment,
+    )
+    report, hang = folder / "result.json", folder / "hang.txt"
+    assert report.exists(), log[-2000:] + (hang.read_text() if hang.exists() else "")
+    content = json.loads(report.read_text())
+    report.unlink()  # another session may use the folder
+    assert "traceback" not in content, content["traceback"]
+    errors = errors_in(content["report_view"], content["provoked"])
+    assert errors == [], "\n".join(text for text, _ in content["report_view"])
+    return content
+
+
+def errors_in(report_view, provoked):
+    """The lines of the report view, [(text, whether it is red)], that are errors and tracebacks,
+    but for those with a sentence that was provoked, and what FreeCAD says whatever is installed.
+    """
+    lines = [text for text, red in report_view if red or "Traceback" in text]
+    assert lines and lines[-1].endswith("The session ends."), "errors are not seen"
+    expected = [*provoked, *OF_EVERY_JOB]
+    if provoked:
+        expected.append("Recompute failed! Please check report view.")
+    return [text for text in lines[:-1] if not any(each in text for each in expected)]
+
+
+# FreeCAD 0.20 opens a tool controller, under Python 3.11, by a method that its class lacks.
+OF_EVERY_JOB = ["<class 'AttributeError'>: setAttr failed."]
 
 
 # ---- reading paths ----

@@ -2,35 +2,16 @@
 the results and writes them as JSON to $EVENLOAD_GUI_OUT/result.json, with pictures beside it.
 """
 
-import faulthandler
-import json
 import os
 import sys
-import traceback
+import time
 
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-OUT = os.environ["EVENLOAD_GUI_OUT"]
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-result = {}
-faulthandler.dump_traceback_later(240, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
-
-
-def later(milliseconds=300):
-    loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(milliseconds, loop.quit)
-    loop.exec_()
-
-
-def picture(name):
-    window = FreeCADGui.getMainWindow()
-    docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible()]
-    left = [d for d in docks if window.dockWidgetArea(d) == QtCore.Qt.LeftDockWidgetArea]
-    window.resizeDocks(left, [420] * len(left), QtCore.Qt.Horizontal)
-    later()
-    window.grab().save(os.path.join(OUT, name + ".png"))
+from gui_tools import OUT, answering, click, later, picture, press, result, run  # noqa: E402
 
 
 def texts(menu):
@@ -40,19 +21,6 @@ def texts(menu):
         if action.menu():
             found += texts(action.menu())
     return found
-
-
-def panel_buttons():
-    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
-    return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
-
-
-def press(kind):
-    """Clicks a button of the panel. By Qt's own name of the slot: where a widget was made in the
-    place of one that is gone, Python may still take it for that one, which has no such method.
-    """
-    button = panel_buttons().button(kind)
-    assert QtCore.QMetaObject.invokeMethod(button, "click", QtCore.Qt.DirectConnection)
 
 
 def reopened():
@@ -79,29 +47,90 @@ def cancelled(op):
 
     seen = []
 
-    def click():
+    def press_cancel():
         for box in FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox):
             bar, button = box.findChild(QtGui.QProgressBar), box.button(QtGui.QMessageBox.Cancel)
             if not (box.isVisible() and bar and button):
                 continue
             seen.append({"title": box.windowTitle(), "value": bar.value(), "modal": box.isModal()})
             box.grab().save(os.path.join(OUT, "progress.png"))
-            for kind in (QtCore.QEvent.MouseButtonPress, QtCore.QEvent.MouseButtonRelease):
-                left = QtCore.Qt.LeftButton
-                at = QtCore.QPointF(button.rect().center())
-                event = QtGui.QMouseEvent(kind, at, left, left, QtCore.Qt.NoModifier)
-                QtGui.QApplication.sendEvent(button, event)
+            click(button)
 
     delay, progress.DELAY = progress.DELAY, 0
     timer = QtCore.QTimer()
-    timer.timeout.connect(click)
+    timer.timeout.connect(press_cancel)
     timer.start(0)
     op.touch()
     op.Document.recompute()
     timer.stop()
     progress.DELAY = delay
     later()
-    return seen, op.Report, len(op.Path.Commands)
+    result["provoked"].append(op.Report)
+    return {
+        "dialogs": seen,
+        "report": op.Report,
+        "valid": op.isValid(),
+        "uncut": op.UncutArea.Value,
+        "path": op.Path.toGCode(),
+    }
+
+
+def waited():
+    """A computation that asks often: how long until the dialog shows, and how long from a click on
+    its Cancel until the computation is told to end. In seconds of the clock, and of this thread's
+    work, since other programs may keep it waiting.
+    """
+    from evenload.gui import progress
+
+    def dialogs():
+        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox)
+        return [box for box in boxes if box.isVisible()]
+
+    def times():
+        return time.monotonic(), time.thread_time()
+
+    def since(begin):
+        return [now - before for now, before in zip(times(), begin)]
+
+    begin = times()
+    with progress.Watch("Long") as watch:
+        while not dialogs() and since(begin)[0] < 20:
+            assert watch(0.5)
+        shown = since(begin)
+        click(dialogs()[0].button(QtGui.QMessageBox.Cancel))
+        begin = times()
+        while watch(0.5) and since(begin)[0] < 20:
+            pass
+        answered = since(begin)
+        still = watch(0.5)
+    return {"shown": shown, "answered": answered, "asked_again": still, "left": len(dialogs())}
+
+
+def choice_cancelled(two_jobs):
+    """The command where FreeCAD asks for the job, or for the tool controller, and is answered by
+    Cancel.
+    """
+    from models import SQUARE, block_with, face_of
+    from evenload import host
+
+    doc = FreeCAD.newDocument("Choice")
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(face_of(SQUARE))
+    doc.recompute()
+    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
+    if two_jobs:
+        host.create_job(doc, [part], 6, 255, 6366, 1)
+    else:
+        job.Proxy.addToolController(doc.copyObject(controller))
+    FreeCADGui.Selection.clearSelection()
+    before = sorted(o.Name for o in doc.Objects)
+    with answering(lambda dialog: dialog.reject()) as asked:
+        FreeCADGui.runCommand("EvenLoad_Adaptive")
+        later(500)
+    after = sorted(o.Name for o in doc.Objects)
+    panel = FreeCADGui.Control.activeDialog()
+    FreeCAD.closeDocument(doc.Name)
+    return {"asked": len(asked), "same": before == after, "panel": panel}
 
 
 def other_panel(doc, job, model, floor, command):
@@ -137,6 +166,7 @@ def other_panel(doc, job, model, floor, command):
         seen["own_after_again"] = list(op.OwnValues)
         course = page.widgets["ExponentCourse"]
         seen["courses"] = [(course.text(), list(op.ExponentCourse))]
+        result["provoked"].append("Course of exponent takes numbers")
         for text in ("0; 0,25; 1", "0, 0.5, 1", "0; much", ""):
             course.setText(text)
             course.editingFinished.emit()
@@ -269,21 +299,15 @@ def session():
     doc.recompute()
     result["whole"] = [op.Report, len(op.Path.Commands)]
 
+    result["waited"] = waited()
+
     # An error shows its sentence.
     op.EngagementAngle = 200
     doc.recompute()
     result["error"] = op.Report
+    result["provoked"].append(op.Report)
     result["error_valid"] = op.isValid()
+    result["choices"] = [choice_cancelled(two_jobs) for two_jobs in (True, False)]
 
 
-def run():
-    try:
-        session()
-    except BaseException:
-        result["traceback"] = traceback.format_exc()
-    with open(os.path.join(OUT, "result.json"), "w") as file:
-        json.dump(result, file, indent=1)
-    os._exit(0)
-
-
-QtCore.QTimer.singleShot(500, run)
+run(session)

@@ -1,16 +1,10 @@
 """The command and the panel, used in FreeCAD's GUI on a virtual screen (see gui_session.py)."""
 
-import json
-import os
-import shutil
-
 import pytest
-from conftest import Bench, freecad
+from conftest import Bench, in_gui
 from evenload import materials
 from evenload.operations.adaptive import Adaptive
 from models import SQUARE, block_with, face_of
-
-HERE = os.path.dirname(os.path.abspath(__file__))
 
 
 @pytest.fixture(scope="module")
@@ -24,22 +18,7 @@ def session(tmp_path_factory):
     bench.done(bench.operation())
     doc.saveAs(str(folder / "headless.FCStd"))
     FreeCAD.closeDocument(doc.Name)
-    program = shutil.which("freecad") or shutil.which("FreeCAD")
-    assert program and shutil.which("xvfb-run"), "freecad and xvfb are needed"
-    _, log = freecad(
-        os.path.join(HERE, "gui_session.py"),
-        command=["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program],
-        timeout=300,
-        EVENLOAD_GUI_OUT=str(folder),
-        EVENLOAD_GUI_DOCUMENT=str(folder / "headless.FCStd"),
-        QTWEBENGINE_DISABLE_SANDBOX="1",
-        LIBGL_ALWAYS_SOFTWARE="1",
-    )
-    result = folder / "result.json"
-    assert result.exists(), log[-2000:] + (folder / "hang.txt").read_text()
-    content = json.loads(result.read_text())
-    assert "traceback" not in content, content["traceback"]
-    return content
+    return in_gui("gui_session.py", folder, EVENLOAD_GUI_DOCUMENT=str(folder / "headless.FCStd"))
 
 
 def test_the_command_is_in_menu_and_toolbar_with_its_icon(session):
@@ -106,13 +85,28 @@ def test_the_panel_sets_properties_and_computes(session):
     assert session["closed"]
 
 
-def test_cancel_stops_the_computation_and_keeps_what_there_is(session):
-    seen, report, commands = session["cancel"]
-    assert len(seen) == 1, "the dialog shows once, and one click is enough"
-    assert seen[0]["title"] == "EvenLoadAdaptive" and seen[0]["modal"]
-    assert "Cancelled" in report and session["after_cancel"]
+def test_cancel_stops_the_computation_and_leaves_nothing_that_passes_for_whole(session):
+    seen = session["cancel"]
+    assert len(seen["dialogs"]) == 1, "the dialog shows once, and one click is enough"
+    assert seen["dialogs"][0]["title"] == "EvenLoadAdaptive" and seen["dialogs"][0]["modal"]
+    assert seen["report"].startswith("Cancelled") and session["after_cancel"]
+    assert not seen["valid"] and seen["uncut"] > 100
+    assert seen["path"].split() == "(Cancelled: nothing is cut here)".split()
     whole_report, whole_commands = session["whole"]
-    assert "Cancelled" not in whole_report and 10 < commands < whole_commands
+    assert "Cancelled" not in whole_report and whole_commands > 10
+
+
+def test_the_dialog_is_there_within_half_a_second_and_cancel_is_answered_within_a_third(session):
+    seen = session["waited"]
+    clock, work = seen["shown"]
+    assert clock > 0.2 and work < 0.5, "what takes no time shows no dialog"
+    assert seen["answered"][1] < 0.3
+    assert not seen["asked_again"] and seen["left"] == 0
+
+
+@pytest.mark.parametrize("number", [0, 1], ids=["job", "tool controller"])
+def test_cancel_where_freecad_asks_for_job_or_tool_makes_nothing(session, number):
+    assert session["choices"][number] == {"asked": 1, "same": True, "panel": False}
 
 
 def test_an_error_shows_its_sentence(session):

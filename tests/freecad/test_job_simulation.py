@@ -8,7 +8,7 @@ import Part
 import Path
 import pytest
 from conftest import sweep_of
-from evenload import commands, host, job_simulation, tool
+from evenload import commands, compiled, host, job_simulation, tool
 from FreeCAD import Vector
 from models import (
     BLOCK,
@@ -291,11 +291,28 @@ def test_a_tube_of_stock_has_its_hole(square):
     assert stock.area == pytest.approx(math.pi * (40**2 - 4**2)) and len(stock.islands) == 1
 
 
-def test_a_stock_that_is_no_prism_is_taken_at_half_its_height_with_a_note(square):
+def test_a_stock_that_leans_is_as_high_as_it_is_everywhere(square):
     body = Part.makeCone(50, 40, BLOCK, Vector(15, 15, -BLOCK))
     found = with_stock(square, body)
-    assert found.stock[0].area == pytest.approx(math.pi * 45**2, rel=1e-4)
-    assert "is no prism" in found.notes[0]
+    assert found.stock[0].area == pytest.approx(math.pi * 50**2, rel=1e-3) and found.notes == []
+    for x, z in ((54.9, -1e-2), (55.5, -0.6), (60, -6), (64, -10.8)):
+        assert found.blocks.top_at(x, 15) == pytest.approx(z, abs=0.02)
+    assert found.blocks.top_at(66, 15) == -math.inf
+
+
+def test_a_stock_with_a_recess_is_low_where_the_recess_is(square):
+    block = Part.makeBox(50, 50, BLOCK, Vector(-10, -10, -BLOCK))
+    found = with_stock(square, block.cut(Part.makeBox(10, 10, 2, Vector(5, 5, -2))))
+    tops = {round(top, 6): region.area for region, top in found.blocks}
+    assert tops == pytest.approx({0: 2500 - 100, -2: 100})
+
+
+def test_under_an_overhang_stock_counts_as_filled(square):
+    block = Part.makeBox(50, 50, BLOCK, Vector(-10, -10, -BLOCK))
+    found = with_stock(square, block.cut(Part.makeBox(50, 10, 4, Vector(-10, 10, -8))))
+    assert compiled.core().DexelStock(found.blocks, found.bottom, 0.5).volume == pytest.approx(
+        2500 * BLOCK, rel=1e-6
+    )
 
 
 # ---- what must stay: EvenLoad's operations ----
@@ -445,7 +462,7 @@ def foreign(on, *texts, base=(), name="Foreign", controller=None):
 CUTS = "G0 Z15", "G0 X5 Y5", "G1 Z-1 F1", "G1 X25 F2", "G0 Z15"
 
 
-def test_the_part_of_any_operation_is_the_model_between_the_heights_of_its_vertices(bench):
+def test_the_part_of_any_operation_is_the_model(bench):
     upper = face_of(SQUARE).extrude(Vector(0, 0, -3))
     lower = face_of(circle(15, 15, 8)).extrude(Vector(0, 0, -8))
     block = Part.makeBox(50, 50, BLOCK, Vector(-10, -10, -BLOCK)).cut(upper).cut(lower)
@@ -453,19 +470,26 @@ def test_the_part_of_any_operation_is_the_model_between_the_heights_of_its_verti
     host.set_stock_margin(on.job, 1.0)
     found = job_simulation.read(foreign(on, *CUTS))
     by_top = {round(top, 6): region.area for region, top in found.part}
-    assert by_top == pytest.approx({-8: 2500, -3: 2500 - math.pi * 64, 0: 2500 - 900})
+    assert by_top == pytest.approx({-8: math.pi * 64, -3: 900 - math.pi * 64, 0: 2500 - 900})
     assert found.notes == [] and (found.top, found.bottom) == pytest.approx((1, -BLOCK - 1))
 
 
-def test_a_model_with_sloping_sides_is_taken_in_steps_with_a_note(bench):
-    found = job_simulation.read(foreign(bench(Part.makeCone(20, 10, 10)), *CUTS))
-    assert len(found.part) == 1 and "not upright" in found.notes[0]
+SLOPED = "G0 Z15", "G0 X30 Y0", "G1 Z6 F1", "G1 X25 F2", "G1 Z3 F1", "G1 X22 F2", "G0 Z15"
 
 
-def test_a_model_with_too_many_heights_gives_no_part_and_says_so(bench, monkeypatch):
-    monkeypatch.setattr(job_simulation, "MOST_SLABS", 2)
-    found = job_simulation.read(foreign(bench(block_with(face_of(SQUARE))), *CUTS))
-    assert found.part is None and "more than 2 heights" in found.notes[0]
+def test_a_model_that_leans_is_what_stands_above_each_level_of_the_path(bench):
+    found = job_simulation.read(foreign(bench(Part.makeCone(20, 10, 10)), *SLOPED))
+    areas = {round(top, 6): region.area for region, top in found.part}
+    assert areas == pytest.approx(
+        {3: math.pi * 20**2, 6: math.pi * 17**2, 10: math.pi * 14**2}, rel=2e-3
+    )
+    assert found.notes == []
+
+
+def test_a_path_of_many_levels_on_a_model_that_leans_has_no_part_and_says_so(bench, monkeypatch):
+    monkeypatch.setattr(job_simulation, "MOST_LEVELS", 1)
+    found = job_simulation.read(foreign(bench(Part.makeCone(20, 10, 10)), *SLOPED))
+    assert found.part is None and "more than 1 levels" in found.notes[0]
 
 
 def test_what_must_stay_is_unknown_for_an_operation_on_a_sketch_of_its_own(square):
@@ -610,7 +634,9 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
     ((source, stock, top, bottom, diameter, options),) = calls
     setup = job_simulation.read(op)
     assert source == setup.moves and options["lines"] == setup.lines
-    assert stock.area == pytest.approx(STOCK_AREA) and (top, bottom, diameter) == (0, -BLOCK, 6)
+    ((region, height),) = stock
+    assert region.area == pytest.approx(STOCK_AREA) and height == 0
+    assert (top, bottom, diameter) == (0, -BLOCK, 6)
     assert (options["resolution"], options["step"], options["teeth"]) == (0.1, 0.2, 1)
     assert options["cutting"] == {"rapid_feed": 5000, "material": "steel", "helix_angle_deg": 30}
     assert options["infer_kinds"] is True  # they are 0 and 3 only

@@ -317,7 +317,7 @@ def test_nothing_is_recomputed_without_need(square):
     assert square.doc.recompute() == 0
 
 
-def test_a_cancelled_operation_keeps_what_there_is_and_says_so(square):
+def test_a_cancelled_operation_is_empty_until_it_is_computed_again(square):
     whole = len(square.done(square.operation()).Path.Commands)
     op = square.operation()
     asked = []
@@ -327,9 +327,11 @@ def test_a_cancelled_operation_keeps_what_there_is_and_says_so(square):
         return len(asked) < 3
 
     op.Proxy.progress = stop_at_the_third
-    square.done(op)
+    op.touch()
+    square.doc.recompute()
     assert len(asked) == 3 and 0 < asked[0] <= asked[1] <= asked[2] < 1
-    assert "Cancelled" in op.Report and len(op.Path.Commands) < whole
+    assert not op.isValid() and op.Report.startswith("Cancelled")
+    assert not [c for c in op.Path.Commands if c.Name.startswith("G")]
     op.Proxy.progress = None
     square.done(op)
     assert "Cancelled" not in op.Report and len(op.Path.Commands) == whole

@@ -140,9 +140,10 @@ def test_walls_that_stand_on_a_floors_edges_count_as_sections_of_the_model_do(do
     assert quick.enclosed == all(not piece[3] for piece in slow.outer)
 
 
-def test_the_underside_of_a_block_is_not_enclosed_by_the_blocks_own_sides(doc):
+def test_a_face_that_looks_down_is_refused(doc):
     block = solid_of(doc, Part.makeBox(50, 40, 10))
-    assert not judged(block, name_of_floor(block, 0)).enclosed
+    with pytest.raises(ValueError, match="looks down: pick a face that looks up"):
+        judged(block, name_of_floor(block, 0))
 
 
 def test_a_floor_with_sloping_or_shallow_walls_is_left_to_the_sections(doc):

@@ -62,14 +62,21 @@ def values_in(text):
 
 def create(operation):
     """Creates the operation of a module for what is selected and opens its panel, in one undoable
-    step.
+    step. None where there is no job for it, or where the user cancels the choice of the job or of
+    its tool controller.
     """
     doc = FreeCAD.ActiveDocument
+    job = host.job_for_selection()
+    if job is None:
+        return None
     doc.openTransaction("Create " + operation.NAME)
     try:
-        obj = operation.Create(operation.NAME.replace(" ", ""))
+        obj = operation.Create(operation.NAME.replace(" ", ""), parentJob=job)
         obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
         obj.ViewObject.Visibility = True
+    except host.no_tool_chosen():
+        doc.abortTransaction()
+        return None
     except Exception as error:
         doc.abortTransaction()
         FreeCAD.Console.PrintError("%s was not created: %s\n" % (operation.NAME, error))

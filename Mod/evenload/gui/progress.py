@@ -6,7 +6,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-DELAY = 1.0  # s: what takes less shows no dialog
+DELAY = 0.3  # s: what takes less shows no dialog; who waits for longer than half a second wonders
 REFRESH = 0.05  # s: how often the dialog is brought up to date and Cancel is looked at
 SCALE = 1000  # steps of the progress bar
 WIDTH = 280  # pixels of the progress bar, so that the title can be read
@@ -24,6 +24,7 @@ class Watch:
     def __init__(self, title):
         self._title = title
         self._dialog = self._bar = None
+        self._cancelled = False
         self._next = time.monotonic() + DELAY
 
     def __enter__(self):
@@ -37,14 +38,15 @@ class Watch:
             self._dialog = None
 
     def __call__(self, share):
-        if time.monotonic() < self._next:
-            return True
+        if self._cancelled or time.monotonic() < self._next:
+            return not self._cancelled
         if self._dialog is None:
             self._show()
         self._bar.setValue(round(SCALE * share))
         QtGui.QApplication.processEvents()
         self._next = time.monotonic() + REFRESH
-        return self._dialog.clickedButton() is None
+        self._cancelled = self._dialog.clickedButton() is not None
+        return not self._cancelled
 
     def _show(self):
         # A message box: while FreeCAD recomputes, it takes the mouse from every other dialog.

@@ -3,18 +3,18 @@ the path.
 """
 
 import contextlib
-import functools
 import math
 from dataclasses import dataclass
 
 import FreeCAD
 import Path
 
-from evenload import commands, compiled, host, planar, shape
+from evenload import commands, compiled, host, planar, proof, shape
 from evenload import tool as tools
 from evenload.floor import name_of
 from evenload.labels import told
-from evenload.operations import checks, force, rest
+from evenload.operations import checks, force, job_model, rest
+from evenload.operations.refusal import Cancelled, Refusal
 from evenload.operations.settings import (
     FOLLOWERS,
     GROUP,
@@ -43,23 +43,6 @@ class Computation:
 SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
 
 
-class InOneLine:
-    """Makes a method of which FreeCAD's report view shows sentences without a traceback. It prints
-    one for all that comes out of Python code, so the core makes the outermost call.
-    """
-
-    def __init__(self, method):
-        self.method = method
-        self.__doc__ = method.__doc__
-
-    def __get__(self, instance, owner):
-        bound = self.method.__get__(instance, owner)
-        try:
-            return functools.partial(compiled.core().without_traceback, SENTENCES, bound)
-        except ImportError:  # the method tells why there is no core
-            return bound
-
-
 class Operation(host.operation_base()):
     """Proxy of an operation. A subclass says in `generate` which of the core's strategies it is."""
 
@@ -73,6 +56,7 @@ class Operation(host.operation_base()):
     last = None
     # callable(share) -> bool, asked while the core works; False stops it. None: the GUI's dialog.
     progress = None
+    _dialog = None
     _wished_controller = None
     _changing = False
 
@@ -97,7 +81,9 @@ class Operation(host.operation_base()):
         for setting in self.settings:
             if setting.in_setup_sheet():
                 obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
-                setattr(obj, setting.name, setting.value)
+                setattr(obj, setting.name, setting.in_prototype())
+                if isinstance(setting.value, list):  # so far it only has its choices
+                    setattr(obj, setting.name, setting.value[0])
 
     def _add(self, obj, setting):
         if hasattr(obj, setting.name):
@@ -213,12 +199,12 @@ class Operation(host.operation_base()):
         return False
 
     def addBase(self, obj, base, sub):
-        """Adds a face, an edge or, with sub '', a whole sketch. Doubles are left out."""
+        """Adds a face, an edge or, with sub '', a whole sketch; of what the job's models are made
+        from, their own faces and edges. Doubles are left out.
+        """
         entries = [(o, name) for o, names in obj.Base for name in (names or ("",))]
         if self._setBaseAndStock(obj, True):
-            for model in self.job.Model.Group:
-                if base == self.job.Proxy.baseObject(self.job, model):
-                    base = model
+            base, sub = job_model.of(self.job, base, sub)
         if (base, sub) not in entries:
             obj.Base = [*entries, (base, sub)]
 
@@ -243,10 +229,9 @@ class Operation(host.operation_base()):
 
     # ---- running ----
 
-    @InOneLine
     def execute(self, obj):
-        """Computes the path. On any error the path is emptied, Report says why, and the operation
-        becomes invalid.
+        """Computes the path. On any error and when it is cancelled the path is emptied, Report says
+        why, and the operation becomes invalid.
         """
         self.last = None
         try:
@@ -255,9 +240,12 @@ class Operation(host.operation_base()):
                 self.follow_tool(obj)
             else:
                 self._clear_results(obj)
-            result = super().execute(obj)
+            with self._asked_all_along(obj):
+                result = super().execute(obj)
             if self.last is not None and not len(self.last.toolpath):
                 obj.Path = Path.Path()  # without the rapid at its end
+            elif self.last is not None:
+                self._prove(obj)
             return result
         except Exception as error:
             ours = not isinstance(error, SENTENCES)
@@ -266,8 +254,10 @@ class Operation(host.operation_base()):
             rest.empty_after(obj)
             if ours:
                 raise
-            kind = ImportError if isinstance(error, ImportError) else ValueError
-            raise kind(sentence) from None
+            if isinstance(error, Cancelled):
+                obj.UncutArea = error.uncut_area
+                obj.Path = Path.Path([Path.Command(NOTHING_IS_CUT)])
+            raise Refusal(sentence) from None
 
     def empty(self, obj, why):
         """Leaves nothing that could pass for a computed operation: no path, no times, no results;
@@ -297,6 +287,8 @@ class Operation(host.operation_base()):
                 parameters["stock"] = stock
             parameters["progress"] = watch
             toolpath, own = self.generate(obj, core, regions, parameters)
+        if toolpath.report.termination == "cancelled":
+            raise Cancelled(self._area_in_reach(obj, core, tool, regions))
         self._check_entries(obj, tool, toolpath)
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
@@ -309,17 +301,20 @@ class Operation(host.operation_base()):
         for name, value in own.items():
             self._quietly(obj, name, value)
 
-    def floors(self, obj, tool):
-        """The Floor of every region that the base geometry describes. Raises ValueError with
-        a sentence that names the geometry.
+    def floors(self, obj, tool, slot=None):
+        """The Floor of every region that the base geometry describes. slot: as for shape.floors.
+        Raises ValueError with a sentence that names the geometry.
         """
+        job = host.parent_job(obj)
         return shape.floors(
             obj.Base,
-            [m.Shape for m in self.model],
-            self.stock.Shape,
+            [model.Shape for model in job.Model.Group if not model.Shape.isNull()],
+            job.Stock.Shape,
             tool.diameter,
             obj.Tolerance.Value,
-            partly_open=self.partly_open,
+            slot,
+            self.partly_open,
+            obj.FinalDepth.Value,
         )
 
     def generate(self, obj, core, regions, parameters):
@@ -330,11 +325,31 @@ class Operation(host.operation_base()):
 
     def _watch(self, obj):
         """A context with what the core is to ask while it works."""
-        if self.progress is None and FreeCAD.GuiUp:
-            from evenload.gui import progress
+        if self._dialog is not None:
+            self._dialog(0.0)  # what came before may have taken long
+        return contextlib.nullcontext(self.progress or self._dialog)
 
-            return progress.Watch(obj.Label)
-        return contextlib.nullcontext(self.progress)
+    @contextlib.contextmanager
+    def _asked_all_along(self, obj):
+        """While this lasts, the GUI's dialog can be asked whether to go on: one for all that an
+        operation does, so that it is there in time whatever takes long.
+        """
+        if self.progress is not None or not FreeCAD.GuiUp:
+            yield
+            return
+        from evenload.gui import progress
+
+        with progress.Watch(obj.Label) as self._dialog:
+            try:
+                yield
+            finally:
+                self._dialog = None
+
+    @staticmethod
+    def _area_in_reach(obj, core, tool, regions):
+        """What a path would clear, in mm2."""
+        ground = core.reachable_ground(regions, tool.diameter, obj.StockToLeave.Value)
+        return sum(region.area for region in ground)
 
     @staticmethod
     def _notes(floors, final_depth):
@@ -411,6 +426,14 @@ class Operation(host.operation_base()):
                 )
             x, y = nx, ny
 
+    def _prove(self, obj):
+        """Refuses a path with faults, and says in Report whether it was checked."""
+        faults = proof.check(obj) if obj.Check else []
+        if faults:
+            raise ValueError(faults[0].sentence)
+        said = proof.CHECKED if obj.Check else proof.UNCHECKED
+        obj.Report = "\n".join(filter(None, [obj.Report, said]))
+
     def _set_results(self, obj, report, notes):
         _set(obj, "MaxEngagement", math.degrees(report.max_engagement))
         obj.CuttingTime = report.cutting_time
@@ -427,6 +450,7 @@ class Operation(host.operation_base()):
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 OUTPUT = 8  # FreeCAD's property attribute for results
+NOTHING_IS_CUT = "(Cancelled: nothing is cut here)"  # what is posted for a cancelled operation
 
 
 def register(proxy_class, create):
@@ -458,8 +482,10 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
 
 
 def _show(obj):
-    """With a GUI, gives an operation that a script made its view provider."""
-    if FreeCAD.GuiUp:
+    """With a GUI, gives an operation that a script made its view provider. The SetupSheet's
+    stand-in for an operation is shown nowhere.
+    """
+    if FreeCAD.GuiUp and isinstance(obj, FreeCAD.DocumentObject):
         from evenload.gui import views
 
         views.attach(obj)

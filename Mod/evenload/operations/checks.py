@@ -2,7 +2,7 @@
 
 from evenload import host
 from evenload.floor import listed
-from evenload.operations.settings import POSITIVE
+from evenload.operations.settings import HOLE_ENTRIES, POSITIVE
 
 MOST_LEAST_LOAD = 0.95
 MOST_LEVELS = 5000  # more is a slip of the pen, and would take days
@@ -97,7 +97,7 @@ def _levels(obj, tool):
 def hole(obj, tool, floors):
     """(x, y, diameter) of the pre-drilled hole, or None."""
     diameter, at = obj.HoleDiameter.Value, obj.EntryPoint
-    if obj.Entry not in ("Automatic", "Predrilled hole"):
+    if obj.Entry not in HOLE_ENTRIES:
         return None
     if not diameter > 0:
         if obj.Entry == "Predrilled hole":

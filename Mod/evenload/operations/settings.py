@@ -9,6 +9,7 @@ from evenload import materials
 FORMAT = 1  # of the properties in a document: to be raised when their meaning changes
 GROUP = "EvenLoad"
 RESULTS = "EvenLoad results"
+HOLE_ENTRIES = ("Automatic", "Predrilled hole")  # choices of Entry that use a set hole
 CONSTANT_FORCE = "Constant force"  # the one feed control that asks for more than feeds
 
 
@@ -28,13 +29,17 @@ class Setting:
         """Whether FreeCAD's SetupSheet can keep a default for it."""
         return self.type in SETUP_SHEET_TYPES and self.value is not None and self.group == GROUP
 
+    def in_prototype(self):
+        """The default as FreeCAD's editor of the SetupSheet wants it: with its unit."""
+        unit = UNITS.get(self.type)
+        return self.value if unit is None else FreeCAD.Units.Quantity(self.value, unit)
 
-SETUP_SHEET_TYPES = (
-    "App::PropertyAngle",
-    "App::PropertyBool",
-    "App::PropertyEnumeration",
-    "App::PropertyLength",
-)
+
+UNITS = {
+    "App::PropertyAngle": FreeCAD.Units.Angle,
+    "App::PropertyLength": FreeCAD.Units.Length,
+}
+SETUP_SHEET_TYPES = (*UNITS, "App::PropertyBool", "App::PropertyEnumeration")
 
 # What all operations have.
 SETTINGS = (
@@ -155,6 +160,13 @@ SETTINGS = (
         "App::PropertyLength",
         0.005,
         "Largest distance of the output from the exact path; never into a wall",
+    ),
+    Setting(
+        "Check",
+        "App::PropertyBool",
+        True,
+        "Checks each computed path against the job's models and stock, and refuses one that cuts "
+        "into a model, or comes down into material by a rapid or a plunge",
     ),
     Setting("Arcs", "App::PropertyBool", True, "Arcs in the output (G2, G3); without, lines only"),
     Setting(

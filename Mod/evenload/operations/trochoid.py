@@ -1,6 +1,6 @@
 """Trochoid: cuts slots by trochoids at constant engagement."""
 
-from evenload import compiled, shape
+from evenload import compiled
 from evenload.operations import base
 from evenload.operations.settings import GROUP, RESULT_SETTINGS, RESULTS, SETTINGS, Setting
 
@@ -79,14 +79,7 @@ class Trochoid(base.Operation):
             except ValueError as error:
                 raise ValueError("%s: %s" % (name, error)) from None
 
-        found = shape.floors(
-            obj.Base,
-            [m.Shape for m in self.model],
-            self.stock.Shape,
-            tool.diameter,
-            obj.Tolerance.Value,
-            slot,
-        )
+        found = super().floors(obj, tool, slot)
         for floor in found:
             if floor.is_face and obj.SlotWidth.Value > 0:
                 floor.notes.append(

@@ -1,0 +1,127 @@
+"""What the scripts share that tests run in FreeCAD's GUI (`in_gui` of conftest.py): clicks, keys,
+pictures, and what was seen as JSON in $EVENLOAD_GUI_OUT/result.json.
+"""
+
+import contextlib
+import faulthandler
+import json
+import os
+import traceback
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+OUT = os.environ["EVENLOAD_GUI_OUT"]
+LAST_ERROR = "The session ends."  # stands in the report view, or its errors were not seen
+result = {}
+# Sentences that the script provokes: the only errors that the report view may hold at the end.
+result["provoked"] = []
+faulthandler.dump_traceback_later(240, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
+
+
+def later(milliseconds=300):
+    """Lets the GUI go on for a while."""
+    loop = QtCore.QEventLoop()
+    QtCore.QTimer.singleShot(milliseconds, loop.quit)
+    loop.exec_()
+
+
+def picture(name):
+    window = FreeCADGui.getMainWindow()
+    docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible()]
+    left = [d for d in docks if window.dockWidgetArea(d) == QtCore.Qt.LeftDockWidgetArea]
+    window.resizeDocks(left, [420] * len(left), QtCore.Qt.Horizontal)
+    later()
+    window.grab().save(os.path.join(OUT, name + ".png"))
+
+
+def panel_buttons():
+    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
+
+
+def press(kind):
+    """Clicks a button of the panel. By Qt's own name of the slot: where a widget was made in the
+    place of one that is gone, Python may still take it for that one, which has no such method.
+    """
+    button = panel_buttons().button(kind)
+    assert QtCore.QMetaObject.invokeMethod(button, "click", QtCore.Qt.DirectConnection)
+
+
+def click(widget, at=None):
+    """A click with the left button, at a point of the widget or in its middle."""
+    at = QtCore.QPointF(at if at is not None else widget.rect().center())
+    everywhere = QtCore.QPointF(widget.mapToGlobal(at.toPoint()))
+    left, none = QtCore.Qt.LeftButton, QtCore.Qt.NoButton
+    for kind, button, held in (
+        (QtCore.QEvent.MouseMove, none, none),  # FreeCAD looks for what is under the mouse first
+        (QtCore.QEvent.MouseButtonPress, left, left),
+        (QtCore.QEvent.MouseButtonRelease, left, none),
+    ):
+        event = QtGui.QMouseEvent(kind, at, everywhere, button, held, QtCore.Qt.NoModifier)
+        QtGui.QApplication.sendEvent(widget, event)
+
+
+def leave(widget):
+    """Takes the focus from a widget, as a click elsewhere does."""
+    widget.clearFocus()
+    event = QtGui.QFocusEvent(QtCore.QEvent.FocusOut, QtCore.Qt.MouseFocusReason)
+    QtGui.QApplication.sendEvent(widget, event)
+
+
+@contextlib.contextmanager
+def answering(answer):
+    """While this lasts, answer(dialog) is called for every modal dialog that shows, until it is
+    closed. The list that it gives has the dialogs' titles.
+    """
+    seen, met = [], []
+
+    def look():
+        dialog = QtGui.QApplication.activeModalWidget()
+        if dialog is None or not dialog.isVisible():
+            return
+        if dialog not in met:
+            met.append(dialog)
+            seen.append(dialog.windowTitle())
+        answer(dialog)
+
+    timer = QtCore.QTimer()
+    timer.timeout.connect(look)
+    timer.start(20)
+    try:
+        yield seen
+    finally:
+        timer.stop()
+
+
+def report_view():
+    """(text, whether it is red) of each line of the report view."""
+    windows = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit)
+    view = next(w for w in windows if w.objectName() == "Report view")
+    lines, block = [], view.document().begin()
+    while block.isValid():
+        colours = [part.format.foreground().color() for part in block.layout().formats()]
+        lines.append((block.text(), any(c.red() > 200 > 100 > c.green() for c in colours)))
+        block = block.next()
+    return lines
+
+
+def run(session):
+    """Calls session() as soon as FreeCAD has started, writes what it put into `result` and what
+    stands in the report view, and ends FreeCAD.
+    """
+
+    def all_of_it():
+        try:
+            session()
+        except BaseException:
+            result["traceback"] = traceback.format_exc()
+        FreeCAD.Console.PrintError(LAST_ERROR + "\n")
+        later(100)
+        result["report_view"] = report_view()
+        with open(os.path.join(OUT, "result.json"), "w") as file:
+            json.dump(result, file, indent=1)
+        os._exit(0)
+
+    QtCore.QTimer.singleShot(500, all_of_it)
