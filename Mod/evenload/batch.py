@@ -8,7 +8,9 @@ others were done, or the report could not be written; 2: the job file could not 
 """
 
 import contextlib
+import functools
 import json
+import math
 import os
 import sys
 import time
@@ -69,6 +71,7 @@ SECTION_KEYS = {
         "document": (str, OPTIONAL),
     },
 }
+MAY_BE_ZERO = ("margin",)
 KINDS = {
     str: "text",
     list: "a list",
@@ -88,6 +91,7 @@ HOST_PARAMETERS = (
     "CoolantMode",
     "Comment",
 )
+MOST_NAMES = 10  # of objects to choose from, in a sentence
 PROGRESS_STEP = 0.1  # share of a job between two progress lines
 
 
@@ -101,10 +105,15 @@ def run_file(path, say=print):
     """
     folder = os.path.dirname(os.path.abspath(path))
     try:
-        with open(path, encoding="utf-8") as file:
-            content = json.load(file)
+        with open(path, encoding="utf-8-sig") as file:  # Windows' editors begin with a mark
+            content = json.load(file, object_pairs_hook=_object, parse_constant=_refuse_constant)
     except OSError as error:
         raise ValueError("The job file %s cannot be read: %s." % (path, error.strerror)) from None
+    except _KeyTwice as error:
+        raise ValueError(
+            "The job file %s has the key '%s' twice in one object: take one of them out."
+            % (path, error)
+        ) from None
     except (ValueError, RecursionError) as error:
         raise ValueError("The job file %s is no JSON: %s." % (path, error)) from None
     _check_keys(content, FILE_KEYS, "The job file %s" % path)
@@ -112,9 +121,13 @@ def run_file(path, say=print):
     if missing:
         raise ValueError(missing)
     jobs = []
+    taken = {_key(path): "the job file"}  # files by what they are
+    if "report" in content:
+        taken[_key(os.path.join(folder, content["report"]))] = "the report"
     for number, job in enumerate(content["jobs"], 1):
         label = "[%d/%d] %s" % (number, len(content["jobs"]), _name(job, number))
-        jobs.append(_run_job(job, number, folder, lambda text: say("%s: %s" % (label, text))))
+        line = functools.partial(_say_of, say, label)
+        jobs.append(_run_job(job, number, folder, taken, line))
     result = {"jobs": jobs, "failed": sum(not job["ok"] for job in jobs)}
     if "report" in content:
         text = json.dumps(result, indent=2) + "\n"
@@ -134,7 +147,35 @@ def _name(job, number):
     return "job %d" % number
 
 
-def _run_job(job, number, folder, say):
+def _say_of(say, label, text):
+    say("%s: %s" % (label, text))
+
+
+class _KeyTwice(ValueError):
+    """A key that an object of a job file has twice."""
+
+
+def _object(pairs):
+    """An object of a job file."""
+    result = {}
+    for key, value in pairs:
+        if key in result:
+            raise _KeyTwice(key)
+        result[key] = value
+    return result
+
+
+def _refuse_constant(name):
+    """For what Python reads and JSON does not have."""
+    raise ValueError("%s is no number" % name)
+
+
+def _key(path):
+    """The same for all ways to write a file's path."""
+    return os.path.normcase(os.path.realpath(path))
+
+
+def _run_job(job, number, folder, taken, say):
     result = {"name": _name(job, number), "ok": False, "error": None, "figures": {}, "output": {}}
     began = time.time()
     known = set(FreeCAD.listDocuments())
@@ -143,13 +184,15 @@ def _run_job(job, number, folder, say):
         for section, keys in SECTION_KEYS.items():
             if section in job:
                 _check_keys(job[section], keys, "Job %d, %s" % (number, section))
-        _do(job, number, folder, say, result)
+        _do(job, number, folder, taken, say, result)
         result["ok"] = True
         say("done in %.1f s" % (time.time() - began))
     except Exception as error:
         result["error"] = str(error) or type(error).__name__
         if not isinstance(error, (ValueError, ImportError)):
-            result["error"] = "%s: %s" % (type(error).__name__, error)
+            from evenload import host
+
+            result["error"] = host.named(error)
         say("FAILED: " + result["error"])
     finally:
         for name in set(FreeCAD.listDocuments()) - known:
@@ -158,7 +201,7 @@ def _run_job(job, number, folder, say):
     return result
 
 
-def _do(job, number, folder, say, result):
+def _do(job, number, folder, taken, say, result):
     from importlib import import_module
 
     from evenload import host
@@ -180,7 +223,9 @@ def _do(job, number, folder, say, result):
     if "picture" in job.get("simulation", {}):
         name = job["simulation"]["picture"]
         files["simulation_picture"] = name, "Job %d, simulation: the picture" % number
-    for name, what in files.values():  # before the work, which would be in vain
+    # All before the work, which would be in vain.
+    _claim(files, number, folder, job["model"], taken)
+    for name, what in files.values():
         with _output(folder, name, what) as path:
             _try(path)
     operation = import_module("evenload.operations." + kind)
@@ -239,6 +284,21 @@ def _do(job, number, folder, say, result):
             say("wrote " + os.path.relpath(path))
 
 
+def _claim(files, number, folder, model, taken):
+    """Adds a job's outputs to the files that are taken. Raises ValueError for one that would
+    overwrite another, or the job's own model.
+    """
+    models = {_key(os.path.join(folder, model)): "its model"}
+    for key, (name, what) in files.items():
+        place = _key(os.path.join(folder, name))
+        if os.path.exists(place) and not os.path.isfile(place):
+            continue  # a device keeps nothing, and a folder is told of elsewhere
+        other = taken.get(place) or models.get(place)
+        if other:
+            raise ValueError("%s would overwrite %s, %s: name another file." % (what, other, name))
+        taken[place] = "the %s of job %d" % (key.replace("_", " "), number)
+
+
 def _simulate(op, wishes, folder, progress):
     """(figures, function that draws them all into a file) of an operation's simulation."""
     from evenload import job_simulation, simulation_pictures
@@ -271,6 +331,9 @@ def _simulate(op, wishes, folder, progress):
 
 def _open(path, wanted):
     """(document, object to machine) of a FreeCAD document or a STEP, IGES or BREP file."""
+    from evenload import host
+    from evenload.floor import listed
+
     if not os.path.isfile(path):
         raise ValueError("There is no model file %s: mend the key 'model'." % path)
     extension = os.path.splitext(path)[1].lower()
@@ -287,7 +350,7 @@ def _open(path, wanted):
     except Exception as error:
         raise ValueError(
             "The model %s cannot be read (%s): save it anew as FCStd, STEP, IGES or BREP."
-            % (path, str(error).strip().rstrip("."))
+            % (path, host.text_of(error))
         ) from None
     solids = [o for o in doc.Objects if getattr(o, "Shape", None) and o.Shape.Solids]
     if wanted:
@@ -295,14 +358,15 @@ def _open(path, wanted):
         if not found:
             raise ValueError(
                 "There is no object '%s' in %s: it has %s."
-                % (wanted, path, ", ".join(o.Name for o in doc.Objects))
+                % (wanted, path, listed([o.Name for o in doc.Objects], most=MOST_NAMES))
             )
         return doc, found[0]
     tops = [o for o in solids if not any(parent in solids for parent in o.InList)]
     if len(tops) != 1:
+        names = listed([o.Name for o in tops], most=MOST_NAMES)
         raise ValueError(
             "The model %s has %d solid objects: name one with the key 'object'%s."
-            % (path, len(tops), ", of " + ", ".join(o.Name for o in tops) if tops else "")
+            % (path, len(tops), ", of " + names if tops else "")
         )
     return doc, tops[0]
 
@@ -340,6 +404,8 @@ def _set_parameters(op, parameters, number):
     """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points or
     courses.
     """
+    from evenload import host
+
     known = [s.name for s in op.Proxy.settings] + list(HOST_PARAMETERS)
     for name, value in parameters.items():
         if name not in known:
@@ -354,15 +420,32 @@ def _set_parameters(op, parameters, number):
         if any(path == name for path, _ in op.ExpressionEngine):
             op.setExpression(name, None)
         try:
-            is_point = kind == "App::PropertyVectorDistance" and isinstance(value, list)
-            setattr(op, name, FreeCAD.Vector(*value) if is_point else value)
+            _set_parameter(op, name, kind, value)
         except Exception as error:
             choices = op.getEnumerationsOfProperty(name) or []
             remedy = "; it can be %s" % ", ".join(choices) if choices else ""
             raise ValueError(
                 "Job %d, parameters: %s cannot be %r: %s%s."
-                % (number, name, value, str(error).strip().rstrip("."), remedy)
+                % (number, name, parameters[name], host.text_of(error), remedy)
             ) from None
+
+
+def _set_parameter(op, name, kind, value):
+    """Sets a property; raises where FreeCAD refuses the value, or would take another for it."""
+    if kind == "App::PropertyBool" and not isinstance(value, bool):
+        raise ValueError("it must be true or false")
+    if kind != "App::PropertyBool" and isinstance(value, bool):
+        raise ValueError("it is no yes or no")
+    if kind == "App::PropertyEnumeration" and not isinstance(value, str):
+        raise ValueError("it must be a choice")
+    if kind == "App::PropertyVectorDistance" and isinstance(value, list):
+        value = FreeCAD.Vector(*value)
+    setattr(op, name, value)
+    if isinstance(value, NUMBER):
+        taken = getattr(op, name)
+        taken = getattr(taken, "Value", taken)
+        if not math.isclose(taken, value, rel_tol=1e-6, abs_tol=1e-9):  # such as lengths below 0
+            raise ValueError("FreeCAD would take %g for it" % taken)
 
 
 def _progress(say):
@@ -391,6 +474,15 @@ def _check_keys(content, keys, where):
                 raise ValueError("%s: the key '%s' is missing." % (where, key))
         elif not isinstance(content[key], kind) or isinstance(content[key], bool):
             raise ValueError("%s: '%s' must be %s." % (where, key, KINDS[kind]))
+        elif isinstance(content[key], NUMBER):
+            _check_size(content[key], key, where)
+
+
+def _check_size(value, key, where):
+    """No number in a job file outside of `parameters` makes sense below zero."""
+    least = "0 or more" if key in MAY_BE_ZERO else "more than 0"
+    if not math.isfinite(value) or value < 0 or (value == 0 and key not in MAY_BE_ZERO):
+        raise ValueError("%s: '%s' is %g: it must be %s." % (where, key, value, least))
 
 
 @contextlib.contextmanager

@@ -224,11 +224,7 @@ def _inclination(face):
     """
     u0, u1, v0, v1 = face.ParameterRange
     shares = [(k + 0.5) / SIGHTINGS for k in range(SIGHTINGS)]
-    z = [
-        face.normalAt(u0 + a * (u1 - u0), v0 + b * (v1 - v0)).z
-        for a in shares
-        for b in shares
-    ]
+    z = [face.normalAt(u0 + a * (u1 - u0), v0 + b * (v1 - v0)).z for a in shares for b in shares]
     looks_up, looks_down = max(z) > LEVEL, min(z) < -LEVEL
     return int(looks_up) - int(looks_down) if looks_up != looks_down else 0
 

@@ -51,7 +51,15 @@ SAME_PLACE = 1e-6  # mm: ends of an arc that are nearer make a full circle
 # mm above the last depth, where a pecking drill slows down: as LinuxCNC has it
 PECK_CLEARANCE = 0.254
 SHORTEST_PECK = 1e-3  # mm
-CYCLES = (73, 81, 82, 83)
+PECKING = (73, 83)
+# Cycles that feed out of the hole as they fed into it: tapping, reaming, boring; others come out by
+# a rapid, boring ones (76, 86, 88) with the spindle stopped.
+FED_OUT = (74, 84, 85, 89)
+# The cutter of back boring comes through a hole that is there and cuts a recess from below: of what
+# stands, seen from above, it takes nothing.
+BACK_BORING = 87
+CYCLES = (*PECKING, 76, 81, 82, 86, *FED_OUT, BACK_BORING, 88)
+HOMES = (28, 30)
 RETRACTS = {98: True, 99: False}  # whether cycles end at the height where they began, not at R
 # G-codes that move nothing, or say what holds anyway: dwell, plane XY, mm, no tool radius
 # compensation, tool length, fixtures, path modes, end of cycles, absolute, units per minute.
@@ -64,7 +72,8 @@ def to_moves(commands, z, feed):
     is before: at the height z, over the place that the commands name first.
 
     mm, rad, mm/min. G0 and the quick parts of cycles become RAPID, with a feed of 0, all else CUT.
-    feed: in mm/min, of feed moves before the first F. Drilling cycles become their single moves.
+    feed: in mm/min, of feed moves before the first F. Drilling, tapping and boring cycles become
+    their single moves; of back boring only the way to its place. G28 and G30 end at the height z.
     The centres of arcs are moved to where both radii are the same. Raises ValueError, with the
     number, for a command that cannot be followed.
     """
@@ -88,7 +97,7 @@ class _Reader:
 
     def __init__(self, at, feed):
         self.moves, self.numbers = [], [0]
-        self.feed = feed
+        self.feed, self.top = feed, at["Z"]
         self._add(RAPID, at, 0.0, 0.0, 0.0)
         self.cycles_began = None  # the height; None outside of cycles
         self.to_begin = True
@@ -102,10 +111,14 @@ class _Reader:
             code = float(name[1:])
         except ValueError:
             raise ValueError("is no G-code: leave it out.") from None
+        if "G" in p:
+            raise ValueError("has a second G word, which is lost: give that a line of its own.")
         if code in RETRACTS:
             self.to_begin = RETRACTS[code]
         elif code in (0, 1, 2, 3, *CYCLES):
             self._motion(int(code), p)
+        elif code in HOMES:
+            self._home(p)
         elif code not in QUIET:
             raise ValueError("is not known to the simulator: leave it out.")
 
@@ -125,6 +138,16 @@ class _Reader:
             self._arc(code, end, p)
         elif end != self.at:
             self._line(CUT if code else RAPID, **end)
+
+    def _home(self, p):
+        """Through the place that is named, and up from there: where the machine's own place lies
+        nobody knows, but no material is there.
+        """
+        end = {axis: float(p.get(axis, self.at[axis])) for axis in "XYZ"}
+        self.cycles_began = None
+        if end != self.at:
+            self._line(RAPID, **end)
+        self._rapid_to(max(self.top, self.at["Z"]))
 
     def _line(self, kind, **end):
         self._add(kind, {**self.at, **end}, 0.0, 0.0, 0.0)
@@ -156,25 +179,33 @@ class _Reader:
 
     def _cycle(self, code, end, p):
         bottom, quick, peck = end["Z"], p.get("R", self.at["Z"]), p.get("Q", 0.0)
+        if code == BACK_BORING:
+            self._rapid_across(end)
+            return
         if bottom > quick:
             raise ValueError("drills from Z%g up to Z%g: correct its R." % (quick, bottom))
-        if code in (73, 83) and not peck >= SHORTEST_PECK:
+        if code in PECKING and not peck >= SHORTEST_PECK:
             raise ValueError("has no depth of peck: give it Q.")
         if self.cycles_began is None:
             self.cycles_began = self.at["Z"]
         self._rapid_to(max(self.at["Z"], quick))
-        if (end["X"], end["Y"]) != (self.at["X"], self.at["Y"]):
-            self._line(RAPID, X=end["X"], Y=end["Y"])
+        self._rapid_across(end)
         self._rapid_to(quick)
         depth = quick
-        while code in (73, 83) and depth - peck > bottom + SHORTEST_PECK:
+        while code in PECKING and depth - peck > bottom + SHORTEST_PECK:
             depth -= peck
             self._line(CUT, Z=depth)
             if code == 83:
                 self._rapid_to(quick)
             self._rapid_to(min(depth + PECK_CLEARANCE, quick))
         self._line(CUT, Z=bottom)
+        if code in FED_OUT:
+            self._line(CUT, Z=quick)
         self._rapid_to(max(quick, self.cycles_began) if self.to_begin else quick)
+
+    def _rapid_across(self, end):
+        if (end["X"], end["Y"]) != (self.at["X"], self.at["Y"]):
+            self._line(RAPID, X=end["X"], Y=end["Y"])
 
     def _rapid_to(self, z):
         if z != self.at["Z"]:

@@ -98,16 +98,27 @@ def freecads_adaptive(name, job, controller):
 
 
 def dressup(name):
-    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary' or 'Tags'."""
+    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary', 'Dogbone' or
+    'Tags'.
+    """
     if _MOVED:
-        return importlib.import_module("Path.Dressup." + name)
-    old = {"Boundary": "PathDressupPathBoundary", "Tags": "PathDressupHoldingTags"}
+        gui = "Gui." if name == "Dogbone" else ""
+        return importlib.import_module("Path.Dressup.%s%s" % (gui, name))
+    old = {
+        "Boundary": "PathDressupPathBoundary",
+        "Dogbone": "PathDressupDogbone",
+        "Tags": "PathDressupHoldingTags",
+    }
     return importlib.import_module("PathScripts." + old[name])
 
 
-def path_array():
-    """FreeCAD's module of arrays of operations, with its ObjectArray(obj)."""
-    return importlib.import_module("Path.Op.Gui.Array" if _MOVED else "PathScripts.PathArray")
+def array(operation):
+    """FreeCAD's array of an operation, as a new document object that is in no job yet."""
+    module = importlib.import_module(("Path.Op.Gui." if _MOVED else "PathScripts.Path") + "Array")
+    made = operation.Document.addObject("Path::FeaturePython", "Array")
+    module.ObjectArray(made)
+    made.Base = [operation]
+    return made
 
 
 def parent_job(obj):
@@ -133,6 +144,20 @@ def operation_under(obj):
     while hasattr(getattr(obj, "Base", None), "Path"):
         obj = obj.Base
     return obj
+
+
+def all_under(obj):
+    """An operation, dressup or array, and all that it is made from, however deep."""
+    result, waiting = [], [obj]
+    while waiting:
+        item = waiting.pop()
+        if item in result or not hasattr(item, "Path"):
+            continue
+        result.append(item)
+        below = getattr(item, "Base", None)
+        # Arrays have a list of operations, operations one of base geometry.
+        waiting += [b for b in (below if isinstance(below, list) else [below]) if b is not None]
+    return result
 
 
 def operations(job):
@@ -268,8 +293,8 @@ def post(job, processor, arguments):
     """The G-code of the whole job, as text.
 
     processor: a name such as 'linuxcnc' or 'grbl'; arguments: its command line, e.g.
-    '--no-show-editor --precision 4'. Raises ValueError for a processor that does not exist and for
-    arguments that it refuses.
+    '--no-show-editor --precision 4'. Raises ValueError for a processor that does not exist or
+    fails, and for arguments that it refuses.
     """
     known = post_processors()
     if processor not in known:
@@ -285,6 +310,11 @@ def post(job, processor, arguments):
                 texts = _post_old(job, processor, arguments)
     except SystemExit:  # what they do about arguments that they do not know
         texts = []
+    except Exception as error:  # of FreeCAD's and other people's post-processors
+        raise ValueError(
+            "The post-processor '%s' failed (%s): choose another, or mend it."
+            % (processor, named(error))
+        ) from error
     if not texts or any(text is None for text in texts):
         raise ValueError(
             "The post-processor '%s' refuses the arguments '%s'." % (processor, arguments)
@@ -320,6 +350,18 @@ def _post_old(job, processor, arguments):
         finally:
             os.remove(name)
     return texts
+
+
+def text_of(error):
+    """What an exception says, without the dot at its end; FreeCAD's own carry a dictionary."""
+    first = error.args[0] if error.args else ""
+    text = first.get("sErrMsg", "") if isinstance(first, dict) else str(error)
+    return " ".join(text.split()).rstrip(".")
+
+
+def named(error):
+    """An exception's kind and what it says."""
+    return "%s: %s" % (type(error).__name__, text_of(error))
 
 
 # ---- GUI: imported by evenload.gui only ----

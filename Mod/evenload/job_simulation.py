@@ -24,7 +24,7 @@ from FreeCAD import Vector
 
 from evenload import body, commands, compiled, host, planar
 from evenload import tool as tools
-from evenload.floor import ABOVE_FLOOR
+from evenload.floor import ABOVE_FLOOR, listed
 from evenload.operations.settings import HOLE_ENTRIES
 
 MOST_LEVELS = 200  # of a path at which a model that leans is looked at; roughing has fewer
@@ -36,6 +36,7 @@ BEYOND = 0.1
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
 # exact at any.
 COARSE = 0.25
+POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -58,7 +59,7 @@ class Setup:
 
     def simulate(
         self,
-        resolution=0.05,
+        resolution=None,
         step=0.1,
         material=None,
         machine=None,
@@ -96,7 +97,7 @@ class Setup:
 
 def of(
     operation,
-    resolution=0.05,
+    resolution=None,
     step=0.1,
     material=None,
     machine=None,
@@ -106,11 +107,11 @@ def of(
 ):
     """The Simulation of a Path operation in its Job.
 
-    resolution: distance in mm of the stock's rows; step: along the path, in mm; material: name or
-    coefficients, None for no forces; machine: name, file or dictionary of a machine's limits, None
-    for programmed times only; progress: callable(share) -> bool, False stops it; after_earlier:
-    whether the job's earlier active operations have cut before; fixtures: what must not be touched,
-    as `simulate` takes it. Raises ValueError with a sentence
+    resolution: distance in mm of the stock's rows, None: by the tool; step: along the path, in mm;
+    material: name or coefficients, None for no forces; machine: name, file or dictionary of a
+    machine's limits, None for programmed times only; progress: callable(share) -> bool, False stops
+    it; after_earlier: whether the job's earlier active operations have cut before; fixtures: what
+    must not be touched, as `simulate` takes it. Raises ValueError with a sentence
     for an operation that cannot be simulated.
     """
     setup = read(operation, after_earlier)
@@ -137,10 +138,28 @@ def read(operation, after_earlier=True):
         cutting["spindle_speed"] = data.spindle_speed
     else:
         notes.append("The tool controller has no spindle speed: there is no chip thickness.")
-    earlier = _earlier(job, operation, top, notes) if after_earlier else []
-    earlier += _hole(host.operation_under(operation), top)
+    if data.spindle == tools.REVERSE:
+        notes.append("The spindle turns counter-clockwise: it is simulated as if clockwise.")
+    earlier = (
+        cut_before(operation, notes)
+        if after_earlier
+        else _hole(host.operation_under(operation), top)
+    )
     part = _part(job, operation, tool, stock, top, bottom, moves, notes)
-    found = operation.Label, moves, lines, stock, blocks, top, bottom, tool, cutting, part, earlier, notes
+    found = (
+        operation.Label,
+        moves,
+        lines,
+        stock,
+        blocks,
+        top,
+        bottom,
+        tool,
+        cutting,
+        part,
+        earlier,
+        notes,
+    )
     return Setup(*found)
 
 
@@ -149,12 +168,10 @@ def stock_before(operation, resolution):
 
     Raises ValueError with a sentence.
     """
-    core, job, notes = compiled.core(), host.parent_job(operation), []
-    _, blocks, top, bottom = _stock(job.Stock)
+    core, notes = compiled.core(), []
+    _, blocks, _, bottom = _stock(host.parent_job(operation).Stock)
     stock = core.DexelStock(blocks, bottom, resolution)
-    earlier = _earlier(job, operation, top, notes, rounded=True)
-    earlier += _hole(host.operation_under(operation), top)
-    for moves, diameter in earlier:
+    for moves, diameter in cut_before(operation, notes):
         core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
     return stock, notes
 
@@ -176,13 +193,13 @@ def _moves(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
-def _earlier(job, operation, top, notes, rounded=False):
-    """[(moves, tool diameter), ...] of the active operations before one, and of their holes.
-
-    rounded: a bull-nosed tool cuts nothing outside of its flat up to the height of its corner, so
-    that no more is taken for cleared than is.
+def cut_before(operation, notes):
+    """[(moves, tool diameter), ...] of the job's active operations before one, in their order, and
+    of the holes drilled for them and for it; `notes` gets a sentence on each that is left out.
+    Raises ValueError for a path that cannot be followed.
     """
-    result = []
+    result, job = [], host.parent_job(operation)
+    top = job.Stock.Shape.BoundBox.ZMax
     inner = host.operation_under(operation)
     for other in host.operations(job):
         if host.operation_under(other) is inner:
@@ -191,9 +208,7 @@ def _earlier(job, operation, top, notes, rounded=False):
         if not host.is_active(other) or controller is None or not controller.Tool:
             continue
         kind, diameter = tools.other_shape(controller), tools.diameter(controller)
-        if kind == tools.OTHER_SHAPES["drill"]:
-            notes.append("'%s' is simulated with a drill without a point." % other.Label)
-        elif kind or not diameter > 0:
+        if not diameter > 0 or (kind and not tools.is_drill(controller)):
             notes.append(
                 "'%s' is left out: its tool is %s, which the simulator cannot follow."
                 % (other.Label, kind or "without a diameter")
@@ -203,13 +218,25 @@ def _earlier(job, operation, top, notes, rounded=False):
         result += _hole(host.operation_under(other), top)
         if len(moves) < 2:
             continue
-        corner = tools.corner_radius(controller) if rounded else 0.0
-        if corner > 0:
-            result.append(([(*m[:3], m[3] + corner, *m[4:]) for m in moves], diameter))
-            diameter -= 2 * corner
-        if diameter > 0:
-            result.append((moves, diameter))
-    return result
+        result += [
+            ([(*m[:3], m[3] + above, *m[4:]) for m in moves], width)
+            for above, width in _discs(controller)
+        ]
+    return result + _hole(inner, top)
+
+
+def _discs(controller):
+    """[(mm above the tip, diameter), ...] of flat tools within a tool, the widest first: together
+    they clear no more than the tool does, whose end is a cone or has a rounded corner.
+    """
+    diameter = tools.diameter(controller)
+    if tools.is_drill(controller):
+        point = tools.point_length(controller)
+        shares = [1 - k / POINT_STEPS for k in range(POINT_STEPS)]
+        return [(share * point, share * diameter) for share in shares]
+    corner = tools.corner_radius(controller)
+    discs = [(corner, diameter), (0.0, diameter - 2 * corner)] if corner > 0 else [(0.0, diameter)]
+    return [(above, width) for above, width in discs if width > 0]
 
 
 def _hole(operation, top):
@@ -258,7 +285,7 @@ def _part(job, operation, tool, stock, top, bottom, moves, notes):
     if others:
         notes.append(
             "'%s' works on %s, which is not of the model: what must stay is not known."
-            % (inner.Label, " and ".join("'%s'" % obj.Label for obj in others))
+            % (inner.Label, listed(["'%s'" % obj.Label for obj in others], " and ", "others"))
         )
         return None
     heights = {round(m[3] / SAME_LEVEL) for m, n in zip(moves, moves[1:]) if m[3] == n[3]}

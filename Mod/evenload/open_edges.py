@@ -44,7 +44,11 @@ def enclosed(floor, models):
 def _rises(face, z):
     """Whether a face stands upright on the height z."""
     box = face.BoundBox
-    return body.is_upright(face.Surface) and box.ZMin > z - SAME_HEIGHT and box.ZMax > z + 2 * ABOVE_FLOOR
+    return (
+        body.is_upright(face.Surface)
+        and box.ZMin > z - SAME_HEIGHT
+        and box.ZMax > z + 2 * ABOVE_FLOOR
+    )
 
 
 class Walls:

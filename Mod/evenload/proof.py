@@ -12,10 +12,9 @@ import numpy
 import Part
 from FreeCAD import Vector
 
-from evenload import body, compiled, host
+from evenload import body, compiled, host, job_simulation
 from evenload import tool as tools
 from evenload.floor import UP, inside, points_of
-from evenload.operations.settings import HOLE_ENTRIES
 
 CHECKED = "Checked against the model."
 UNCHECKED = "Not checked against the model: Check is off."
@@ -78,7 +77,8 @@ def check(operation):
     found = core.faults_of(path, **options)
     if any(kind != "gouge" for kind, *_ in found):
         # Only then it matters what has been cut before.
-        found = core.faults_of(path, earlier=earlier(job, operation), **options)
+        before = [(*cut, 0.0) for cut in job_simulation.cut_before(operation, [])]
+        found = core.faults_of(path, earlier=before, **options)
     worst = {}
     for fault in found:
         if fault[0] not in worst or fault[1] > worst[fault[0]][1]:
@@ -92,27 +92,6 @@ def operation_tolerance(operation):
     return tolerance.Value if tolerance is not None else 0.0
 
 
-def earlier(job, operation):
-    """[(path, diameter, corner radius in mm), ...] of the job's active operations before one, and
-    of the holes drilled for them.
-    """
-    result = []
-    inner = host.operation_under(operation)
-    for other in host.operations(job):
-        result += _hole(host.operation_under(other), job)
-        if host.operation_under(other) is inner:
-            break
-        controller = host.controller_of(other)
-        if not host.is_active(other) or controller is None or not controller.Tool:
-            continue
-        diameter = tools.diameter(controller)
-        if diameter > 0 and other.Path.Commands:
-            corner = tools.corner_radius(controller)
-            if not tools.other_shape(controller):
-                result.append((_program(other), diameter, corner))
-    return result
-
-
 def _program(operation):
     """A path as the core reads it back."""
     try:
@@ -121,17 +100,6 @@ def _program(operation):
         raise ValueError(
             "The path of '%s' cannot be checked: %s" % (operation.Label, error)
         ) from None
-
-
-def _hole(operation, job):
-    """The pre-drilled hole of an operation as the way of its drill."""
-    diameter = getattr(operation, "HoleDiameter", None)
-    if diameter is None or not diameter.Value > 0 or operation.Entry not in HOLE_ENTRIES:
-        return []
-    at, top = operation.EntryPoint, job.Stock.Shape.BoundBox.ZMax + 1.0
-    ends = ((0, top, 0.0), (3, operation.FinalDepth.Value, 1.0))
-    moves = [(kind, at.x, at.y, z, 0.0, 0.0, 0.0, feed) for kind, z, feed in ends]
-    return [(moves, diameter.Value, 0.0)]
 
 
 def _points(each, low, high, levels, diameter):
@@ -240,7 +208,9 @@ class _Drawn:
         points = [(x, y, stock.top_at(x, y)) for x, y in found]
         for edge in self._faces:
             for p, side in _beside(edge, spacing):
-                beyond = numpy.array([(p.x + s * side.x, p.y + s * side.y) for s in (BESIDE, -BESIDE)])
+                beyond = numpy.array(
+                    [(p.x + s * side.x, p.y + s * side.y) for s in (BESIDE, -BESIDE)]
+                )
                 for x, y in beyond[~self._within(beyond)]:
                     top = max((model.top_at(x, y) for model in models), default=-math.inf)
                     points.append((p.x, p.y, top))
@@ -291,9 +261,10 @@ def _fault(kind, amount, at, move, points, labels):
     place = "near (%.3f, %.3f, %.3f)" % at
     if kind == "gouge":
         nearest = int(numpy.abs(points - numpy.array(at)).sum(axis=1).argmin())
-        sentence = (
-            "The path cuts %.3f mm into '%s' %s: change the depths, or what is picked."
-            % (amount, labels[nearest], place)
+        sentence = "The path cuts %.3f mm into '%s' %s: change the depths, or what is picked." % (
+            amount,
+            labels[nearest],
+            place,
         )
     elif kind == "rapid":
         sentence = (

@@ -20,6 +20,7 @@ from evenload.floor import (
     face_of,
     in_order,
     is_exact,
+    listed,
     name_of,
     wire_of,
 )
@@ -54,7 +55,9 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     _refuse_overlaps(found)
-    found = [part for floor in found for part in _uncovered(floor, models, tool_diameter, tolerance)]
+    found = [
+        part for floor in found for part in _uncovered(floor, models, tool_diameter, tolerance)
+    ]
     for floor in found:
         floor.cut_to = floor.z if depth is None else min(floor.z, depth)
     walls = open_edges.Walls(models, stock)
@@ -261,7 +264,7 @@ def _united(slots):
             continue
         faces = [face_of(slot) for slot in level]
         fused = Part.Compound(faces[0].fuse(faces[1:]).removeSplitter().Faces)
-        name = " and ".join(dict.fromkeys(slot.name for slot in level))
+        name = listed([slot.name for slot in level], " and ", "others")
         slack = max(slot.slack for slot in level)
         result += [
             Floor(name, z, list(outer), [list(island) for island in islands], False, slack=slack)

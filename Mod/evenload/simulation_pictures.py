@@ -6,7 +6,8 @@ the file is None, nothing is written. No display is needed. Lengths in mm, times
 
 import numpy
 
-from evenload import planar, report
+from evenload import compiled, planar, report
+from evenload.simulation import Simulation, prisms_of
 
 LOAD_COLOUR, LIMIT_COLOUR, REST_COLOUR, WAY_COLOUR = "#1a73e8", "#d93025", "#e8710a", "#c5cbd3"
 PART_COLOURS = "#f1ece0", "#b7a88a"  # of the lowest and of the highest top
@@ -69,11 +70,11 @@ def force(simulation, file, reference=None, title="Force"):
 def rest(simulation, file, stock=(), part=(), title="Rest and incidents"):
     """What is left over, with its areas, and where gouges, rapids and plunges in material are.
 
-    stock: outlines or regions; part: (outline or region, top), as the simulation had it, or None.
+    stock and part: in the words that `simulate` takes.
     """
     figure = report.new_figure(9, 8, layout="constrained")
     axes = figure.add_subplot()
-    _draw_rest(axes, simulation, stock, part)
+    _draw_rest(axes, simulation, *_prisms(simulation, stock, part))
     axes.set_title(title)
     return _saved(figure, file)
 
@@ -89,13 +90,17 @@ def sheet(
     reference=None,
     title="Simulation",
 ):
-    """All four on one sheet, under a line with the figures; see the single pictures."""
+    """All four on one sheet, under a line with the figures; see the single pictures.
+
+    stock and part: in the words that `simulate` takes. Raises ValueError for others.
+    """
+    stock, part = _prisms(simulation, stock, part)
     figure = report.new_figure(16, 12.5, layout="constrained")
     figure.get_layout_engine().set(w_pad=0.12, h_pad=0.08, wspace=0.04)
     over, below = figure.subfigures(2, 1, height_ratios=(7, 5.5))
     left, right = over.subplots(1, 2)
-    tops = {top for _, top in part or ()}
-    walls = [item for item, top in part or () if top == max(tops)]
+    tops = {top for _, top in part}
+    walls = [region for region, top in part if top == max(tops)]
     _draw_path(left, simulation, walls, hole, target_deg)
     _draw_rest(right, simulation, stock, part)
     left.set_title("Engagement")
@@ -155,10 +160,10 @@ def _draw_path(axes, simulation, outlines, hole, target_deg):
 
 
 def _draw_rest(axes, simulation, stock, part):
-    for item in stock or ():
-        for polygon in _polygons(item):
+    for region, _ in stock:
+        for polygon in _polygons(region):
             axes.plot(*zip(*_closed(polygon)), color=report.WALL_COLOUR, linewidth=1.2, zorder=3)
-    _fill_part(axes, part or ())
+    _fill_part(axes, part)
     _draw_way(axes, simulation)
     for number, outline in enumerate(simulation.rest_outlines):
         label = "rest" if number == 0 else None
@@ -230,6 +235,17 @@ def _draw_way(axes, simulation):
     many = len(points) > report.MOST_VECTORS
     axes.add_collection(
         LineCollection(pieces[kept], colors=WAY_COLOUR, linewidths=0.5, zorder=2, rasterized=many)
+    )
+
+
+def _prisms(simulation, stock, part):
+    """[(the core's Region, top), ...] of the stock and of the part."""
+    core = compiled.core()
+    if isinstance(stock, Simulation):
+        stock = stock.stock_regions
+    return tuple(
+        prisms_of(core, shapes, simulation.top, what, may_be_none=True)
+        for shapes, what in ((stock, "The stock"), (part, "The part"))
     )
 
 

@@ -1,11 +1,15 @@
 """What an operation needs to know of its tool controller."""
 
+import math
 import os
 from dataclasses import dataclass, field
 
 ASSUMED_RAPID = (
     5000.0  # mm/min: for estimated times only, where the tool controller names no rapid feed
 )
+
+# How a tool controller's spindle turns, as FreeCAD calls it: M3, M4, not at all.
+FORWARD, REVERSE, STANDING = "Forward", "Reverse", "None"
 
 HELIX_ANGLE_DEG = 30.0  # of end mills, where nobody says
 
@@ -27,6 +31,7 @@ OTHER_SHAPES = {
     "vbit": "a V bit",
 }
 END_MILLS = ("endmill", "bullnose")
+DRILL_POINT_DEG = 118.0  # of drills, where nobody says
 # A tool bit of a shape that FreeCAD does not bring along is no end mill when it has one of these.
 ANGLES = ("CuttingEdgeAngle", "TipAngle", "cuttingAngle", "CuttingAngle", "TipDiameter")
 
@@ -53,6 +58,7 @@ class CuttingData:
     plunge_feed: float  # > 0
     rapid_feed: float  # 0 where the tool controller does not say
     spindle_speed: float
+    spindle: str = FORWARD  # how it turns: FORWARD, REVERSE or STANDING
 
 
 def read(controller):
@@ -91,6 +97,7 @@ def read(controller):
         60 * controller.VertFeed.Value,
         60 * controller.HorizRapid.Value,
         float(controller.SpindleSpeed),
+        str(getattr(controller, "SpindleDir", FORWARD)),
     )
     for value, meaning, name in (
         (data.feed, "horizontal", "HorizFeed"),
@@ -115,8 +122,25 @@ def corner_radius(controller):
     bit = controller.Tool
     if "bullnose" not in _shapes(bit):
         return 0.0
-    radius = _number(bit, "CornerRadius") or _number(bit, "FlatRadius")  # the names of FreeCAD's
-    return min(max(radius, 0.0), 0.5 * diameter(controller))
+    half = 0.5 * diameter(controller)
+    # FreeCAD's FlatRadius is the radius of the flat in the middle of the tool's bottom.
+    radius = half - _number(bit, "FlatRadius")
+    if hasattr(bit, "CornerRadius"):
+        radius = _number(bit, "CornerRadius")
+    return min(max(radius, 0.0), half)
+
+
+def is_drill(controller):
+    """Whether a tool controller's tool is a drill."""
+    return other_shape(controller) == OTHER_SHAPES["drill"]
+
+
+def point_length(controller):
+    """The length in mm of the cone at the end of a tool controller's drill."""
+    angle = _number(controller.Tool, "TipAngle")
+    if not 0 < angle < 180:
+        angle = DRILL_POINT_DEG
+    return 0.5 * diameter(controller) / math.tan(0.5 * math.radians(angle))
 
 
 def other_shape(controller):

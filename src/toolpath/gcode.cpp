@@ -77,6 +77,12 @@ class Interpreter {
     if (codes.ends_cycle) motion_.end_cycle();
     if (codes.motion >= 0) motion_.set(codes.motion);
     motion_.run(line, codes);
+    if (motion_.moved() && !units_named_) {
+      path_.note(
+          "The program moves before it names its units: they count as mm; put G21, or G20 for "
+          "inches, before it.");
+      units_named_ = true;  // told once
+    }
     tell_the_rest(line, codes);
     if (codes.stop == 20 || codes.stop == 300) ended_ = true;
   }
@@ -89,7 +95,8 @@ class Interpreter {
         const int tenths = tenths_of(word.value);
         if (tenths == 650 || tenths == 660 || tenths == 661)
           line.fail(text_of(word.text) + " calls a macro, which cannot be run: post without it.");
-        const GGroup group = group_of_g(tenths);
+        const GGroup group =
+            tenths == 760 && cuts_a_thread(line) ? GGroup::kUnknown : group_of_g(tenths);
         exclude(line, g_groups, static_cast<int>(group), word, group != GGroup::kUnknown);
         apply_g(line, codes, tenths, group, word);
       } else if (word.letter == 'M') {
@@ -107,6 +114,11 @@ class Interpreter {
       }
     }
     return codes;
+  }
+
+  // LinuxCNC's G76 is a thread, whose depths are I, J and K; elsewhere it bores a hole.
+  static bool cuts_a_thread(const GCodeLine& line) {
+    return line.has('I') && line.has('J') && line.has('K');
   }
 
   static void exclude(const GCodeLine& line, std::uint32_t& groups, int group,
@@ -162,6 +174,7 @@ class Interpreter {
       case GGroup::kUnits:
         codes.changes_units = modes_.scale != (tenths == 200 ? kInch : 1);
         modes_.scale = tenths == 200 ? kInch : 1;
+        units_named_ = true;
         break;
       case GGroup::kCompensation:
         if (tenths != 400)
@@ -257,7 +270,7 @@ class Interpreter {
   GCodePath path_;
   GCodeModes modes_;
   GCodeMotion motion_;
-  bool ended_ = false, told_block_delete_ = false;
+  bool ended_ = false, told_block_delete_ = false, units_named_ = false;
   std::string work_coordinates_;
   bool surface_speed_ = false, spindle_on_ = false;
   int selected_tool_ = 0;

@@ -1,8 +1,8 @@
 // A G-code program read into moves: what LinuxCNC, grbl, Mach and Haas posts write for three axes.
 //
-// Read are G0 to G3 with all their modes, the drilling cycles G73, G81, G82 and G83, F, S, T and
-// the usual M codes; docs/gcode.md has the whole list. A word that is unknown or not simulated
-// gives a note with its line, never silence. What cannot be run (parameters, expressions,
+// Read are G0 to G3 with all their modes, the cycles G73, G74, G76, G81 to G86, G88 and G89, F, S,
+// T and the usual M codes; docs/gcode.md has the whole list. A word that is unknown or not
+// simulated gives a note with its line, never silence. What cannot be run (parameters, expressions,
 // subprograms) and what a controller refuses (arcs whose radii disagree, feed moves without a feed)
 // is a GCodeError.
 //

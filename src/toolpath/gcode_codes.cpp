@@ -21,6 +21,7 @@ GGroup group_of_g(int tenths) {
     case 30:
     case 730:
     case 740:
+    case 760:
     case 810:
     case 820:
     case 830:

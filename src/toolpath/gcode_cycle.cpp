@@ -24,6 +24,7 @@ std::vector<DrillStroke> strokes_of(const DrillCycle& cycle) {
     }
   }
   strokes.push_back({MoveKind::kCut, cycle.bottom});
+  if (cycle.feeds_out) strokes.push_back({MoveKind::kCut, cycle.retract});
   return strokes;
 }
 

@@ -1,4 +1,4 @@
-// The drilling cycles G73, G81, G82 and G83 as straight moves.
+// Drilling, tapping and boring cycles as straight moves.
 #pragma once
 
 #include <vector>
@@ -13,13 +13,14 @@ struct DrillStroke {
 };
 
 struct DrillCycle {
-  double retract = 0;   // mm, the plane R
-  double bottom = 0;    // mm, below it
-  double peck = 0;      // mm, 0: in one feed
-  bool to_top = false;  // between pecks up to the retract plane (G83), otherwise a little (G73)
+  double retract = 0;      // mm, the plane R
+  double bottom = 0;       // mm, below it
+  double peck = 0;         // mm, 0: in one feed
+  bool to_top = false;     // between pecks up to the retract plane (G83), otherwise a little (G73)
+  bool feeds_out = false;  // back to the retract plane, as taps, reamers and G85 do
 };
 
-// From the retract plane to the bottom, without the last way up.
+// From the retract plane to the bottom, and with feeds_out back; without a last rapid up.
 std::vector<DrillStroke> strokes_of(const DrillCycle& cycle);
 
 }  // namespace evenload

@@ -29,14 +29,11 @@ void GCodeMotion::set(int tenths) {
     case 30:
       kind_ = Kind::kCounterClockwise;
       break;
-    case 730:
-    case 810:
-    case 820:
-    case 830:
-      kind_ = Kind::kDrill;
+    case 870:
+      kind_ = Kind::kBackBoring;
       break;
     default:
-      kind_ = Kind::kOtherCycle;
+      kind_ = Kind::kDrill;
   }
   code_ = tenths;
   if (!is_cycle() || was_cycle) return;
@@ -88,7 +85,7 @@ void GCodeMotion::run(GCodeLine& line, const GCodeLineCodes& codes) {
       go_round(line, named);
       break;
     case Kind::kDrill:
-    case Kind::kOtherCycle:
+    case Kind::kBackBoring:
       if (line.has_axes() || named) drill(line);
       break;
     case Kind::kUnread:
@@ -210,8 +207,11 @@ void GCodeMotion::read_cycle(GCodeLine& line, const std::string& name) {
     if (peck_ <= 0) line.fail(text_of(line.word('Q').text) + " is no depth above zero.");
   }
   if (code_ != 810 && line.has('P')) dwell_ = line.take_not_negative('P');
-  if (kind_ == Kind::kOtherCycle) {
-    path_.note(name + " is not simulated: the tool goes to its place and not down.");
+  if (code_ == 760 || code_ == 870) line.ignore("QIJ");  // how far the tool keeps off the wall
+  if (kind_ == Kind::kBackBoring) {
+    path_.note(name +
+               " bores from below, which is not simulated: the tool goes to its place and not "
+               "down.");
     return;
   }
   if (!has_retract_ || !has_bottom_)
@@ -228,15 +228,16 @@ void GCodeMotion::drill(GCodeLine& line) {
   const int repeats = line.take_count('L', 0, 1);
   for (int i = 0; i < repeats; ++i) {
     GCodePlace place = path_.place();
-    if (has_retract_ && place.known[2] && place.at[2] < retract_) {
+    const bool bores_back = kind_ == Kind::kBackBoring;  // its R lies below the work
+    if (!bores_back && has_retract_ && place.known[2] && place.at[2] < retract_) {
       place.at[2] = retract_;
       path_.straight(MoveKind::kRapid, place, 0);
     }
     if (line.has('X')) aim(place, 0, line.take('X'));
     if (line.has('Y')) aim(place, 1, line.take('Y'));
     path_.straight(MoveKind::kRapid, place, 0);
-    if (!has_retract_) continue;
-    if (kind_ == Kind::kDrill) drill_one(line, place);
+    if (bores_back) continue;
+    drill_one(line, place);
     place.known[2] = true;
     place.at[2] = retract_;
     if (!modes_.to_retract_plane && has_initial_ && initial_ > retract_) place.at[2] = initial_;
@@ -252,7 +253,7 @@ void GCodeMotion::drill_one(const GCodeLine& line, GCodePlace place) {
   place.known[2] = true;
   place.at[2] = retract_;
   path_.straight(MoveKind::kRapid, place, 0);
-  const DrillCycle cycle{retract_, bottom_, pecks() ? peck_ : 0, code_ == 830};
+  const DrillCycle cycle{retract_, bottom_, pecks() ? peck_ : 0, code_ == 830, feeds_out()};
   if (cycle.peck > 0 && (retract_ - bottom_) / cycle.peck > kMostRepeats)
     line.fail("the cycle has more than " + std::to_string(kMostRepeats) + " pecks: raise Q.");
   for (const DrillStroke& stroke : strokes_of(cycle)) {

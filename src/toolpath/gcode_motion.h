@@ -44,11 +44,11 @@ class GCodeMotion {
     kClockwise,
     kCounterClockwise,
     kDrill,
-    kOtherCycle,
+    kBackBoring,
     kUnread
   };
 
-  bool is_cycle() const { return kind_ == Kind::kDrill || kind_ == Kind::kOtherCycle; }
+  bool is_cycle() const { return kind_ == Kind::kDrill || kind_ == Kind::kBackBoring; }
   void forget_axes(const GCodeLine& line);
   void aim(GCodePlace& place, int axis, double number) const;
   GCodePlace target(GCodeLine& line) const;
@@ -61,6 +61,7 @@ class GCodeMotion {
   void drill(GCodeLine& line);
   void drill_one(const GCodeLine& line, GCodePlace place);
   bool pecks() const { return code_ == 830 || code_ == 730; }
+  bool feeds_out() const { return code_ == 740 || code_ == 840 || code_ == 850 || code_ == 890; }
 
   void lose(const std::string& code, bool all, const GCodeLine& line);
   void go_to_reference(GCodeLine& line, const std::string& code);

@@ -21,7 +21,7 @@ using ::testing::IsEmpty;
 GCodeProgram from_origin(const std::string& text) {
   GCodeOptions options;
   options.start = {{0, 0, 0}};
-  return read_gcode("F100\n" + text, options);
+  return read_gcode("G21 F100\n" + text, options);
 }
 
 Move last(const GCodeProgram& program) { return program.moves.back(); }
@@ -103,7 +103,7 @@ TEST(GCodeWords, OfFlowParametersAndExpressionsAreRefused) {
 
 TEST(GCodeWords, MayBeProgramAndLineNumbers) {
   const GCodeProgram program =
-      read_gcode("%\nO01000 (PART 1)\nN5 G0 X1 Y2 Z3\nN10 (only a number)\n:7\nN15 M30\n%\n");
+      read_gcode("%\nO01000 (PART 1)\nN5 G21 G0 X1 Y2 Z3\nN10 (only a number)\n:7\nN15 M30\n%\n");
   EXPECT_THAT(program.notes, IsEmpty());
   EXPECT_EQ(program.start_y, 2);
 }
@@ -147,7 +147,7 @@ TEST(GCodeWords, OfStrangeCharactersAreRefusedByTheirCode) {
 }
 
 TEST(GCode, ReadsLinesWithASlashUnlessTheSwitchIsOn) {
-  const std::string text = "G0 X0 Y0 Z0\n/G0 X1\n/2 G0 X2\nG0 Y5\n";
+  const std::string text = "G21 G0 X0 Y0 Z0\n/G0 X1\n/2 G0 X2\nG0 Y5\n";
   const GCodeProgram off = read_gcode(text);
   EXPECT_THAT(off.lines, ElementsAre(2, 3, 4));
   EXPECT_THAT(notes_of(off), ElementsAre(HasSubstr("2 Lines that begin with '/' are run")));
@@ -160,7 +160,8 @@ TEST(GCode, ReadsLinesWithASlashUnlessTheSwitchIsOn) {
 
 TEST(GCode, EndsWithM2M30AndTheSecondPercent) {
   for (const char* end : {"M2", "M30", "G1 X1 M30", "%"}) {
-    const GCodeProgram program = read_gcode(std::string("%\nG0 X0 Y0 Z0 F1\n") + end + "\n%\n\nX@");
+    const GCodeProgram program =
+        read_gcode(std::string("%\nG21 G0 X0 Y0 Z0 F1\n") + end + "\n%\n\nX@");
     EXPECT_LE(program.moves.size(), 1u);
     EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("6 The program has ended"))) << end;
   }
@@ -450,7 +451,7 @@ TEST(GCodeArcs, OfUnreasonablyManyLinesAreRefused) {
 // ---- places that are unknown ----
 
 TEST(GCodePlaces, BeginWhereXYAndZAreAllKnown) {
-  const GCodeProgram program = read_gcode("G0 Z5\nG0 X1 Y2\nG0 X3\n");
+  const GCodeProgram program = read_gcode("G21 G0 Z5\nG0 X1 Y2\nG0 X3\n");
   EXPECT_TRUE(program.has_start);
   EXPECT_EQ(program.start_x, 1);
   EXPECT_EQ(program.start_y, 2);
@@ -470,20 +471,20 @@ TEST(GCodePlaces, MayBeGivenBeforeTheProgram) {
 }
 
 TEST(GCodePlaces, ThatAreUnknownMakeFeedMovesNotes) {
-  const GCodeProgram program = read_gcode("F9\nG1 X1 Y1\nG1 X2\nG1 Z1\nG1 X3\n");
+  const GCodeProgram program = read_gcode("G21 F9\nG1 X1 Y1\nG1 X2\nG1 Z1\nG1 X3\n");
   EXPECT_THAT(program.lines, ElementsAre(5));
   EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("2 Feed moves from here on are not")));
-  EXPECT_EQ(read_gcode("F9\nG1 X1 Y1\nG1 Z1\nG53 G0 Z0\nG1 X2\nX3\n").notes.size(), 3u)
+  EXPECT_EQ(read_gcode("G21 F9\nG1 X1 Y1\nG1 Z1\nG53 G0 Z0\nG1 X2\nX3\n").notes.size(), 3u)
       << "one for each stretch, and G53";
-  const GCodeProgram relative = read_gcode("G91 F9\nG1 X1 Y1 Z1\nX1\n");
+  const GCodeProgram relative = read_gcode("G21 G91 F9\nG1 X1 Y1 Z1\nX1\n");
   EXPECT_FALSE(relative.has_start);
   EXPECT_EQ(relative.notes.size(), 1u);
   EXPECT_THROW(read_gcode("F9 G0 X1\nG2 X5 Y5 I1"), GCodeError);
 }
 
 TEST(GCodePlaces, AreLostByG28AndFoundAgainOverTheGreatestHeight) {
-  const GCodeProgram program =
-      read_gcode("F9 G0 X0 Y0 Z20\nZ5\nG1 Z-2\nX10\nG91 G28 Z0\nG90 G0 X50 Y60\nZ4\nG1 Z-3\nG28\n");
+  const GCodeProgram program = read_gcode(
+      "G21 F9 G0 X0 Y0 Z20\nZ5\nG1 Z-2\nX10\nG91 G28 Z0\nG90 G0 X50 Y60\nZ4\nG1 Z-3\nG28\n");
   const std::vector<Move>& m = program.moves;
   ASSERT_EQ(m.size(), 7u);
   EXPECT_THAT(program.lines, ElementsAre(2, 3, 4, 7, 7, 7, 8));
@@ -532,7 +533,7 @@ TEST(GCodePlaces, AreInDoubtAfterShiftsAndOtherWorkCoordinates) {
       ElementsAre(HasSubstr("3 G55 changes the work"), HasSubstr("4 G54.1 changes the work"),
                   HasSubstr("5 'G92 X0' shifts"), HasSubstr("6 'G10 L2 P1 X5 Y6' shifts"),
                   HasSubstr("7 'G52 X1 Y1' shifts"), "8 'G68 X0 Y0 R45' is not simulated."));
-  EXPECT_THAT(read_gcode("G55\nG0 X1 Y1 Z1\nG55\nX2").notes, IsEmpty()) << "one system only";
+  EXPECT_THAT(read_gcode("G21 G55\nG0 X1 Y1 Z1\nG55\nX2").notes, IsEmpty()) << "one system only";
 }
 
 TEST(GCodePlaces, ThatWereUnknownAreToldByG92) {
@@ -628,10 +629,49 @@ TEST(GCodeCycles, ThatCannotBeMadeAreRefused) {
   EXPECT_THAT(error_of("F1 G81 X1 R1 Z0 L2000", 1), HasSubstr("whole number"));
 }
 
-TEST(GCodeCycles, ThatAreNotSimulatedAreNotedAtEachHole) {
-  const GCodeProgram program = from_origin("G0 Z9\nG84 X1 Z-5 R2\nX2\nG80");
+TEST(GCodeCycles, TapAndBoreAndComeOutAtTheFeedOrByARapid) {
+  for (const char* code : {"G74", "G84", "G85", "G89 P1"}) {
+    const GCodeProgram program = from_origin(std::string("G0 Z9\n") + code + " X1 Z-5 R2\nG80");
+    EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "F1,2", "R1,9"))
+        << code;
+    EXPECT_THAT(program.notes, IsEmpty()) << code;
+  }
+  for (const char* code : {"G76 Q0.2", "G76 I0.2 J0", "G86 P1", "G88 P1"}) {
+    const GCodeProgram program = from_origin(std::string("G0 Z9\n") + code + " X1 Z-5 R2\nG80");
+    EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "R1,9")) << code;
+    EXPECT_THAT(program.notes, IsEmpty()) << code;
+  }
+}
+
+TEST(GCodeCycles, HoldForTheLinesAfterThem) {
+  EXPECT_THAT(strokes(from_origin("G0 Z9\nG99 G76 X1 Z-5 R2 Q0.2\nX2")),
+              ElementsAre("R0,9", "R1,9", "R1,2", "F1,-5", "R1,2", "R2,2", "F2,-5", "R2,2"));
+}
+
+TEST(GCodeCycles, OfBackBoringAreNotedAndStayAbove) {
+  const GCodeProgram program = from_origin("G0 Z9\nG99 G87 X1 Z-5 R-8 Q0.5\nX2\nG80");
   EXPECT_THAT(strokes(program), ElementsAre("R0,9", "R1,9", "R2,9")) << "rapids only";
-  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("3 G84 is not"), HasSubstr("4 G84 is not")));
+  EXPECT_THAT(notes_of(program),
+              ElementsAre(HasSubstr("3 G87 bores from below"), HasSubstr("4 G87 bores")));
+}
+
+TEST(GCodeCycles, AreNoThreads) {
+  const GCodeProgram program = from_origin("G0 Z9\nG76 P1 Z-5 I-1 J0.2 K1\nX2");
+  EXPECT_THAT(strokes(program), ElementsAre("R0,9")) << "where it is afterwards is unknown";
+  EXPECT_THAT(notes_of(program), ElementsAre(HasSubstr("3 'G76"), HasSubstr("4 'X2'")));
+}
+
+// ---- units ----
+
+TEST(GCodeUnits, ThatTheProgramDoesNotNameAreNotedOnceWhereItMoves) {
+  GCodeOptions options;
+  options.start = {{0, 0, 0}};
+  const auto notes = [&](const std::string& text) { return notes_of(read_gcode(text, options)); };
+  EXPECT_THAT(notes("G90\nG0 X1\nX2"), ElementsAre(HasSubstr("2 The program moves before")));
+  EXPECT_THAT(notes("G0 X1\nG20\nX2"), ElementsAre(HasSubstr("1 The program moves before")));
+  EXPECT_THAT(notes("G20 G0 X1"), IsEmpty());
+  EXPECT_THAT(notes("G21\nG0 X1"), IsEmpty());
+  EXPECT_THAT(notes("M3 S1000\nG4 P1"), IsEmpty()) << "it does not move";
 }
 
 }  // namespace

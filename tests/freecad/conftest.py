@@ -49,6 +49,16 @@ class Bench:
                 op.setExpression(name, None)
             setattr(op, name, value)
 
+    def set_stock(self, shape):
+        """Gives the job a solid as its stock."""
+        stock = self.doc.addObject("Part::Feature", "Blank")
+        stock.Shape = shape
+        stock.addProperty("App::PropertyString", "StockType", "Stock")
+        stock.StockType = "Unknown"  # as FreeCAD marks solids that are taken for stock
+        before, self.job.Stock = self.job.Stock, stock
+        self.doc.removeObject(before.Name)
+        self.doc.recompute()
+
     def done(self, op):
         """Recomputes; the operation must be valid and have a path."""
         op.touch()
@@ -120,6 +130,18 @@ def reopened(doc, path):
         yield again
     finally:
         FreeCAD.closeDocument(again.Name)
+
+
+@contextlib.contextmanager
+def saved_copy(doc, path):
+    """Saves a document as it is now, and opens the copy for the context's length."""
+    doc.saveCopy(str(path))
+    copy = FreeCAD.openDocument(str(path))
+    try:
+        yield copy
+    finally:
+        FreeCAD.closeDocument(copy.Name)
+        FreeCAD.setActiveDocument(doc.Name)
 
 
 def freecad(*arguments, cwd=None, command=None, timeout=120, **environment):
@@ -255,6 +277,21 @@ def points_of(op, step=0.05):
             z = start[2] + t * (end[2] - start[2])
             result.append((cx + radius * math.cos(angle), cy + radius * math.sin(angle), z, name))
     return result
+
+
+def solid_in_tool(op, solid, diameter, below, every=5):
+    """(mm3, place): the most of a solid that is inside of the tool at ends of moves under a height.
+
+    every: one of so many ends is looked at.
+    """
+    worst, at = 0.0, None
+    ends = [end for _, _, end, _, _ in moves_of(op) if None not in end and end[2] < below - 1e-6]
+    for x, y, z in ends[::every]:
+        tool = Part.makeCylinder(diameter / 2 - 0.01, 100, Vector(x, y, z + 0.002))
+        volume = tool.common(solid).Volume
+        if volume > worst:
+            worst, at = volume, (x, y, z)
+    return worst, at
 
 
 def check_path(op, floors, tool=6.0, islands=()):

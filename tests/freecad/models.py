@@ -1,6 +1,7 @@
 """Models: blocks with pockets."""
 
 import json
+import math
 from pathlib import Path
 
 import Part
@@ -98,3 +99,24 @@ def case_model(case):
         boss.translate(Vector(0, 0, -depth))
         solid = solid.fuse(boss)
     return solid.removeSplitter()
+
+
+def with_rectangle(width, length, height, x, y, depth, margin=8.0):
+    """A block from z = 0 up, `margin` mm wider all round than a pocket of x by y mm in its top."""
+    block = Part.makeBox(width, length, height)
+    return block.cut(Part.makeBox(x, y, depth, Vector(margin, margin, height - depth)))
+
+
+def zigzag_stroke(width, depth=1.0):
+    """A plate with a stroke of a letter in its top, which is at z = 0."""
+    corners = [Vector(*c, -depth) for c in ((4, 4), (12, 6), (5, 9), (13, 12), (6, 15))]
+    stroke = Part.Face(Part.makePolygon(corners).makeOffset2D(width / 2).Wires[0])
+    return Part.makeBox(20, 20, 3, Vector(0, 0, -3)).cut(stroke.extrude(Vector(0, 0, depth)))
+
+
+def ring_of_lines(count, gap, z=0.0):
+    """Lines round an ellipse, as in imported drawings; the last ends `gap` mm off the first."""
+    angles = [2 * math.pi * k / count for k in range(count)]
+    points = [Vector(30 + 20 * math.cos(a), 30 + 15 * math.sin(a), z) for a in angles]
+    points.append(points[0] + Vector(gap, 0, 0))
+    return Part.Compound([Part.makeLine(a, b) for a, b in zip(points, points[1:])])

@@ -77,9 +77,7 @@ def moves_of(commands):
 def swept(move, radius, raised=0.0):
     """The solids that a flat tool sweeps along a move, at the lower of its ends."""
     z = move.low + raised
-    discs = [
-        Part.makeCylinder(radius, HIGH, Vector(p.x, p.y, z)) for p in (move.start, move.end)
-    ]
+    discs = [Part.makeCylinder(radius, HIGH, Vector(p.x, p.y, z)) for p in (move.start, move.end)]
     length = move.length()
     if length < FLAT:
         return discs[:1]

@@ -67,7 +67,10 @@ def _outline(random_, x, y, size):
     a, b = size, size * random_.uniform(0.45, 0.9)
     face = _box(x, y, a, b)
     if kind == "slot":
-        ends = [Part.Face(Part.Wire(Part.makeCircle(b / 2, Vector(x + e, y, 0)))) for e in (-a / 2, a / 2)]
+        ends = [
+            Part.Face(Part.Wire(Part.makeCircle(b / 2, Vector(x + e, y, 0))))
+            for e in (-a / 2, a / 2)
+        ]
         return face.fuse(ends).removeSplitter().Faces[0]
     if kind == "cross":
         return face.fuse(_box(x, y, b, a)).removeSplitter().Faces[0]
@@ -76,7 +79,9 @@ def _outline(random_, x, y, size):
 
 def _box(x, y, a, b):
     corners = [(-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1)]
-    return Part.Face(Part.makePolygon([Vector(x + i * a / 2, y + j * b / 2, 0) for i, j in corners]))
+    return Part.Face(
+        Part.makePolygon([Vector(x + i * a / 2, y + j * b / 2, 0) for i, j in corners])
+    )
 
 
 def _sunk(face, depth, top=HEIGHT):
@@ -118,12 +123,16 @@ def _casting(random_):
     elif kind == "wider above":
         blank = _frustum(-1, -8, 0, HEIGHT + 2)
     elif kind == "recess":
-        blank = Part.makeBox(WIDTH, DEPTH, HEIGHT).cut(_sunk(_box(35, 25, 30, 20), random_.uniform(1, 12)))
+        blank = Part.makeBox(WIDTH, DEPTH, HEIGHT).cut(
+            _sunk(_box(35, 25, 30, 20), random_.uniform(1, 12))
+        )
     elif kind == "bar":
         blank = Part.makeCylinder(32, WIDTH + 4, Vector(-2, DEPTH / 2, HEIGHT / 2), Vector(1, 0, 0))
     else:
         blank = Part.makeBox(WIDTH + 4, DEPTH + 4, HEIGHT, Vector(-2, -2, 0))
-        blank = blank.fuse(Part.makeCone(9, 5, 5, Vector(*(random_.uniform(15, 40) for _ in "xy"), HEIGHT)))
+        blank = blank.fuse(
+            Part.makeCone(9, 5, 5, Vector(*(random_.uniform(15, 40) for _ in "xy"), HEIGHT))
+        )
     return part, [], blank
 
 
@@ -149,12 +158,19 @@ def _overhang(random_):
         part = part.cut(upper).cut(lower)
     elif kind == "dovetail":
         rise, lean = HEIGHT - 9, random_.uniform(2, 4)
-        points = [(-width / 2 - lean, 9), (width / 2 + lean, 9), (width / 2, 9 + rise), (-width / 2, 9 + rise)]
+        points = [
+            (-width / 2 - lean, 9),
+            (width / 2 + lean, 9),
+            (width / 2, 9 + rise),
+            (-width / 2, 9 + rise),
+        ]
         face = Part.Face(Part.makePolygon([Vector(0, 25 + y, z) for y, z in [*points, points[0]]]))
         part = part.cut(face.extrude(Vector(WIDTH, 0, 0)))
     elif kind == "cross hole":
         part = _pocketed(random_)
-        part = part.cut(Part.makeCylinder(random_.uniform(1, 3), 200, Vector(-50, 25, 15), Vector(1, 0, 0)))
+        part = part.cut(
+            Part.makeCylinder(random_.uniform(1, 3), 200, Vector(-50, 25, 15), Vector(1, 0, 0))
+        )
     else:
         part = part.cut(_sunk(_box(35, 25, 36, 26), 10))
         lip = Part.makeBox(36, random_.uniform(3, 8), 3, Vector(17, 12, HEIGHT - 3))
@@ -167,9 +183,13 @@ def _second_model(random_):
     part = _pocketed(random_)
     kind = random_.choice(("pin", "clamp", "plate"))
     if kind == "pin":
-        other = Part.makeCylinder(random_.uniform(2, 5), HEIGHT, Vector(random_.uniform(25, 45), 25, 3))
+        other = Part.makeCylinder(
+            random_.uniform(2, 5), HEIGHT, Vector(random_.uniform(25, 45), 25, 3)
+        )
     elif kind == "clamp":
-        other = Part.makeBox(random_.uniform(15, 40), 12, 6, Vector(-8, random_.uniform(5, 30), HEIGHT))
+        other = Part.makeBox(
+            random_.uniform(15, 40), 12, 6, Vector(-8, random_.uniform(5, 30), HEIGHT)
+        )
     else:
         other = Part.makeBox(12, DEPTH, 15, Vector(random_.choice((-13, WIDTH + 1)), 0, 0))
     return part, [other], None
@@ -220,7 +240,9 @@ def _job(doc, random_, kind, part, others, blank, place):
     if kind == "earlier":
         _drill_and_array(doc, random_, made, controller, base)
     if kind == "rest":
-        larger = host.create_tool("endmill", {"Diameter": diameter + random_.choice((2, 4)), "Flutes": 2})
+        larger = host.create_tool(
+            "endmill", {"Diameter": diameter + random_.choice((2, 4)), "Flutes": 2}
+        )
         controller = _with_tool(doc, job, controller, larger)
         made.operations.append(_operation(random_, job, controller, base, "adaptive"))
         small = job.Tools.Group[0]
@@ -321,9 +343,7 @@ def _drill_and_array(doc, random_, made, controller, base):
         "G0 Z%g" % (top + 5),
     ]
     shift = Vector(random_.uniform(5, 9), 0, 0)
-    array = doc.addObject("Path::FeaturePython", "Array")
-    host.path_array().ObjectArray(array)
-    array.Base = [first]
+    array = host.array(first)
     array.Copies, array.Offset = 1, shift
     job.Proxy.addOperation(array)
     doc.recompute()

@@ -43,6 +43,7 @@ def simulated(op, **changes):
         max_engagement_deg=float(degrees[worst]),
         max_engagement_at=(float(x[worst]), float(y[worst])),
         entry_engagement_deg=0.0,
+        top=op.StartDepth.Value,
         fixture_mm=None,
         removal_rate_peak=float(rate.max()),
         force_peak_max=float(force.max()),

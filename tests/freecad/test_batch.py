@@ -7,14 +7,14 @@ import os
 import shutil
 import subprocess
 import sys
-from types import ModuleType
 
+import evenload
 import FreeCAD
 import Part
 import pytest
 from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
-from evenload import batch
+from evenload import batch, host
 from FreeCAD import Vector
 from simulated import faulty
 
@@ -53,6 +53,8 @@ def a_job(folder, **changes):
         "output": {"gcode": "out/plate.ngc"},
     }
     job.update(copy.deepcopy(changes))
+    if "output" not in changes:
+        job["output"] = {"gcode": "out/%s.ngc" % job["name"]}
     return job
 
 
@@ -178,9 +180,7 @@ def simulator(monkeypatch):
         assert len(source) > 100 and tool_diameter == 6 and (top, bottom) == (0, -12)
         return result
 
-    stub = ModuleType("evenload.simulation")
-    stub.simulate = simulate
-    monkeypatch.setitem(sys.modules, "evenload.simulation", stub)
+    monkeypatch.setattr(evenload.simulation, "simulate", simulate)
     return asked
 
 
@@ -220,7 +220,7 @@ def test_an_empty_simulation_section_simulates_with_the_defaults(folder, simulat
     report, _ = run(folder, a_job(folder, simulation={}))
     assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
     (options,) = simulator
-    assert (options["resolution"], options["step"], options["machine"]) == (0.05, 0.1, None)
+    assert (options["resolution"], options["step"], options["machine"]) == (None, 0.1, None)
     assert "material" not in options["cutting"]
     assert set(report["jobs"][0]["output"]) == {"gcode"}
 
@@ -264,6 +264,17 @@ def changed(job, path, value):
     return job
 
 
+def breaking(post):
+    """A post-processor that breaks, in place of one of that name."""
+
+    def broken(job, processor, arguments):
+        if processor == "broken":
+            raise RuntimeError({"sErrMsg": "in the post\n", "sclassname": "Base::Exception"})
+        return post(job, processor, arguments)
+
+    return broken
+
+
 @pytest.mark.parametrize(
     "path, value, words",
     [
@@ -277,10 +288,28 @@ def changed(job, path, value):
         ("operation/parameters/Material", "Gold", ["Material cannot be 'Gold'", "Al6061-T6"]),
         ("operation/parameters/LinkFeed", "fast", ["LinkFeed cannot be 'fast'"]),
         ("operation/parameters/EntryPoint", ["a", 0], ["EntryPoint cannot be ['a', 0]"]),
-        ("operation/parameters/EngagementAngle", 200, ["EngagementAngle is 200", "180"]),
+        ("operation/parameters/EngagementAngle", 200, ["Engagement angle is 200", "180"]),
         ("tool/diameter", None, ["tool: the key 'diameter' is missing"]),
         ("tool/diameter", "six", ["tool: 'diameter' must be a number"]),
-        ("tool/diameter", 0, ["tool_diameter must be positive"]),
+        ("tool/diameter", 0, ["tool: 'diameter' is 0: it must be more than 0"]),
+        ("tool/diameter", -6, ["tool: 'diameter' is -6: it must be more than 0"]),
+        ("tool/flutes", 0, ["tool: 'flutes' is 0: it must be more than 0"]),
+        ("cutting/plunge_feed", -1, ["cutting: 'plunge_feed' is -1: it must be more than 0"]),
+        ("stock/margin", -1, ["stock: 'margin' is -1: it must be 0 or more"]),
+        ("stock/margin", 1e999, ["jobs.json is no JSON: Infinity is no number"]),
+        ("simulation/step", 0, ["simulation: 'step' is 0: it must be more than 0"]),
+        ("operation/parameters/StockToLeave", -1, ["StockToLeave cannot be -1", "take 0 for it"]),
+        ("operation/parameters/StepDown", "half of it", ["StepDown cannot be 'half of it'"]),
+        ("operation/parameters/StepDown", True, ["StepDown cannot be True: it is no yes or no"]),
+        ("operation/parameters/WallPass", 1, ["WallPass cannot be 1: it must be true or false"]),
+        ("operation/parameters/CutMode", 1, ["CutMode cannot be 1", "Climb, Conventional"]),
+        (
+            "output/picture",
+            "out/../out/plate.ngc",
+            ["the picture would overwrite the gcode of job 1"],
+        ),
+        ("output/document", "plate.FCStd", ["the document would overwrite its model, plate.FCStd"]),
+        ("output/gcode", "jobs.json", ["the gcode would overwrite the job file, jobs.json"]),
         ("tool/shape", "ballend", ["a ball end mill", "flat or bull-nosed"]),
         ("cutting/feed", True, ["cutting: 'feed' must be a number"]),
         ("base", "Face1", ["'base' must be a list"]),
@@ -297,16 +326,25 @@ def changed(job, path, value):
         ("simulation/material", 7, ["simulation: 'material' must be a name or an object"]),
         ("post/processor", "nonsense", ["no post-processor 'nonsense'"]),
         ("post/arguments", "--nonsense", ["refuses the arguments '--nonsense'"]),
+        ("post/processor", "broken", ["'broken' failed (RuntimeError: in the post): choose"]),
     ],
 )
-def test_what_is_wrong_in_a_job_is_named(folder, path, value, words):
+def test_what_is_wrong_in_a_job_is_named(folder, monkeypatch, path, value, words):
+    monkeypatch.setattr(host, "post_processors", lambda: ["linuxcnc", "broken"])
+    for name in ("_post_old", "_post_modern"):
+        monkeypatch.setattr(host, name, breaking(getattr(host, name)))
     (folder / "broken.step").write_text("no model")
     (folder / "broken.FCStd").write_text("no document")
-    report, _ = run(folder, changed(a_job(folder), path, value))
-    (job,) = report["jobs"]
-    assert not job["ok"] and report["failed"] == 1
+    try:
+        report, _ = run(folder, changed(a_job(folder), path, value))
+        (job,) = report["jobs"]
+        assert not job["ok"] and report["failed"] == 1
+        error = job["error"]
+    except ValueError as refused:  # the file cannot be used at all
+        error = str(refused)
     for word in words:
-        assert word in job["error"], job["error"]
+        assert word in error, error
+    assert "{" not in error
     assert not (folder / "out" / "plate.ngc").exists()
     assert FreeCAD.listDocuments() == {}
 
@@ -318,6 +356,8 @@ def test_what_is_wrong_in_a_job_is_named(folder, path, value, words):
         ("[]", ["must be an object with the keys jobs, report"]),
         ('{"job": []}', ["unknown key 'job'", "jobs, report"]),
         ("{}", ["the key 'jobs' is missing"]),
+        ('{"jobs": [{"tool": {}, "tool": {}}]}', ["has the key 'tool' twice in one object"]),
+        ('{"jobs": [{"tool": {"diameter": NaN}}]}', ["is no JSON: NaN is no number"]),
         ('{"jobs": {}}', ["'jobs' must be a list"]),
     ],
 )
@@ -328,6 +368,23 @@ def test_a_job_file_that_cannot_be_used_is_refused(tmp_path, text, words):
         batch.run_file(str(path), lambda line: None)
     for word in words:
         assert word in str(caught.value)
+
+
+def test_what_two_jobs_would_write_goes_to_the_first(folder):
+    """Also where the two names are spelt otherwise."""
+    second = a_job(folder, name="second", output={"gcode": "./out/first.ngc"})
+    report, _ = run(folder, a_job(folder, name="first"), second, a_job(folder, name="third"))
+    assert [job["ok"] for job in report["jobs"]] == [True, False, True]
+    assert report["jobs"][1]["error"] == (
+        "Job 2, output: the gcode would overwrite the gcode of job 1, ./out/first.ngc: name "
+        "another file."
+    )
+
+
+def test_a_mark_at_the_beginning_is_read_over(folder):
+    path = folder / "jobs.json"
+    path.write_text(json.dumps({"jobs": [a_job(folder)]}), encoding="utf-8-sig")
+    assert batch.run_file(str(path), lambda line: None)["failed"] == 0
 
 
 def test_a_job_file_that_is_not_there_is_refused(tmp_path):
@@ -401,7 +458,7 @@ def test_an_output_that_cannot_be_written_fails_its_job_only(obstacles, key, nam
         % (key, os.path.join(obstacles, name), reason)
     )
     assert json.loads((obstacles / "report.json").read_text()) == report
-    assert (obstacles / "out" / "plate.ngc").exists()
+    assert (obstacles / "out" / "good.ngc").exists()
     assert (obstacles / "file").read_text() == "kept"
     computed = any(line == "[1/2] bad: computing" for line in lines)
     assert computed == (reason == "No space left on device")

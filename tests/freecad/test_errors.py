@@ -31,43 +31,52 @@ def change(bench, op, **properties):
 @pytest.mark.parametrize(
     "properties, words",
     [
-        ({"EngagementAngle": 0}, ["EngagementAngle", "0 and 180"]),
-        ({"EngagementAngle": 180}, ["EngagementAngle is 180", "0 and 180"]),
-        ({"EngagementAngle": -20}, ["EngagementAngle is -20", "0 and 180"]),
-        ({"SideStep": 0}, ["SideStep", "diameter of 6 mm"]),
-        ({"SideStep": 6}, ["SideStep is 6 mm", "diameter of 6 mm"]),
-        ({"StartDepth": -3}, ["StartDepth (-3 mm)", "FinalDepth (-3 mm)", "raise StartDepth"]),
-        ({"StartDepth": -5}, ["StartDepth (-5 mm)", "raise StartDepth"]),
-        ({"StepDown": 0}, ["StepDown is 0 mm", "positive"]),
-        ({"SafeHeight": -1}, ["SafeHeight (-1 mm)", "StartDepth (0 mm)", "raise it"]),
-        ({"ClearanceHeight": 1}, ["ClearanceHeight (1 mm)", "SafeHeight (3 mm)", "raise it"]),
+        ({"EngagementAngle": 0}, ["Engagement angle", "0 and 180"]),
+        ({"EngagementAngle": 180}, ["Engagement angle is 180", "0 and 180"]),
+        ({"EngagementAngle": -20}, ["Engagement angle is -20", "0 and 180"]),
+        ({"SideStep": 0}, ["Side step", "diameter of 6 mm"]),
+        ({"SideStep": 6}, ["Side step is 6 mm", "diameter of 6 mm"]),
+        ({"StartDepth": -3}, ["Start Depth (-3 mm)", "Final Depth (-3 mm)", "raise Start Depth"]),
+        ({"StartDepth": -5}, ["Start Depth (-5 mm)", "raise Start Depth"]),
+        ({"StepDown": 0}, ["Step Down is 0 mm", "positive"]),
+        ({"StepDown": 0.0005}, ["Step Down is 0.0005 mm", "more than 5000 levels", "raise it"]),
+        (
+            {"EngagementAngle": 1},
+            ["Side step is 0.0004", "Tolerance of 0.005 mm", "raise Engagement"],
+        ),
+        ({"Tolerance": 2}, ["Side step is 1.5 mm", "Tolerance of 2 mm"]),
+        ({"SafeHeight": -1}, ["Safe Height (-1 mm)", "Start Depth (0 mm)", "raise it"]),
+        ({"ClearanceHeight": 1}, ["Clearance Height (1 mm)", "Safe Height (3 mm)", "raise it"]),
         ({"FinalDepth": -31}, ["31 mm", "cutting length of 30 mm", "longer tool"]),
-        ({"LinkFeed": 0}, ["LinkFeed is 0 mm/min", "positive"]),
-        ({"MaximumFeed": "100 mm/min"}, ["MaximumFeed is 100 mm/min", "255 mm/min"]),
-        ({"LeastLoad": 1.0}, ["LeastLoad is 1", "between 0 and 0.95"]),
-        ({"RollRadius": 0}, ["RollRadius is 0 mm", "positive"]),
-        ({"MinimumRadius": 0}, ["MinimumRadius is 0 mm", "positive"]),
-        ({"HelixDiameter": 0}, ["HelixDiameter is 0 mm", "positive"]),
+        ({"LinkFeed": 0}, ["Link feed is 0 mm/min", "positive"]),
+        ({"MaximumFeed": "100 mm/min"}, ["Maximum feed is 100 mm/min", "255 mm/min"]),
+        ({"LeastLoad": 1.0}, ["Least load is 1", "between 0 and 0.95"]),
+        ({"RollRadius": 0}, ["Roll radius is 0 mm", "positive"]),
+        ({"MinimumRadius": 0}, ["Minimum radius is 0 mm", "positive"]),
+        ({"HelixDiameter": 0}, ["Helix diameter is 0 mm", "positive"]),
         ({"Tolerance": 0}, ["Tolerance is 0 mm", "positive"]),
-        ({"HelixAngle": 0}, ["HelixAngle is 0", "0 and 90"]),
-        ({"HelixAngle": 90}, ["HelixAngle is 90", "0 and 90"]),
-        ({"Entry": "Predrilled hole"}, ["'Predrilled hole'", "set EntryPoint and HoleDiameter"]),
+        ({"HelixAngle": 0}, ["Helix angle is 0", "0 and 90"]),
+        ({"HelixAngle": 90}, ["Helix angle is 90", "0 and 90"]),
+        (
+            {"Entry": "Predrilled hole"},
+            ["'Predrilled hole'", "set Hole at (EntryPoint) and Hole diameter"],
+        ),
         (
             {"HoleDiameter": 4, "EntryPoint": Vector(15, 15, 0)},
-            ["HoleDiameter (4 mm)", "diameter of 6 mm", "larger hole"],
+            ["Hole diameter (4 mm)", "diameter of 6 mm", "larger hole"],
         ),
         (
             {"HoleDiameter": 8, "EntryPoint": Vector(-5, 15, 0)},
-            ["EntryPoint (-5, 15)", "lies outside Face", "move it inside"],
+            ["Hole at (EntryPoint) is (-5, 15)", "outside Face", "move it inside"],
         ),
-        ({"StockToLeaveAxial": 3}, ["StockToLeaveAxial (3 mm)", "lower it"]),
+        ({"StockToLeaveAxial": 3}, ["Stock at the floor (StockToLeaveAxial) is 3 mm", "lower it"]),
         (
             {"Entry": "Predrilled hole", "HoleDiameter": 8, "EntryPoint": Vector(40, 15, 0)},
-            ["EntryPoint (40, 15)", "lies outside Face", "move it inside"],
+            ["Hole at (EntryPoint) is (40, 15)", "outside Face", "move it inside"],
         ),
         (
             {"Entry": "Predrilled hole", "HoleDiameter": 8, "EntryPoint": Vector(1, 15, 0)},
-            ["EntryPoint", "walls"],
+            ["Hole at (EntryPoint)", "walls"],
         ),
         ({"Base": []}, ["no base geometry", "pick a face or a sketch"]),
         ({"ToolController": None}, ["no tool", "choose a tool controller"]),
@@ -124,13 +133,13 @@ def test_unknown_tool_shapes_and_properties_are_named(square):
     assert len(square.doc.Objects) == before
 
 
-@pytest.mark.parametrize("name, word", [("HorizFeed", "horizontal"), ("VertFeed", "vertical")])
+@pytest.mark.parametrize("name, word", [("HorizFeed", "Horizontal"), ("VertFeed", "Vertical")])
 def test_a_feed_of_zero_is_refused(square, name, word):
     op = square.done(square.operation())
     setattr(square.controller, name, 0)
     sentence = square.refused(op)
-    assert "The %s feed of the tool controller" % word in sentence
-    assert "is 0: set its %s." % name in sentence
+    assert "The %s feed of the tool controller" % word.lower() in sentence
+    assert "is 0: set its %s Feed (%s)." % (word, name) in sentence
     setattr(square.controller, name, "255 mm/min")
     square.done(op)
 
@@ -302,17 +311,17 @@ MISTAKES = {
     ),
     "a depth beyond the cutting length": (
         prop(CuttingEdgeHeight=2),
-        ["depth of 3 mm", "cutting length of 2 mm", "longer tool or raise FinalDepth"],
+        ["depth of 3 mm", "cutting length of 2 mm", "longer tool or raise Final Depth"],
         prop(CuttingEdgeHeight=30),
     ),
     "an angle of zero": (
         prop(EngagementAngle=0),
-        ["EngagementAngle is 0 degrees", "between 0 and 180"],
+        ["Engagement angle is 0 degrees", "between 0 and 180"],
         prop(EngagementAngle=60),
     ),
     "an angle of 200 degrees": (
         prop(EngagementAngle=200),
-        ["EngagementAngle is 200 degrees", "between 0 and 180"],
+        ["Engagement angle is 200 degrees", "between 0 and 180"],
         prop(EngagementAngle=60),
     ),
     "a pocket too small for the tool": (
@@ -322,17 +331,17 @@ MISTAKES = {
     ),
     "a start below the final depth": (
         prop(StartDepth=-4),
-        ["StartDepth (-4 mm)", "FinalDepth (-3 mm)", "raise StartDepth or lower FinalDepth"],
+        ["Start Depth (-4 mm)", "Final Depth (-3 mm)", "raise Start Depth or lower Final Depth"],
         prop(StartDepth=0),
     ),
     "an entry point outside": (
         prop(**{**HOLE, "EntryPoint": Vector(40, 15, 0)}),
-        ["EntryPoint (40, 15)", "lies outside", "move it inside"],
+        ["Hole at (EntryPoint) is (40, 15)", "outside", "move it inside"],
         prop(**HOLE),
     ),
     "a hole smaller than the tool": (
         prop(**{**HOLE, "HoleDiameter": 5}),
-        ["HoleDiameter (5 mm)", "diameter of 6 mm", "drill a larger hole"],
+        ["Hole diameter (5 mm)", "diameter of 6 mm", "drill a larger hole"],
         prop(**HOLE),
     ),
     "an unknown face": (

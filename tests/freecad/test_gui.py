@@ -111,7 +111,7 @@ def test_cancel_where_freecad_asks_for_job_or_tool_makes_nothing(session, number
 
 def test_an_error_shows_its_sentence(session):
     assert not session["error_valid"]
-    assert session["error"].startswith("EngagementAngle is 200 degrees")
+    assert session["error"].startswith("Engagement angle is 200 degrees")
 
 
 def test_an_operation_made_without_a_gui_has_icon_and_panel_when_opened_in_it(session):

@@ -1,9 +1,9 @@
 """What the simulator is given of an operation: moves, tool, stock, part and earlier cuts."""
 
 import math
-import sys
-from types import ModuleType, SimpleNamespace
+from types import SimpleNamespace
 
+import evenload
 import Part
 import Path
 import pytest
@@ -107,6 +107,7 @@ def test_a_centre_beside_its_place_is_moved_to_equal_radii():
         ("G18", ["G18"]),
         ("G20", ["G20"]),
         ("G38.2 Z-10", ["G38.2"]),
+        ("G98 G81 X0 Y0 Z-5 R1", ["Command 3", "G98, has a second G word", "line of its own"]),
         ("G1 X3 A20", ["turns the work"]),
         ("G81 X0 Y0 Z5 R1", ["drills from Z1 up to Z5"]),
         ("G83 X0 Y0 Z-5 R1", ["no depth of peck"]),
@@ -147,6 +148,35 @@ def test_pecks_go_down_by_q_and_end_at_the_bottom(code, clears):
     assert [z for kind, _, _, z in ends(found) if kind == RAPID].count(1) == (4 if clears else 2)
     before_cut = [a[3] for a, b in zip(found, found[1:]) if b[0] == CUT]
     assert before_cut == [1, -1.246, -3.746]
+
+
+@pytest.mark.parametrize(
+    "code, way_out",
+    [("G85", CUT), ("G89", CUT), ("G84", CUT), ("G74", CUT)]
+    + [("G76", RAPID), ("G86", RAPID), ("G88", RAPID)],
+)
+def test_boring_and_tapping_cycles_go_down_and_come_out_as_they_do(code, way_out):
+    found, numbers = moves("G99", code + " X3 Y4 Z-5 R2 Q0.1 P1 F1")
+    assert ends(found) == [(RAPID, 3, 4, 2), (CUT, 3, 4, -5), (way_out, 3, 4, 2)]
+    assert set(numbers) == {2}
+    found, _ = moves("G98", code + " X3 Y4 Z-5 R2 Q0.1 P1 F1")
+    assert ends(found)[-1] == (RAPID, 3, 4, 10)
+
+
+def test_back_boring_takes_nothing_that_stands():
+    found, _ = moves("G98", "G87 X3 Y4 Z-3 R-8 Q0.5 F1", "G80", "G0 X6")
+    assert ends(found) == [(RAPID, 6, 4, 10)]
+
+
+def test_the_way_home_goes_through_its_place_and_up():
+    found, _ = moves("G0 X1 Y2", "G1 Z-3 F1", "G28 Z2", "G1 X4 Z1", "G30", z=10.0)
+    assert ends(found) == [
+        (CUT, 1, 2, -3),
+        (RAPID, 1, 2, 2),
+        (RAPID, 1, 2, 10),
+        (CUT, 4, 2, 1),
+        (RAPID, 4, 2, 10),
+    ]
 
 
 def test_moves_there_and_back_are_the_same(square):
@@ -530,17 +560,35 @@ def _controller(square, diameter, shape="endmill"):
     return controller
 
 
-def test_an_earlier_drill_has_cut_and_an_earlier_v_bit_is_left_out_both_with_a_note(square):
+def test_an_earlier_drill_has_cut_and_an_earlier_v_bit_is_left_out_with_a_note(square):
     drilled = "G0 Z15", "G81 X15 Y15 Z-3 R1 F1"
-    foreign(square, *drilled, name="Drilled", controller=_controller(square, 9.0, "drill"))
+    drill = _controller(square, 9.0, "drill")
+    drill.Tool.TipAngle = 90
+    foreign(square, *drilled, name="Drilled", controller=drill)
     foreign(square, *CUTS, name="Engraved", controller=_controller(square, 9.0, "v-bit"))
     found = job_simulation.read(square.done(square.operation()))
-    assert [diameter for _, diameter in found.earlier] == [9]
-    assert [z for *_, z in ends(found.earlier[0][0])] == [15, 1, -3, 15]
-    assert "'Drilled' is simulated with a drill without a point." in found.notes
-    assert any(
-        note.startswith("'Engraved' is left out: its tool is a V bit") for note in found.notes
-    )
+    # Its point is a cone of 90 degrees, as long as the drill's radius.
+    assert [diameter for _, diameter in found.earlier] == [9, 6.75, 4.5, 2.25]
+    for path, diameter in found.earlier:
+        assert [z - 0.5 * diameter for *_, z in ends(path)] == pytest.approx([15, 1, -3, 15])
+    assert [note[:23] for note in found.notes] == ["'Engraved' is left out:"]
+
+
+def test_a_drill_that_does_not_tell_its_point_has_one_of_118_degrees(square):
+    drill = _controller(square, 10.0, "drill")
+    drill.Tool.TipAngle = 0
+    assert tool.point_length(drill) == pytest.approx(5 / math.tan(math.radians(59)))
+
+
+def test_a_bull_nosed_tool_before_leaves_its_corner(square):
+    nosed = _controller(square, 10.0, "bullnose")
+    nosed.Tool.FlatRadius = 4.0
+    assert tool.corner_radius(nosed) == pytest.approx(1.0)
+    foreign(square, *CUTS, name="First", controller=nosed)
+    found = job_simulation.read(square.done(square.operation()))
+    assert [diameter for _, diameter in found.earlier] == [10, 8]
+    lowest = [min(z for *_, z in ends(path)) for path, _ in found.earlier]
+    assert lowest == pytest.approx([0, -1])
 
 
 def test_a_pre_drilled_hole_is_ground_without_material(square):
@@ -576,9 +624,7 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
         calls.append((source, stock, top, bottom, tool_diameter, options))
         return SimpleNamespace(notes=["of the simulator"])
 
-    stub = ModuleType("evenload.simulation")
-    stub.simulate = simulate
-    monkeypatch.setitem(sys.modules, "evenload.simulation", stub)
+    monkeypatch.setattr(evenload.simulation, "simulate", simulate)
     square.controller.SpindleSpeed = 0
     op = square.done(square.operation())
     watched = []

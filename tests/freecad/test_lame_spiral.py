@@ -9,6 +9,7 @@ from FreeCAD import Vector
 from models import block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
 from evenload import simulation
+from evenload.labels import told
 from evenload.operations import lame_spiral
 
 EVEN = "Constant removal rate"
@@ -165,7 +166,7 @@ def test_a_course_makes_another_path_until_it_is_empty_again(pocket, name):
 @pytest.mark.parametrize("name", COURSES)
 def test_a_course_that_falls_or_does_not_lead_to_the_end_is_refused_by_name(pocket, name):
     for values in ([0.0, 0.5], [0.0, 0.6, 0.5, 1.0], [1.0]):
-        assert pocket.refused(spiral(pocket, **{name: values})).startswith(name + " must be")
+        assert pocket.refused(spiral(pocket, **{name: values})).startswith(told(name) + " must be")
 
 
 def test_courses_survive_saving_and_can_be_undone(pocket, tmp_path):

@@ -57,7 +57,7 @@ def test_a_hole_too_near_to_a_wall_is_named_where_it_is(bench, mode):
     op.EntryPoint = Vector(69, 80, 0)
     assert "EntryPoint" in b.refused(op)
     op.EntryPoint = Vector(100, 80, 0)
-    assert "EntryPoint (100, 80) lies outside" in b.refused(op)
+    assert "Hole at (EntryPoint) is (100, 80), outside" in b.refused(op)
     op.EntryPoint = Vector(62, 76, 0)
     first = next(p for p in points_of(b.done(op)) if p[2] < 0)
     assert first[:2] == (62, 76)

@@ -127,9 +127,9 @@ def test_depths_that_miss_the_floor_are_reported(square):
     op = square.done(square.operation())
     assert "FinalDepth" not in op.Report
     op.FinalDepth = -2
-    assert "FinalDepth lies 1 mm above Face" in square.done(op).Report
+    assert "Final Depth lies 1 mm above Face" in square.done(op).Report
     op.FinalDepth = -3.5
-    assert "FinalDepth lies 0.5 mm below Face" in square.done(op).Report
+    assert "Final Depth lies 0.5 mm below Face" in square.done(op).Report
 
 
 def test_arcs_can_be_switched_off(square):

@@ -299,7 +299,7 @@ def test_a_hole_in_one_pocket_leaves_the_others_their_own_entry(pocket):
 
 def test_a_helix_wider_than_the_tool_is_narrowed_and_reported(pocket):
     op = cleared(pocket(face_of(SQUARE)), HelixDiameter=8)
-    assert "HelixDiameter 8 mm was taken as 5.88 mm" in op.Report
+    assert "Helix diameter 8 mm was taken as 5.88 mm" in op.Report
     assert max(2 * radius_of(m) for m in arcs(of_feed(op, PLUNGE))) < 5.9
 
 

@@ -4,8 +4,8 @@ import math
 
 import evenload
 import pytest
-from conftest import moves_of, reopened
-from evenload import host, job_simulation, report
+from conftest import moves_of, reopened, saved_copy
+from evenload import compiled, host, job_simulation, report
 from FreeCAD import Vector
 from models import DEPTH, block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
@@ -199,12 +199,118 @@ def test_what_a_bull_nosed_tool_left_at_the_walls_feet_is_cleared(room):
     corner = 2.0
     room.controller.Tool = host.create_tool("bullnose", {"Diameter": 12.0})
     bit = room.controller.Tool
-    setattr(bit, "CornerRadius" if hasattr(bit, "CornerRadius") else "FlatRadius", corner)
+    if hasattr(bit, "CornerRadius"):
+        bit.CornerRadius = corner
+    else:
+        bit.FlatRadius = 6.0 - corner  # of the flat in the middle of the bottom
     room.done(room.operation())
     op = room.done(after(room, 6.0))
     # A band along the walls, as wide as the corner, less where that reaches round corners.
     assert op.RemovedVolume.Value == pytest.approx(4 * 56 * corner * DEPTH, rel=0.15)
     assert op.UncutArea.Value == 0
+
+
+def custom(bench, *lines, name="Custom", controller=None):
+    """One of FreeCAD's own operations, of these lines of G-code."""
+    op = host.freecads("Custom", name, bench.job, controller or bench.controller)
+    op.Gcode = list(lines)
+    bench.doc.recompute()
+    return op
+
+
+def test_a_bored_hole_before_it_is_no_material(room):
+    whole = room.done(after(room, 6.0)).RemovedVolume.Value
+    room.job.Operations.Group = []
+    custom(room, "G0 Z15", "G0 X30 Y30", "G85 X30 Y30 Z-3 R1 F100", "G80")
+    op = room.done(after(room, 6.0))
+    assert op.RemovedVolume.Value == pytest.approx(whole - math.pi * 36 * DEPTH, rel=0.02)
+    assert evenload.simulation.of(op).rapid_in_material_mm == 0
+
+
+def test_beside_a_drills_point_material_stands(room):
+    drill = host.cam().controller.Create("Drill")
+    room.job.Proxy.addToolController(drill)
+    drill.Tool = host.create_tool("drill", {"Diameter": 12.0, "TipAngle": 90})
+    drill.HorizFeed = drill.VertFeed = "100 mm/min"
+    # 5 mm below the floor the tip is: at the floor the hole is 10 mm wide.
+    custom(room, "G0 Z15", "G0 X30 Y30", "G81 X30 Y30 Z-8 R1 F100", "G80", controller=drill)
+    op = after(room, 6.0)
+    room.done(op)
+    stock, _ = job_simulation.stock_before(op, 0.05)
+    hole = face_of(circle(30, 30, 9))
+    region = compiled.core().Region(circle(30, 30, 9))
+    for height in (-1.0, -2.5, -DEPTH, -5.0):
+        standing = sum(r.area for r in stock.standing(height + 0.01, [region]))
+        open_area = hole.Area - standing
+        true = min(6.0, height + 8.0)
+        assert open_area <= math.pi * true**2 + 0.5
+        assert open_area >= math.pi * (true - 1.6) ** 2 - 0.5
+
+
+def with_array(bench, op, offset, copies):
+    """FreeCAD's array of an operation, in its job."""
+    array = host.array(op)
+    array.Offset, array.Copies = offset, copies
+    bench.job.Proxy.addOperation(array)
+    bench.doc.recompute()
+    return array
+
+
+def test_each_copy_of_an_array_before_it_counts(room):
+    whole = room.done(after(room, 6.0)).RemovedVolume.Value
+    room.job.Operations.Group = []
+    first = custom(room, "G0 Z15", "G0 X12 Y30", "G81 X12 Y30 Z-3 R1 F100", "G80", "G0 Z15")
+    array = with_array(room, first, Vector(18, 0, 0), 2)
+    op = room.done(after(room, 6.0))
+    assert op.EarlierOperations == [first, array]
+    assert op.RemovedVolume.Value == pytest.approx(whole - 3 * math.pi * 36 * DEPTH, rel=0.02)
+    found = evenload.simulation.of(op)
+    assert found.gouge_mm < 0.002 and found.incidents == []
+
+
+def test_it_is_emptied_when_what_an_array_before_it_repeats_fails(room):
+    first = room.done(room.operation())
+    array = with_array(room, first, Vector(100, 0, 0), 1)
+    room.job.Operations.Group = [array]  # which is all that is left of the first
+    op = room.done(after(room, 6.0))
+    assert op.EarlierOperations == [array]
+    first.EngagementAngle = 0.0
+    room.doc.recompute()
+    assert not first.isValid() and op.Path.Commands == array.Path.Commands == []
+
+
+def test_a_dressup_of_a_failed_operation_keeps_no_path_that_could_be_posted(room):
+    first = room.done(room.operation())
+    dressed = host.dressup("Boundary").Create(first)
+    again = host.dressup("Boundary").Create(dressed)
+    room.doc.recompute()
+    assert len(again.Path.Commands) > 100
+    first.EngagementAngle = 0.0
+    room.doc.recompute()
+    assert not first.isValid()
+    assert dressed.Path.Commands == again.Path.Commands == []
+    assert "Touched" in dressed.State and "Touched" in again.State
+    first.EngagementAngle = 60.0
+    room.doc.recompute()
+    assert len(again.Path.Commands) > 100
+
+
+def test_a_dressup_before_it_counts_as_what_it_makes_of_the_path(room):
+    first = room.done(room.operation())
+    dressed = host.dressup("Boundary").Create(first)
+    half = room.doc.addObject("Part::Box", "Half")
+    half.Length, half.Width, half.Height = 40, 80, 30
+    half.Placement.Base = Vector(-10, -10, -12)
+    stock = dressed.Stock
+    dressed.Stock = half
+    if stock is not None:
+        room.doc.removeObject(stock.Name)
+    room.doc.recompute()
+    op = room.done(after(room, 6.0))
+    assert op.EarlierOperations == [dressed]
+    # What the boundary keeps of the path is within x = 30: all beyond the tool's radius is left.
+    assert 60 * 24 * DEPTH < op.RemovedVolume.Value < 60 * 34 * DEPTH
+    assert evenload.simulation.of(op).gouge_mm < 0.002
 
 
 def test_an_inactive_earlier_operation_cuts_nothing(room):
@@ -226,16 +332,26 @@ def test_it_follows_when_an_earlier_operation_changes(room):
     assert op.EarlierOperations == []
 
 
-def test_it_is_emptied_when_an_earlier_operation_fails(room):
+def test_it_is_emptied_when_an_earlier_operation_fails(room, tmp_path):
     first = room.done(room.operation())
     op = room.done(after(room, 6.0))
     first.EngagementAngle = 0.0
     room.doc.recompute()
-    assert not first.isValid() and op.Path.Commands == []
-    assert op.Report == "'%s', which comes before '%s', failed: mend it and recompute." % (
+    assert not first.isValid()
+    sentence = "'%s', which comes before '%s', failed: mend it and recompute." % (
         first.Label,
         op.Label,
     )
+
+    def is_empty(op):
+        assert op.Path.Commands == [] and op.Report == sentence and op.CycleTime == ""
+        assert op.RemovedVolume.Value == op.CuttingTime == op.MaxEngagement.Value == 0
+        assert "Touched" in op.State or not op.isValid()
+        return True
+
+    assert is_empty(op)
+    with saved_copy(room.doc, tmp_path / "failed.FCStd") as copy:
+        assert is_empty(copy.getObject(op.Name))
     first.EngagementAngle = 60.0
     room.doc.recompute()
     assert op.isValid() and op.RemovedVolume.Value > 60

@@ -82,7 +82,7 @@ def test_the_edges_of_an_object_belong_together_though_others_were_picked_betwee
     a, b = faces_of(doc, "A", LEFT), faces_of(doc, "B", RIGHT)
     halves = ("Edge1", "Edge3"), ("Edge2", "Edge4")
     first, second = floors([(a, halves[0]), (b, ("Face1",)), (a, halves[1])])
-    assert first.name == "Edge1, Edge3, Edge2, Edge4 of A" and not first.is_face
+    assert first.name == "4 edges of A" and not first.is_face
     assert first.region().area == pytest.approx(200)
     assert second.name == "Face1 of B"
 

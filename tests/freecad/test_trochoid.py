@@ -120,12 +120,12 @@ def test_an_edge_is_a_centreline_too(slot):
 
 
 def test_an_open_sketch_without_slot_width_is_refused(slot):
-    assert "set SlotWidth" in slot.refused(on_line(slot))
+    assert "set Slot width" in slot.refused(on_line(slot))
 
 
 def test_a_slot_width_below_the_tool_is_refused(slot):
     sentence = slot.refused(on_line(slot, SlotWidth=5.0))
-    assert "SlotWidth (5 mm)" in sentence and "6 mm" in sentence
+    assert "Slot width (5 mm)" in sentence and "6 mm" in sentence
 
 
 def test_a_slot_narrower_than_the_tool_is_refused_with_the_largest_tool(bench):
@@ -213,7 +213,7 @@ def test_a_slot_outside_the_stock_is_refused(bench):
 
 def test_a_slot_width_that_a_face_does_not_need_is_told(slot):
     op = slot.done(trochoid(slot, SlotWidth=8.0))
-    assert "SlotWidth was not used for Face" in op.Report
+    assert "Slot width was not used for Face" in op.Report
 
 
 def test_a_face_and_a_slot_that_overlap_are_refused(slot):

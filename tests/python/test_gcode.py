@@ -17,7 +17,7 @@ INCH = 25.4
 
 
 def test_lists_begin_with_a_rapid_to_the_start():
-    program = core.read_gcode("G0 Z5\nT2 M6\nG0 X1 Y2 S900 M3\nG1 Z-1 F50\nG3 X3 I1 F80\n")
+    program = core.read_gcode("G21 G0 Z5\nT2 M6\nG0 X1 Y2 S900 M3\nG1 Z-1 F50\nG3 X3 I1 F80\n")
     assert program.moves == [
         (RAPID, 1, 2, 5, 0, 0, 0, 0),
         (CUT, 1, 2, -1, 0, 0, 0, 50),
@@ -52,7 +52,7 @@ def test_errors_are_value_errors_with_their_line():
 
 
 def test_notes_hold_their_line_and_any_bytes():
-    program = core.read_gcode(b"(Stra\xdfe)\n$N0=\xdf\n/G0 X1 A2\n")
+    program = core.read_gcode(b"(Stra\xdfe)\n$N0=\xdf\n/G21 G0 X1 A2\n")
     assert [line for line, text in program.notes] == [2, 3, 3]
     assert program.notes[2][1] == "'A2' is not simulated."
     assert core.read_gcode("/G0 A2", block_delete=True).notes == []
@@ -67,7 +67,7 @@ def test_the_arc_tolerance_decides_how_many_lines_an_upright_arc_has():
 def test_the_example_of_the_documentation_runs_as_written(tmp_path, monkeypatch, capsys):
     page = Path(__file__).resolve().parents[2] / "docs" / "gcode.md"
     (example,) = re.findall(r"^```python\n(.*?)^```", page.read_text(), re.MULTILINE | re.DOTALL)
-    (tmp_path / "part.ngc").write_text("G0 X0 Y0 Z5\nG1 Z0 F9 A5\n")
+    (tmp_path / "part.ngc").write_text("G21 G0 X0 Y0 Z5\nG1 Z0 F9 A5\n")
     monkeypatch.chdir(tmp_path)
     exec(example, {})
     assert capsys.readouterr().out == "2 'A5' is not simulated.\n"
@@ -203,6 +203,9 @@ def test_random_programs_are_read_as_linuxcnc_reads_them(seed, tmp_path):
         "G0 X0 Y0 Z5\nG3 X0 Y0 I5 F9\nG2 I5 Z-5 P4\nG90.1 G2 X10 Y0 I5 J0\n",
         "G0 X0 Y0 Z10 F9\nG98\nG91 G81 X2 Z-3 R-8 L3\nX1\nY1\nG80\n",
         "G0 X0 Y0 Z0 F9\nG98 G81 X1 Z-5 R2\nX2\n",
+        "G0 X0 Y0 Z9 F9\nG99 G85 X1 Z-5 R2\nX2\n",
+        "G0 X0 Y0 Z9 F9\nG99 G89 X1 Z-5 R2 P1\nX2\n",
+        "M3 S100\nG0 X0 Y0 Z9 F9\nG99 G86 X1 Z-5 R2 P1\nX2\n",
         "G0 X0 Y0 Z5 F9\n(a)G1X1 2.5 y.5;z9\nN7g1z-1\n",
         "G0 X0 Y0 Z5 F9\nG28 Z7\n",
         "G0 X0 Y0 Z5 F9\nG4 P1\nX1\nG0 X5\n",

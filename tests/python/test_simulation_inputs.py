@@ -78,7 +78,7 @@ def test_samples_of_a_file_have_its_lines_and_those_of_moves_the_lines_given(tmp
 
 
 def test_a_file_s_notes_and_spindle_speed_are_taken(tmp_path):
-    text = "T1 M6\nS3000 M3\nG0 X-40 Y1.5 Z5 A2\nG1 Z-3 F600\nS4000\nT2 M6\nG1 X40 F400\n"
+    text = "T1 M6\nG21 S3000 M3\nG0 X-40 Y1.5 Z5 A2\nG1 Z-3 F600\nS4000\nT2 M6\nG1 X40 F400\n"
     run = simulated(written(tmp_path, text), BELOW, teeth=2)
     assert run.feed_per_tooth[middle(run)] == pytest.approx(400 / 3000 / 2)  # the lowest speed
     assert run.notes == [
@@ -88,6 +88,12 @@ def test_a_file_s_notes_and_spindle_speed_are_taken(tmp_path):
     ]
     own = simulated(tmp_path / "path.ngc", BELOW, teeth=2, cutting={"spindle_speed": 8000})
     assert own.feed_per_tooth[middle(own)] == pytest.approx(400 / 8000 / 2)
+
+
+def test_notes_of_a_file_that_was_cut_before_are_taken_too(tmp_path):
+    before = [(written(tmp_path, "G0 X-40 Y9 Z5\nG1 Z-3 F600\nX40\n"), 2 * RADIUS)]
+    (note,) = simulated(climb(60), BELOW, earlier=before).notes
+    assert note.startswith("Earlier cut: Line 1: The program moves before it names its units")
 
 
 def test_kinds_are_told_from_what_moves_do_in_files_only_unless_asked(tmp_path):

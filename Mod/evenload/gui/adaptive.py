@@ -7,7 +7,6 @@ from evenload.operations import adaptive
 class OperationPage(panel.OperationPage):
     kind = adaptive.Adaptive
     groups = panel.with_more("Cut", ("UseRestMachining",))
-    labels = {**panel.LABELS, "UseRestMachining": "Rest machining"}
 
 
 def create():

@@ -26,21 +26,6 @@ class OperationPage(panel.OperationPage):
         ),
         *panel.GROUPS,
     )
-    labels = {
-        **panel.LABELS,
-        "Segments": "Segments",
-        "SemiAxisA": "Semi-axis A",
-        "SemiAxisB": "Semi-axis B",
-        "ExponentStart": "First exponent",
-        "ExponentEnd": "Last exponent",
-        "Rotation": "Rotation",
-        "Pitch": "Pitch",
-        "Centre": "Centre",
-        "SemiAxisACourse": "Course of A",
-        "SemiAxisBCourse": "Course of B",
-        "ExponentCourse": "Course of exponent",
-        "Rest": "Rest",
-    }
 
 
 def create():

@@ -6,6 +6,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload.gui import views
+from evenload.labels import LABELS
 from evenload.operations import settings
 
 _gui = host.gui()
@@ -32,32 +33,6 @@ GROUPS = (
     ),
     ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs", "Check")),
 )
-LABELS = {
-    "EngagementAngle": "Engagement angle",
-    "SideStep": "Side step",
-    "CutMode": "Cut mode",
-    "StockToLeave": "Stock to leave",
-    "StockToLeaveAxial": "Stock at the floor",
-    "WallPass": "Wall pass",
-    "OrderBy": "Order by",
-    "FeedControl": "Feed control",
-    "MaximumFeed": "Maximum feed",
-    "LeastLoad": "Least load",
-    "Material": "Material",
-    "LinkFeed": "Link feed",
-    "LinkLift": "Link lift",
-    "Entry": "Entry",
-    "HelixAngle": "Helix angle",
-    "HelixDiameter": "Helix diameter",
-    "EntryPoint": "Hole at",
-    "HoleDiameter": "Hole diameter",
-    "RollRadius": "Roll radius",
-    "MinimumRadius": "Minimum radius",
-    "NarrowPassages": "Narrow passages",
-    "Tolerance": "Tolerance",
-    "Arcs": "Arcs (G2, G3)",
-    "Check": "Check against the model",
-}
 FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
 MILLIMETRES = "App::PropertyLength"
@@ -164,7 +139,6 @@ class OperationPage(_gui.op.TaskPanelPage):
     taskPanelBaseGeometryPage = BaseGeometryPage
     kind = None  # the operation's proxy class
     groups = GROUPS
-    labels = LABELS
 
     def getForm(self):
         self.settings = {setting.name: setting for setting in self.kind.settings}
@@ -186,7 +160,7 @@ class OperationPage(_gui.op.TaskPanelPage):
             for name in names:
                 widget = self._widget(name)
                 widget.setToolTip(_translate("EvenLoad", self.settings[name].doc))
-                rows.addRow(_translate("EvenLoad", self.labels[name]), widget)
+                rows.addRow(_translate("EvenLoad", LABELS[name]), widget)
                 self.widgets[name] = widget
             layout.addWidget(box)
         if self.kind.fitted:
@@ -340,9 +314,7 @@ class OperationPage(_gui.op.TaskPanelPage):
             # What is shown of a number is rounded.
             changed = (round(before, DECIMALS) if isinstance(before, float) else before) != value
             if value is None:
-                FreeCAD.Console.PrintError(
-                    "%s takes numbers, as 0; 0.1; 0.4; 1.\n" % self.labels[name]
-                )
+                FreeCAD.Console.PrintError("%s takes numbers, as 0; 0.1; 0.4; 1.\n" % LABELS[name])
             elif changed:
                 setattr(obj, name, value)
         if changed:

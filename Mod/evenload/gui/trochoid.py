@@ -7,7 +7,6 @@ from evenload.operations import trochoid
 class OperationPage(panel.OperationPage):
     kind = trochoid.Trochoid
     groups = (("Slot", ("Pattern", "SlotWidth")), *panel.GROUPS)
-    labels = {**panel.LABELS, "Pattern": "Pattern", "SlotWidth": "Slot width"}
 
 
 def create():

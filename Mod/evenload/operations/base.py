@@ -11,6 +11,8 @@ import Path
 
 from evenload import commands, compiled, host, planar, proof, shape
 from evenload import tool as tools
+from evenload.floor import name_of
+from evenload.labels import told
 from evenload.operations import checks, force, job_model, rest, stock_checks
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.operations.settings import (
@@ -36,6 +38,9 @@ class Computation:
     data: object  # tool.CuttingData
     hole: tuple  # (x, y, diameter) in mm, or None
     material: list  # the core's Regions where material stood at the lowest level
+
+
+SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
 
 
 class Operation(host.operation_base()):
@@ -243,24 +248,34 @@ class Operation(host.operation_base()):
                     self._prove(obj)
             return result
         except Exception as error:
-            obj.Path = Path.Path()
-            obj.CycleTime = ""
-            self._clear_results(obj)
+            ours = not isinstance(error, SENTENCES)
+            sentence = "EvenLoad failed: %s." % host.named(error) if ours else told(str(error))
+            self.empty(obj, sentence)
             rest.empty_after(obj)
-            if not isinstance(error, (ValueError, ImportError)):
-                obj.Report = "EvenLoad failed: %s." % _internal(error)
+            if ours:
                 raise
-            obj.Report = str(error)
             if isinstance(error, Cancelled):
                 obj.UncutArea = error.uncut_area
                 obj.Path = Path.Path([Path.Command(NOTHING_IS_CUT)])
-            raise Refusal(obj.Report) from None
+            raise Refusal(sentence) from None
+
+    def empty(self, obj, why):
+        """Leaves nothing that could pass for a computed operation: no path, no times, no results;
+        Report says why.
+        """
+        self.last = None
+        obj.Path = Path.Path()
+        obj.CycleTime = ""
+        self._clear_results(obj)
+        obj.Report = why
 
     def opExecute(self, obj):
         core = compiled.core()
         tool, data = tools.read(obj.ToolController)
-        levels = checks.settings(obj, tool, data)
+        # Geometry first: depths follow it, and what is wrong with them then is not the cause.
+        checks.for_geometry(obj)
         floors = self.floors(obj, tool)
+        levels = checks.settings(obj, tool, data)
         regions = [floor.region() for floor in floors]
         stock_checks.refuse_floors_below(obj, floors)
         stock_checks.refuse_material_above(obj, core, tool, regions)
@@ -282,8 +297,8 @@ class Operation(host.operation_base()):
         self.commandlist.extend(commands.from_moves(toolpath, left_out_from=last))
         material = regions if stock is None else next(filter(None, reversed(stock)), [])
         self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
-        notes += self._notes(floors, obj.FinalDepth.Value) + stock_checks.notes_of(obj)
-        notes += force.notes(obj, tool)
+        notes += _spindle_notes(obj, data) + self._notes(floors, obj.FinalDepth.Value)
+        notes += stock_checks.notes_of(obj) + force.notes(obj, tool)
         self._set_results(obj, toolpath.report, notes)
         for name, value in own.items():
             self._quietly(obj, name, value)
@@ -341,18 +356,14 @@ class Operation(host.operation_base()):
     @staticmethod
     def _notes(floors, final_depth):
         notes = [note for floor in floors for note in floor.notes]
+        beside = {}  # faces by how far FinalDepth lies from them
         for floor in floors:
-            above = floor.z - final_depth
+            above = round(floor.z - final_depth, 4)
             if floor.is_face and abs(above) > LEVEL:
-                notes.append(
-                    "FinalDepth lies %g mm %s %s%s."
-                    % (
-                        round(abs(above), 4),
-                        "below" if above > 0 else "above",
-                        floor.name,
-                        ": the tool cuts into it" if above > 0 else ": the rest of it stays",
-                    )
-                )
+                beside.setdefault(above, []).extend(floor.parts)
+        for above, parts in beside.items():
+            what = "below %s: the tool cuts into it." if above > 0 else "above %s: the rest stays."
+            notes.append("FinalDepth lies %g mm " % abs(above) + what % name_of(parts))
         return notes
 
     def _check_job(self, obj):
@@ -372,7 +383,7 @@ class Operation(host.operation_base()):
         return {
             "tool_diameter": tool.diameter,
             "engagement_angle": math.radians(obj.EngagementAngle.Value),
-            "cut_mode": obj.CutMode.lower(),
+            "cut_mode": _core_cut_mode(obj, data),
             "feed_control": obj.FeedControl.lower(),
             "feed": data.feed,
             "plunge_feed": data.plunge_feed,
@@ -432,7 +443,7 @@ class Operation(host.operation_base()):
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
         obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.Report = "\n".join([*notes, *report.notes])
+        obj.Report = "\n".join(told(note) for note in [*notes, *report.notes])
 
     def _clear_results(self, obj):
         for setting in self.results:
@@ -482,11 +493,23 @@ def _show(obj):
         views.attach(obj)
 
 
-def _internal(error):
-    """What an unexpected error says; FreeCAD's own carry a dictionary."""
-    first = error.args[0] if error.args else ""
-    text = first.get("sErrMsg", "") if isinstance(first, dict) else str(error)
-    return "%s: %s" % (type(error).__name__, text.strip().rstrip("."))
+def _core_cut_mode(obj, data):
+    """The cut mode as the core has it, whose spindle turns clockwise."""
+    if data.spindle != tools.REVERSE:
+        return obj.CutMode.lower()
+    return "conventional" if obj.CutMode == "Climb" else "climb"
+
+
+def _spindle_notes(obj, data):
+    controller = obj.ToolController.Label
+    if data.spindle == tools.REVERSE:
+        return [
+            "The spindle of '%s' turns counter-clockwise, as its SpindleDir says: the path goes "
+            "the other way round, so that it cuts as %s." % (controller, obj.CutMode.lower())
+        ]
+    if data.spindle == tools.STANDING:
+        return ["The spindle of '%s' does not turn: set its SpindleDir." % controller]
+    return []
 
 
 def _set(obj, name, value):

@@ -1,9 +1,17 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
+from evenload.floor import listed
 from evenload.operations.settings import HOLE_ENTRIES, POSITIVE
 
 MOST_LEAST_LOAD = 0.95
+MOST_LEVELS = 5000  # more is a slip of the pen, and would take days
+
+
+def for_geometry(obj):
+    """Raises ValueError for settings that reading the base geometry needs."""
+    if not obj.Tolerance.Value > 0:
+        raise ValueError("Tolerance is %s: it must be positive." % _text(obj, "Tolerance"))
 
 
 def settings(obj, tool, data):
@@ -17,6 +25,12 @@ def settings(obj, tool, data):
         raise ValueError(
             "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
             % (obj.SideStep.Value, tool.diameter)
+        )
+    # Nothing could be held that is less than what the path may be off; it would not end, either.
+    if obj.SideStep.Value < obj.Tolerance.Value:
+        raise ValueError(
+            "SideStep is %g mm, less than the Tolerance of %g mm: raise EngagementAngle."
+            % (obj.SideStep.Value, obj.Tolerance.Value)
         )
     for name in POSITIVE:
         if not getattr(obj, name).Value > 0:
@@ -51,11 +65,16 @@ def _levels(obj, tool):
         )
     if not start > last:
         raise ValueError(
-            "StockToLeaveAxial (%g mm) leaves nothing to cut between StartDepth (%g mm) and "
-            "FinalDepth (%g mm): lower it." % (last - final, start, final)
+            "StockToLeaveAxial is %g mm: between StartDepth (%g mm) and FinalDepth (%g mm) that "
+            "leaves nothing to cut, lower it." % (last - final, start, final)
         )
     if not step > 0:
         raise ValueError("StepDown is %g mm: it must be positive." % step)
+    if start - last > MOST_LEVELS * step:
+        raise ValueError(
+            "StepDown is %g mm: from StartDepth to FinalDepth that makes more than %d levels, "
+            "raise it." % (step, MOST_LEVELS)
+        )
     if tool.cutting_length and start - last > tool.cutting_length + 1e-6:
         raise ValueError(
             "The depth of %g mm is more than the cutting length of %g mm of the tool '%s': "
@@ -94,8 +113,8 @@ def hole(obj, tool, floors):
         )
     if not any(floor.contains(at.x, at.y) for floor in floors):
         raise ValueError(
-            "EntryPoint (%g, %g) lies outside %s: move it inside."
-            % (at.x, at.y, " and ".join(floor.name for floor in floors))
+            "EntryPoint is (%g, %g), outside %s: move it inside."
+            % (at.x, at.y, listed([floor.name for floor in floors], " and ", "others"))
         )
     return at.x, at.y, diameter
 

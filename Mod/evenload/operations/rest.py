@@ -5,7 +5,6 @@ an operation with UseRestMachining links to all before it, in EarlierOperations:
 after them, and again whenever one of them changes.
 """
 
-import FreeCAD
 import Path
 
 from evenload import host
@@ -60,7 +59,7 @@ def wait_for_earlier(op):
     """Links an operation to those before it; raises ValueError where one is not up to date."""
     link_all(host.parent_job(op))
     for earlier in op.EarlierOperations:
-        if host.is_active(earlier) and _is_waiting(earlier):
+        if host.is_active(earlier) and any(map(_is_waiting, host.all_under(earlier))):
             raise ValueError(
                 "The path of '%s', which comes before '%s', is not up to date: recompute the "
                 "document once more." % (earlier.Label, op.Label)
@@ -68,24 +67,27 @@ def wait_for_earlier(op):
 
 
 def empty_after(failed):
-    """Empties the paths of rest machining that rely on an operation which failed: FreeCAD leaves
-    them as they were.
+    """Empties what relies on an operation that failed: its dressups and arrays, and rest machining
+    after it. FreeCAD leaves them as they were, to be recomputed, and posts would write them.
     """
     job = host.parent_job(failed)
     for item in host.operations(job) if job is not None else ():
-        op = host.operation_under(item)
-        if failed in map(host.operation_under, getattr(op, "EarlierOperations", [])):
-            op.Path = Path.Path()
-            op.Report = "'%s', which comes before '%s', failed: mend it and recompute." % (
-                failed.Label,
-                op.Label,
-            )
+        for obj in host.all_under(item):
+            made_of = host.all_under(obj)
+            earlier = [e for o in made_of for e in getattr(o, "EarlierOperations", [])]
+            if obj is failed or not any(failed in host.all_under(o) for o in [obj, *earlier]):
+                continue
+            if hasattr(obj, "EarlierOperations"):
+                obj.Proxy.empty(
+                    obj,
+                    "'%s', which comes before '%s', failed: mend it and recompute."
+                    % (failed.Label, obj.Label),
+                )
+            else:
+                obj.Path = Path.Path()
+            obj.touch()  # it is out of date also where the document is saved now and opened again
 
 
 def _is_waiting(item):
-    """Whether an operation, or one that its dressups dress, is still to be recomputed."""
-    while isinstance(item, FreeCAD.DocumentObject) and hasattr(item, "Path"):
-        if "Touched" in item.State or not item.isValid():
-            return True
-        item = getattr(item, "Base", None)
-    return False
+    """Whether an operation, dressup or array is still to be recomputed."""
+    return "Touched" in item.State or not item.isValid()

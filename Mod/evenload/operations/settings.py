@@ -60,7 +60,7 @@ SETTINGS = (
         "CutMode",
         "App::PropertyEnumeration",
         ["Climb", "Conventional"],
-        "Which way the cutting edges meet the material, for a spindle that turns clockwise",
+        "Which way the cutting edges meet the material, whichever way the spindle turns",
     ),
     Setting(
         "FeedControl",

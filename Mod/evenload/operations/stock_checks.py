@@ -56,7 +56,5 @@ def refuse_material_above(op, core, tool, regions):
 
 
 def _highest(heights, regions, z, tool):
-    found = [
-        heights.highest_within(region, z, INSET, LOOKS * tool.diameter) for region in regions
-    ]
+    found = [heights.highest_within(region, z, INSET, LOOKS * tool.diameter) for region in regions]
     return max(filter(None, found), key=lambda place: place[2], default=None)

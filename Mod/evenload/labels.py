@@ -1,0 +1,81 @@
+"""What the user sees a setting called: the one table for panels and messages.
+
+Code and the core name settings as macros and job files do, by their properties; `told` puts the
+panel's labels into a sentence on its way to the user.
+"""
+
+import re
+
+LABELS = {
+    "EngagementAngle": "Engagement angle",
+    "SideStep": "Side step",
+    "CutMode": "Cut mode",
+    "StockToLeave": "Stock to leave",
+    "StockToLeaveAxial": "Stock at the floor",
+    "WallPass": "Wall pass",
+    "OrderBy": "Order by",
+    "FeedControl": "Feed control",
+    "MaximumFeed": "Maximum feed",
+    "LeastLoad": "Least load",
+    "Material": "Material",
+    "LinkFeed": "Link feed",
+    "LinkLift": "Link lift",
+    "Entry": "Entry",
+    "HelixAngle": "Helix angle",
+    "HelixDiameter": "Helix diameter",
+    "EntryPoint": "Hole at",
+    "HoleDiameter": "Hole diameter",
+    "RollRadius": "Roll radius",
+    "MinimumRadius": "Minimum radius",
+    "NarrowPassages": "Narrow passages",
+    "Tolerance": "Tolerance",
+    "Arcs": "Arcs (G2, G3)",
+    "Check": "Check against the model",
+    "UseRestMachining": "Rest machining",
+    "Pattern": "Pattern",
+    "SlotWidth": "Slot width",
+    "Segments": "Segments",
+    "SemiAxisA": "Semi-axis A",
+    "SemiAxisB": "Semi-axis B",
+    "ExponentStart": "First exponent",
+    "ExponentEnd": "Last exponent",
+    "Rotation": "Rotation",
+    "Pitch": "Pitch",
+    "Centre": "Centre",
+    "SemiAxisACourse": "Course of A",
+    "SemiAxisBCourse": "Course of B",
+    "ExponentCourse": "Course of exponent",
+    "Rest": "Rest",
+}
+# On FreeCAD's own pages of an operation and of its tool controller.
+FREECADS = {
+    "StartDepth": "Start Depth",
+    "FinalDepth": "Final Depth",
+    "StepDown": "Step Down",
+    "SafeHeight": "Safe Height",
+    "ClearanceHeight": "Clearance Height",
+    "HorizFeed": "Horizontal Feed",
+    "VertFeed": "Vertical Feed",
+    "SpindleDir": "Spindle Direction",
+}
+
+
+def told(text):
+    """A text with the labels of the properties that it names. The property's name follows in
+    parentheses where the label does not show what it is.
+    """
+    return _NAMES.sub(lambda found: _IN_TEXT[found.group()], text)
+
+
+def _in_text(name, label):
+    same = re.sub("[^a-z]", "", label.lower()) == name.lower()
+    return label if same else "%s (%s)" % (label, name)
+
+
+# Names that are words of English too are their own labels, and stay.
+_IN_TEXT = {
+    name: _in_text(name, label)
+    for name, label in {**LABELS, **FREECADS}.items()
+    if name not in ("Arcs", "Check", label)
+}
+_NAMES = re.compile(r"\b(?:%s)\b" % "|".join(_IN_TEXT))
