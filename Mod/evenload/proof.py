@@ -106,10 +106,9 @@ def earlier(job, operation):
             if not tools.other_shape(controller):
                 result.append((_program(other), diameter, corner))
             elif tools.is_drill(controller):
-                # Down to where its point begins, the hole is as wide as the drill.
-                point = tools.point_length(controller)
-                moves = [(*m[:3], m[3] + point, *m[4:]) for m in _program(other).moves]
-                result.append((moves, diameter, 0.0))
+                moves = _program(other).moves
+                for above, width in tools.discs(controller):
+                    result.append(([(*m[:3], m[3] + above, *m[4:]) for m in moves], width, 0.0))
     return result
 
 
