@@ -36,7 +36,6 @@ BEYOND = 0.1
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
 # exact at any.
 COARSE = 0.25
-POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -220,23 +219,9 @@ def cut_before(operation, notes):
             continue
         result += [
             ([(*m[:3], m[3] + above, *m[4:]) for m in moves], width)
-            for above, width in _discs(controller)
+            for above, width in tools.discs(controller)
         ]
     return result + _hole(inner, top)
-
-
-def _discs(controller):
-    """[(mm above the tip, diameter), ...] of flat tools within a tool, the widest first: together
-    they clear no more than the tool does, whose end is a cone or has a rounded corner.
-    """
-    diameter = tools.diameter(controller)
-    if tools.is_drill(controller):
-        point = tools.point_length(controller)
-        shares = [1 - k / POINT_STEPS for k in range(POINT_STEPS)]
-        return [(share * point, share * diameter) for share in shares]
-    corner = tools.corner_radius(controller)
-    discs = [(corner, diameter), (0.0, diameter - 2 * corner)] if corner > 0 else [(0.0, diameter)]
-    return [(above, width) for above, width in discs if width > 0]
 
 
 def _hole(operation, top):

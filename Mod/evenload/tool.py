@@ -31,6 +31,7 @@ OTHER_SHAPES = {
     "vbit": "a V bit",
 }
 END_MILLS = ("endmill", "bullnose")
+POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
 DRILL_POINT_DEG = 118.0  # of drills, where nobody says
 # A tool bit of a shape that FreeCAD does not bring along is no end mill when it has one of these.
 ANGLES = ("CuttingEdgeAngle", "TipAngle", "cuttingAngle", "CuttingAngle", "TipDiameter")
@@ -141,6 +142,20 @@ def point_length(controller):
     if not 0 < angle < 180:
         angle = DRILL_POINT_DEG
     return 0.5 * diameter(controller) / math.tan(0.5 * math.radians(angle))
+
+
+def discs(controller):
+    """[(mm above the tip, diameter), ...] of flat tools within a tool, the widest first: together
+    they clear no more than the tool does, whose end is a cone or has a rounded corner.
+    """
+    whole = diameter(controller)
+    if is_drill(controller):
+        point = point_length(controller)
+        shares = [1 - k / POINT_STEPS for k in range(POINT_STEPS)]
+        return [(share * point, share * whole) for share in shares]
+    corner = corner_radius(controller)
+    found = [(corner, whole), (0.0, whole - 2 * corner)] if corner > 0 else [(0.0, whole)]
+    return [(above, width) for above, width in found if width > 0]
 
 
 def other_shape(controller):

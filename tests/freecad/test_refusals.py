@@ -31,7 +31,7 @@ def test_a_refusal_is_one_line(tmp_path):
     script.write_text(REFUSED % os.path.dirname(os.path.abspath(__file__)))
     _, log = freecad(str(script))
     assert "valid: False" in log and "Traceback" not in log
-    assert [line for line in log.splitlines() if "EngagementAngle" in line] == [
+    assert [line for line in log.splitlines() if "Engagement angle" in line] == [
         "<class 'EvenLoad.Refusal'>: Engagement angle is 200 degrees: it must lie between 0 and 180 "
         "degrees."
     ]
