@@ -21,15 +21,17 @@ UNCHECKED = "Not checked against the model: Check is off."
 # mm that a gouge may be deeper than the tolerance before it counts: what points, 1 per SPACING of
 # the tool, leave uncertain on curves, and the rounding of posts.
 BEYOND_TOLERANCE = 0.01
-SPACING = 0.05  # tool diameters between points of edges and sections
+SPACING = 0.03  # tool diameters between points of edges and sections
 RASTER = 0.25  # tool diameters between points of upper sides
 MOST_PER_SIDE = 400  # of that raster
 ABOVE_LEVEL = 2e-3  # mm: sections are made so far above a path's levels
 MOST_SECTIONS = 40  # levels at which a model that leans is cut; what lies between is seen at edges
 DEEPER = 1e-3  # mm below a face, from which on the operation is meant to cut into it
 BESIDE = 0.05  # mm beside a face's edge, where a model is looked for that its border keeps off
+AROUND = [(math.cos(k * math.pi / 4), math.sin(k * math.pi / 4)) for k in range(8)]
 FEWEST = 9  # points along an edge
-SLOT_SAMPLES = 0.1  # slot widths between places of a centreline, of what the slot covers
+ON_BORDER = 0.01  # mm: points so near to a border are on it; polygons leave it by half of that
+SLOT_SAMPLES = 0.02  # slot widths between places of a centreline, of what the slot covers
 NEARER = 1e-3  # mm by which a centreline may come nearer to a slot's border than half its width
 FIRST_LINES = "G21 G90\nF600\n"  # for the reader of G-code: FreeCAD's paths are always in mm
 NO_POINTS = numpy.zeros((0, 3))
@@ -147,7 +149,7 @@ class _Drawn:
     def __init__(self, operation):
         self.name = ""
         self.depth = operation.FinalDepth.Value
-        self._grounds = []  # nested polygons of each outline or face
+        self._grounds = []  # (height of a face, nested polygons); no height for outlines
         self._outlines, self._faces, self._curves = [], [], []  # edges
         self._width = getattr(getattr(operation, "SlotWidth", None), "Value", 0.0)
         labels = []
@@ -169,8 +171,9 @@ class _Drawn:
         level = [face.translated(UP * -face.BoundBox.ZMax) for face in faces]
         if len(level) > 1:  # what two of them share is no border
             level = level[0].fuse(level[1:]).removeSplitter().Faces
+        height = max((face.BoundBox.ZMax for face in faces), default=-math.inf)
         for face in level:
-            self._grounds.append([points_of(wire) for wire in face.Wires])
+            self._grounds.append((height, [points_of(wire) for wire in face.Wires]))
             self._faces += face.Edges
 
     def _add_edges(self, edges):
@@ -180,24 +183,33 @@ class _Drawn:
             return
         closed = [wire for wire in wires if wire.isClosed()]
         if closed:
-            self._grounds.append([points_of(wire) for wire in closed])
+            self._grounds.append((-math.inf, [points_of(wire) for wire in closed]))
             self._outlines += [edge for wire in closed for edge in wire.Edges]
 
-    def _within(self, flat):
-        """For each of some points, n x 2, whether it lies on a ground that is to be cut."""
+    def _within(self, flat, margin):
+        """For each of some points, n x 2, whether it lies on a ground that is to be cut, and so
+        many mm off its border; with a negative margin whether it lies so near to one.
+        """
+        around = [flat + margin * numpy.array(side) for side in AROUND]
         result = numpy.zeros(len(flat), bool)
-        for polygons in self._grounds:
-            result |= inside(flat, polygons)
+        for _, polygons in self._grounds:
+            found = [inside(moved, polygons) for moved in around]
+            result |= numpy.all(found, axis=0) if margin > 0 else numpy.any(found, axis=0)
+        away = numpy.full(len(flat), math.inf)
         for x, y in self._samples(SLOT_SAMPLES * self._width):
-            result |= numpy.hypot(flat[:, 0] - x, flat[:, 1] - y) < 0.5 * self._width
-        return result
+            away = numpy.minimum(away, numpy.hypot(flat[:, 0] - x, flat[:, 1] - y))
+        return result | (away < 0.5 * self._width - margin)
 
     def left(self, points):
         """Those of the points, n x 3, that must stay nevertheless."""
         if not self.name or not len(points):
             return points
         flat = numpy.ascontiguousarray(points[:, :2])
-        return points[~self._within(flat) | (points[:, 2] < self.depth)]
+        goes = self._within(flat, ON_BORDER)
+        # A face's own edge goes with it; what rises from there stays.
+        height = max((height for height, _ in self._grounds), default=-math.inf)
+        goes |= self._within(flat, -ON_BORDER) & (points[:, 2] < height + DEEPER)
+        return points[~goes | (points[:, 2] < self.depth)]
 
     def borders(self, spacing, stock, models):
         """Points of what must not be passed, n x 3, as high as what stands there. stock and
@@ -211,7 +223,7 @@ class _Drawn:
                 beyond = numpy.array(
                     [(p.x + s * side.x, p.y + s * side.y) for s in (BESIDE, -BESIDE)]
                 )
-                for x, y in beyond[~self._within(beyond)]:
+                for x, y in beyond[~self._within(beyond, ON_BORDER)]:
                     top = max((model.top_at(x, y) for model in models), default=-math.inf)
                     points.append((p.x, p.y, top))
         points = [point for point in points if math.isfinite(point[2])]

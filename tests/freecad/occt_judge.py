@@ -1,7 +1,8 @@
 """A judge of paths by OpenCASCADE's booleans: the tool's swept body against models and stock.
 
-It shares nothing with the addon: commands are followed here, swept bodies are solids. Slow, so only
-moves are put to it that come near what they must not touch; which do, points of edges tell.
+It shares nothing with the addon: commands are followed here, swept bodies are solids. Slow, so of
+the moves that come near what they must not touch only each EVERY-th is put to it, and all those that
+points of the models' edges find too near.
 """
 
 import math
@@ -15,7 +16,10 @@ TOUCH = 0.02  # mm: the rim of a tool may touch what stands
 LEAST = 1e-4  # mm3: less is rounding of the booleans
 HIGH = 1000.0  # mm: tools reach as far up
 FLAT = 1e-6  # mm
-NEAR = 0.06  # mm: moves that stay further away are not put to the booleans
+NEAR = 0.06  # mm: moves that stay further away from points of a model touch none of it
+SUSPECT = 0.002  # mm: moves that come nearer than is allowed, or miss it by so little
+DENSE = 0.1  # mm between these points
+EVERY = 8
 
 
 class Move:
@@ -104,11 +108,15 @@ def swept(move, radius, raised=0.0):
 def gouges(moves, models, radius, tolerance):
     """[(mm3, move), ...] of moves that cut deeper into a model than is allowed."""
     allowed = GOUGE + tolerance
-    found = []
+    found, near = [], 0
     for model in models:
         points = _surface(model)
         for move in moves:
-            if move.low + allowed >= model.BoundBox.ZMax or not _is_near(move, points, radius):
+            if move.low + allowed >= model.BoundBox.ZMax:
+                continue
+            away = _distance(move, points) - radius
+            near += away < NEAR
+            if away > NEAR or (away > SUSPECT - allowed and near % EVERY):
                 continue
             if not move.is_level() and move.length() > FLAT:
                 continue  # helices and ramps go where a level turn goes after them, at its depth
@@ -129,19 +137,24 @@ def _surface(shape):
 
 
 def _along(edge):
-    return edge.discretize(Number=max(2, math.ceil(edge.Length / 0.5) + 1))
+    return edge.discretize(Number=max(2, math.ceil(edge.Length / DENSE) + 1))
 
 
-def _is_near(move, points, radius):
+def _distance(move, points):
+    """mm from a move to the nearest of the points that lie higher, seen from above."""
     high = points[points[:, 2] > move.low + FLAT]
     if not len(high):
-        return False
-    count = max(2, math.ceil(move.length() / 0.5) + 1)
-    for k in range(count):
-        p = move.point(k / (count - 1))
-        if (numpy.hypot(high[:, 0] - p.x, high[:, 1] - p.y) < radius + NEAR).any():
-            return True
-    return False
+        return math.inf
+    if move.centre is None:
+        along = numpy.array([move.end.x - move.start.x, move.end.y - move.start.y])
+        arms = high[:, :2] - (move.start.x, move.start.y)
+        share = numpy.clip(arms @ along / max(along @ along, FLAT**2), 0, 1)
+        return float(numpy.hypot(*(arms - share[:, None] * along).T).min())
+    count = max(2, math.ceil(move.length() / DENSE) + 1)
+    places = numpy.array([tuple(move.point(k / (count - 1)))[:2] for k in range(count)])
+    reach = numpy.hypot(*(high[:, :2] - places[0]).T) < move.length() + 20
+    away = numpy.hypot(*(high[reach, None, :2] - places[None]).transpose(2, 0, 1))
+    return float(away.min(initial=math.inf))
 
 
 def collisions(moves, stock, radius, earlier=()):

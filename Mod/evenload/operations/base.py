@@ -275,9 +275,9 @@ class Operation(host.operation_base()):
         # Geometry first: depths follow it, and what is wrong with them then is not the cause.
         checks.for_geometry(obj)
         floors = self.floors(obj, tool)
+        stock_checks.refuse_floors_below(obj, floors)
         levels = checks.settings(obj, tool, data)
         regions = [floor.region() for floor in floors]
-        stock_checks.refuse_floors_below(obj, floors)
         stock_checks.refuse_material_above(obj, core, tool, regions)
         hole = checks.hole(obj, tool, floors)
         with self._watch(obj) as watch:

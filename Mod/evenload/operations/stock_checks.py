@@ -1,4 +1,4 @@
-"""Whether an operation fits into its job's stock: floors within it, and nothing above StartDepth."""
+"""Whether an operation fits into its stock: floors within it, and nothing above StartDepth."""
 
 from evenload import body, host, job_simulation
 from evenload.operations import rest
@@ -50,8 +50,9 @@ def refuse_material_above(op, core, tool, regions):
     if sum(region.area for region in left) < LEAST * tool.diameter**2:
         return
     raise ValueError(
-        "Material stands up to %g mm, above StartDepth (%g mm), near (%.3f, %.3f): raise StartDepth, "
-        "or clear it before." % (round(place[2], 3), op.StartDepth.Value, *left[0].outer[0][:2])
+        "Material stands up to %g mm, above StartDepth (%g mm), near (%.3f, %.3f): raise "
+        "StartDepth, or clear it before."
+        % (round(place[2], 3), op.StartDepth.Value, *left[0].outer[0][:2])
     )
 
 
