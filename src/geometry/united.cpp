@@ -36,7 +36,8 @@ std::vector<Vec2> points_of(const Polygon& polygon, double tolerance) {
   if (!bg::equals(ring.front(), ring.back())) ring.push_back(ring.front());
   bg::simplify(ring, simple, tolerance);
   std::vector<Vec2> points;
-  for (std::size_t i = 0; i + 1 < simple.size(); ++i) points.push_back({simple[i].x(), simple[i].y()});
+  for (std::size_t i = 0; i + 1 < simple.size(); ++i)
+    points.push_back({simple[i].x(), simple[i].y()});
   return points;
 }
 

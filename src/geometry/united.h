@@ -14,8 +14,8 @@ namespace evenload {
 // mm: the raster of the corners. Coordinates reach 20 m to all sides on it.
 inline constexpr double kUnitedGrid = 1e-5;
 
-// tolerance: mm by which corners that are left out lie beside the lines in their place, at the most.
-// Throws std::invalid_argument for coordinates off that raster's range.
+// tolerance: mm by which corners that are left out lie beside the lines in their place, at the
+// most. Throws std::invalid_argument for coordinates off that raster's range.
 std::vector<std::vector<Vec2>> united(const std::vector<std::vector<Vec2>>& polygons,
                                       double tolerance);
 

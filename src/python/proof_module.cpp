@@ -117,7 +117,10 @@ void bind_proof(py::module_& module) {
                         "numbers, m x 3.")
       .def(py::init(&map_from), py::arg("points"), py::arg("triangles"))
       .def(
-          "top_at", [](const HeightMap& map, double x, double y) { return map.top_at({x, y}); },
+          "top_at",
+          [](const HeightMap& map, double x, double y) {
+            return map.top_at({x, y});
+          },
           py::arg("x"), py::arg("y"), "z of the upper side, -inf where there is none.")
       .def(
           "raster",
@@ -137,8 +140,8 @@ void bind_proof(py::module_& module) {
           "Places of the upper side on a raster between two corners, n x 3, mm.")
       .def(
           "highest_within",
-          [](const HeightMap& map, const Region& region, double z, double inset, double spacing)
-              -> std::optional<std::tuple<double, double, double>> {
+          [](const HeightMap& map, const Region& region, double z, double inset,
+             double spacing) -> std::optional<std::tuple<double, double, double>> {
             const auto found = map.highest_within(region, z, inset, spacing);
             if (!found) return std::nullopt;
             return std::make_tuple(found->x, found->y, found->z);

@@ -109,17 +109,14 @@ void HeightMap::raise(std::vector<DexelRow>& rows, double first, double spacing,
         ends.push_back({a.x + t * (b.x - a.x), y, a.z + t * (b.z - a.z)});
       }
       if (ends.size() < 2) continue;
-      const auto [left, right] =
-          std::minmax_element(ends.begin(), ends.end(),
-                              [](const Point3& p, const Point3& q) { return p.x < q.x; });
+      const auto [left, right] = std::minmax_element(
+          ends.begin(), ends.end(), [](const Point3& p, const Point3& q) { return p.x < q.x; });
       const double width = right->x - left->x, rise = right->z - left->z;
-      const int steps =
-          rise == 0 ? 1 : std::max(1, static_cast<int>(std::ceil(width / spacing)));
+      const int steps = rise == 0 ? 1 : std::max(1, static_cast<int>(std::ceil(width / spacing)));
       for (int k = 0; k < steps; ++k) {
         const double t0 = static_cast<double>(k) / steps, t1 = static_cast<double>(k + 1) / steps;
-        rows[static_cast<std::size_t>(j)].raise(
-            left->x + t0 * width, left->x + t1 * width,
-            std::max(left->z + t0 * rise, left->z + t1 * rise));
+        rows[static_cast<std::size_t>(j)].raise(left->x + t0 * width, left->x + t1 * width,
+                                                std::max(left->z + t0 * rise, left->z + t1 * rise));
       }
     }
   }
@@ -150,8 +147,7 @@ std::optional<Point3> HeightMap::highest_within(const Region& region, double z, 
       look({from.x, from.y}, from.z + kAbove);
       look({to.x, to.y}, to.z + kAbove);
       look({0.5 * (from.x + to.x), 0.5 * (from.y + to.y)}, 0.5 * (from.z + to.z) + kAbove);
-      sum = {sum.x + (from.x + to.x) / 6, sum.y + (from.y + to.y) / 6,
-             sum.z + (from.z + to.z) / 6};
+      sum = {sum.x + (from.x + to.x) / 6, sum.y + (from.y + to.y) / 6, sum.z + (from.z + to.z) / 6};
     }
     look({sum.x, sum.y}, sum.z + kAbove);
   });

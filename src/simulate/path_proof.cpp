@@ -140,8 +140,8 @@ class Material {
       const auto clear = [&](double at) {
         const double away = distance(way.point(at), place.p);
         if (away > radius) return;
-        const double z = way.length() > 0 ? from.z + at * (move.z - from.z)
-                                          : std::min(from.z, move.z);
+        const double z =
+            way.length() > 0 ? from.z + at * (move.z - from.z) : std::min(from.z, move.z);
         place.height = std::min(place.height, away > flat ? z + tool.corner_radius : z);
       };
       clear(t);

@@ -32,9 +32,9 @@ struct EarlierPath {
 };
 
 struct ProofLimits {
-  double gouge = 0.015;     // mm into a body that are none yet
-  double material = 0.02;   // mm of material under the tool that are none yet
-  double rim = 0.02;        // mm of the tool's rim that may touch what stands
+  double gouge = 0.015;    // mm into a body that are none yet
+  double material = 0.02;  // mm of material under the tool that are none yet
+  double rim = 0.02;       // mm of the tool's rim that may touch what stands
 };
 
 enum class FaultKind { kGouge, kRapid, kPlunge };
