@@ -13,7 +13,7 @@ from evenload import tool as tools
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, face_of, rectangle, sketch_of
 
-SEEDS = range(24)
+SEEDS = (0, 1, 2, 3, 5, 6, 10, 13, 16, 18, 23, 26)  # of jobs of all kinds
 
 
 @pytest.fixture(scope="module", params=SEEDS)
