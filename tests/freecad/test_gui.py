@@ -112,7 +112,8 @@ def test_cancel_stops_the_computation_and_keeps_what_there_is(session):
     assert seen[0]["title"] == "EvenLoadAdaptive" and seen[0]["modal"]
     assert "Cancelled" in report and session["after_cancel"]
     whole_report, whole_commands = session["whole"]
-    assert "Cancelled" not in whole_report and 10 < commands < whole_commands
+    # Where the click comes in the opening spiral no pass is made yet.
+    assert "Cancelled" not in whole_report and commands < whole_commands
 
 
 def test_an_error_shows_its_sentence(session):
