@@ -160,6 +160,7 @@ void ClearedGround::visit_cells(const SweptMove& swept, Visit visit) {
 
 void ClearedGround::add(const Segment& move, double swept_radius) {
   EVENLOAD_ASSERT(std::isfinite(move.a.x + move.a.y + move.b.x + move.b.y));
+  count_look();
   const SweptMove swept(move, swept_radius);
   moves_.push_back(swept);
   marks_.push_back({entries_.size(), thinnings_.size()});
@@ -240,6 +241,7 @@ void ClearedGround::settle(std::size_t first) {
 
 void ClearedGround::remove_last() {
   EVENLOAD_ASSERT(moves_.size() > settled_);
+  count_look();
   const SweptMove swept = moves_.back();
   moves_.pop_back();
   const auto id = static_cast<std::int32_t>(moves_.size());
@@ -319,6 +321,7 @@ void ClearedGround::subtract_near(const Window& window, const Cell& cell, const 
 template <typename Continue>
 void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                                std::vector<AngularInterval>& set, Continue go_on) const {
+  count_look();
   thread_local Seen seen;
   ++seen.look;
   if (seen.moves.size() < moves_.size()) seen.moves.resize(2 * moves_.size(), 0);

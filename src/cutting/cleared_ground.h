@@ -22,11 +22,14 @@
 #include "geometry/boundary_index.h"
 #include "geometry/box_tree.h"
 #include "geometry/region.h"
+#include "support/progress.h"
 
 namespace evenload {
 
 // mm: material thinner than this does not count as material; above the tolerance of offsets.
 inline constexpr double kCoverTolerance = 2e-5;
+// A look takes some microseconds.
+inline constexpr std::uint32_t kLooksOfStep = 256;
 
 class ClearedGround {
  public:
@@ -37,6 +40,11 @@ class ClearedGround {
   ClearedGround(const Bounds& bounds, double tool_radius, const std::vector<Region>* material);
 
   double tool_radius() const { return tool_radius_; }
+
+  // From now on every kLooksOfStep looks at circles, and moves that are added or taken back, are a
+  // step of `progress`, which must outlive this and its copies: nearly all work that takes long
+  // consists of them. Where one throws Cancelled the ground is as it was before.
+  void tell(Progress& progress) { progress_ = &progress; }
 
   void add(const Segment& move) { add(move, tool_radius_); }
   void add(const Segment& move, double swept_radius);
@@ -112,6 +120,9 @@ class ClearedGround {
   };
   void subtract_near(const Window& window, const Cell& cell, const CircleLook& look,
                      AngularInterval part, Seen& seen, std::vector<AngularInterval>& set) const;
+  void count_look() const {
+    if (progress_ && ++looks_ % kLooksOfStep == 0) progress_->step();
+  }
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;
@@ -154,6 +165,8 @@ class ClearedGround {
   BoxTree edge_boxes_;
   BoundaryIndex material_{std::vector<Curve>{}};
   bool limited_ = false;
+  Progress* progress_ = nullptr;
+  mutable std::uint32_t looks_ = 0;
 };
 
 }  // namespace evenload

@@ -59,8 +59,9 @@ bool has_jump(const LoadSample* samples, std::size_t count) {
 // A cut from link to link.
 class ConstantLoad::Stretch {
  public:
-  Stretch(const CutSamples& cut, const FeedParams& params)
+  Stretch(const CutSamples& cut, const FeedParams& params, Progress* progress)
       : cut_(cut),
+        progress_(progress),
         may_change_(places_for_change(cut, params)),
         jumps_(has_jump(samples(), count())),
         means_(samples(), count(), jumps_ ? 0 : params.mean_length) {}
@@ -85,7 +86,7 @@ class ConstantLoad::Stretch {
   // Feeds by means are found as if each piece were alone, and lowered where one is too fast beside
   // another. Where that costs more than means gain, or the load jumps, every sample is held.
   std::vector<FeedPiece> divided(const FeedParams& params) {
-    std::vector<FeedPiece> pieces = best_division(cut_, means_, may_change_, params);
+    std::vector<FeedPiece> pieces = best_division(cut_, means_, may_change_, params, progress_);
     if (jumps_) return pieces;
     const double least = cost_of(pieces, cut_.profile, params);  // of samples that are held, too
     if (!means_.limit(pieces, params.feed)) return pieces;
@@ -93,11 +94,12 @@ class ConstantLoad::Stretch {
     const double cost = cost_of(pieces, cut_.profile, params);
     if (cost - least < kLittle * params.steps.price) return pieces;
     if (!peaks_) peaks_.emplace(samples(), count(), 0);
-    std::vector<FeedPiece> held = best_division(cut_, *peaks_, may_change_, params);
+    std::vector<FeedPiece> held = best_division(cut_, *peaks_, may_change_, params, progress_);
     return cost > cost_of(held, cut_.profile, params) ? held : pieces;
   }
 
   CutSamples cut_;
+  Progress* progress_;
   std::vector<char> may_change_;
   bool jumps_;
   MeanLoad means_;
@@ -116,13 +118,15 @@ void set_constant_feed(std::vector<PlanarRun>& runs, const FeedParams& params) {
 }
 
 ConstantLoad::ConstantLoad(const std::vector<PlanarRun>& runs,
-                           const std::vector<LoadSample>& profile, const FeedParams& params)
-    : runs_(runs), profile_(profile), params_(params) {
+                           const std::vector<LoadSample>& profile, const FeedParams& params,
+                           Progress* progress)
+    : runs_(runs), profile_(profile), params_(params), progress_(progress) {
   for (std::size_t i = 0; i < profile.size();) {
     std::size_t end = i;
     const bool cuts = is_cut(i);
     while (end < profile.size() && profile[end].run == profile[i].run && is_cut(end) == cuts) ++end;
-    if (cuts) stretches_.emplace_back(CutSamples{runs, profile, i, end}, params);
+    if (progress_) progress_->step();
+    if (cuts) stretches_.emplace_back(CutSamples{runs, profile, i, end}, params, progress);
     i = end;
   }
 }
@@ -147,7 +151,7 @@ void ConstantLoad::divide() {
   }
   std::size_t half = 0;
   while (half < all && stretches_[half].last() <= profile_.size() / 2) ++half;
-  both([&] { return divide_some(0, half); }, [&] { return divide_some(half, all); });
+  both([&] { return divide_some(0, half); }, [&] { return divide_some(half, all); }, progress_);
 }
 
 FeedsAlong ConstantLoad::at(double price) {
@@ -159,6 +163,7 @@ FeedsAlong ConstantLoad::at(double price) {
   auto stretch = stretches_.begin();
   for (std::size_t i = 0; i < profile_.size();) {
     if (is_cut(i)) {
+      if (progress_) progress_->step();
       for (const FeedPiece& piece : stretch->pieces(params_)) add(piece, found);
       i = stretch->last();
       ++stretch;
@@ -193,8 +198,8 @@ void ConstantLoad::add(const FeedPiece& piece, FeedsAlong& found) const {
 
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
                                       const std::vector<LoadSample>& profile,
-                                      const FeedParams& params) {
-  FeedsAlong found = ConstantLoad(runs, profile, params).at(params.steps.price);
+                                      const FeedParams& params, Progress* progress) {
+  FeedsAlong found = ConstantLoad(runs, profile, params, progress).at(params.steps.price);
   runs = std::move(found.runs);
   return std::move(found.feeds);
 }

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "feed/load_profile.h"
+#include "support/progress.h"
 #include "toolpath/planar.h"
 
 namespace evenload {
@@ -58,9 +59,10 @@ struct FeedsAlong {
 // asked for; stretches that two of them divide alike are taken so in between.
 class ConstantLoad {
  public:
-  // `runs` and `profile` must outlive this object; the price in `params` does not count.
+  // `runs`, `profile` and `progress`, of which steps are made, must outlive this object; the price
+  // in `params` does not count.
   ConstantLoad(const std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-               const FeedParams& params);
+               const FeedParams& params, Progress* progress = nullptr);
   ~ConstantLoad();
 
   // `price` s: what one more block must save.
@@ -75,12 +77,13 @@ class ConstantLoad {
   const std::vector<PlanarRun>& runs_;
   const std::vector<LoadSample>& profile_;
   FeedParams params_;
+  Progress* progress_;
   std::vector<Stretch> stretches_;
 };
 
 // The same at the price in `params`, for `runs` themselves. Returns the feed of every sample.
 std::vector<double> set_constant_load(std::vector<PlanarRun>& runs,
                                       const std::vector<LoadSample>& profile,
-                                      const FeedParams& params);
+                                      const FeedParams& params, Progress* progress = nullptr);
 
 }  // namespace evenload

@@ -19,6 +19,8 @@ constexpr double kRounding = 1e-9;  // s
 constexpr double kUnevenPrice = 10;
 // A piece of one feed holds at most this many samples: bounds the search.
 constexpr std::size_t kLongestPiece = 400;
+// Samples of a step of progress: each is looked at together with those of a piece.
+constexpr std::size_t kSamplesOfStep = 256;
 
 // Whether a part of a move this long can be posted as what it is.
 bool can_be_part(const Segment& move, double length, double shortest) {
@@ -55,7 +57,7 @@ class PieceCost {
 class Division {
  public:
   Division(const CutSamples& cut, const MeanLoad& load, const std::vector<char>& may_change,
-           const FeedParams& params)
+           const FeedParams& params, Progress* progress)
       : runs_(cut.runs),
         samples_(cut.profile.data() + cut.first),
         first_(cut.first),
@@ -68,6 +70,7 @@ class Division {
         best_(count_ + 1) {
     best_[0].cost = 0;
     for (std::size_t end = 1; end <= count_; ++end) {
+      if (progress && end % kSamplesOfStep == 0) progress->step();
       if (end == 1 || may_change_[end - 2]) starts_.push_back({end - 1, best_[end - 1].cost});
       lengthen_to(end);
       if (!may_change_[end - 1]) continue;
@@ -188,9 +191,9 @@ std::vector<char> places_for_change(const CutSamples& cut, const FeedParams& par
 }
 
 std::vector<FeedPiece> best_division(const CutSamples& cut, const MeanLoad& load,
-                                     const std::vector<char>& may_change,
-                                     const FeedParams& params) {
-  return Division(cut, load, may_change, params).pieces();
+                                     const std::vector<char>& may_change, const FeedParams& params,
+                                     Progress* progress) {
+  return Division(cut, load, may_change, params, progress).pieces();
 }
 
 }  // namespace evenload

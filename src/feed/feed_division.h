@@ -6,6 +6,7 @@
 
 #include "feed/feed_control.h"
 #include "feed/mean_load.h"
+#include "support/progress.h"
 
 namespace evenload {
 
@@ -25,8 +26,9 @@ struct CutSamples {
 std::vector<char> places_for_change(const CutSamples& cut, const FeedParams& params);
 
 // The pieces, in their order, whose time and blocks at params.steps.price cost least. `load` is the
-// samples', `may_change` what places_for_change() says of them.
+// samples', `may_change` what places_for_change() says of them. Makes steps of `progress`.
 std::vector<FeedPiece> best_division(const CutSamples& cut, const MeanLoad& load,
-                                     const std::vector<char>& may_change, const FeedParams& params);
+                                     const std::vector<char>& may_change, const FeedParams& params,
+                                     Progress* progress);
 
 }  // namespace evenload

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <utility>
 
+#include "support/both.h"
+
 namespace evenload {
 
 FollowingProfile::FollowingProfile(ClearedGround& ground, double spacing, LoadShare share)
@@ -70,13 +72,17 @@ void FollowingProfile::look_along(const Step& step) {
     profiler_->look_along(std::get<PlanarMove>(step));
 }
 
-// Waits until all that was told has been looked at, or is not wanted.
-void FollowingProfile::end() {
+void FollowingProfile::say_all_is_told() {
   {
     const std::lock_guard lock(mutex_);
     is_whole_ = true;
   }
   is_told_.notify_one();
+}
+
+// Waits until all that was told has been looked at, or is not wanted.
+void FollowingProfile::end() {
+  say_all_is_told();
   if (looking_.valid()) looking_.wait();
 }
 
@@ -86,18 +92,26 @@ bool FollowingProfile::begins(const std::vector<Step>& steps) const {
          std::equal(told_.begin(), told_.end(), steps.begin());
 }
 
-std::vector<LoadSample> FollowingProfile::looked_at_anew(const std::vector<PlanarRun>& runs) {
+std::vector<LoadSample> FollowingProfile::looked_at_anew(const std::vector<PlanarRun>& runs,
+                                                         Progress& progress) {
   profiler_.reset();
   followed_.reset();
-  return load_profile(runs, ground_, spacing_, share_);
+  ground_.tell(progress);
+  return load_profile(runs, ground_, spacing_, share_, &progress);
 }
 
-std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs) {
+std::vector<LoadSample> FollowingProfile::finish(const std::vector<PlanarRun>& runs,
+                                                 Progress& progress) {
   const std::vector<Step> steps = steps_of(runs);
   is_wanted_ = looking_.valid() && begins(steps);
-  end();
-  if (!is_wanted_) return looked_at_anew(runs);
+  if (!is_wanted_) {
+    end();
+    return looked_at_anew(runs, progress);
+  }
+  say_all_is_told();
+  while (looking_.wait_for(kPatience) != std::future_status::ready) progress.step();
   looking_.get();  // throws what was thrown there
+  followed_->tell(progress);
   std::for_each(steps.begin() + static_cast<std::ptrdiff_t>(told_.size()), steps.end(),
                 [&](const Step& step) { look_along(step); });
   ground_ = std::move(*followed_);

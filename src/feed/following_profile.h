@@ -35,8 +35,9 @@ class FollowingProfile {
 
   // The same as load_profile() of the whole path, whatever was told before: where that is not how
   // the path begins, or less than half of it, all is looked at anew. Throws what the share throws
-  // on the path. To be called once, at the end, and not after stop().
-  std::vector<LoadSample> finish(const std::vector<PlanarRun>& runs);
+  // on the path, and Cancelled by the steps of `progress` that it makes. To be called once, at the
+  // end, and not after stop().
+  std::vector<LoadSample> finish(const std::vector<PlanarRun>& runs, Progress& progress);
 
  private:
   using Step = std::variant<Descent, PlanarMove>;
@@ -45,8 +46,9 @@ class FollowingProfile {
   bool begins(const std::vector<Step>& steps) const;
   void look_along(const Step& step);
   void look_along_told();
+  void say_all_is_told();
   void end();
-  std::vector<LoadSample> looked_at_anew(const std::vector<PlanarRun>& runs);
+  std::vector<LoadSample> looked_at_anew(const std::vector<PlanarRun>& runs, Progress& progress);
 
   ClearedGround& ground_;
   const double spacing_;

@@ -293,13 +293,13 @@ Place second_half(const std::vector<PlanarRun>& runs) {
 }  // namespace
 
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
-                                     double spacing, const LoadShare& share) {
+                                     double spacing, const LoadShare& share, Progress* progress) {
   const Place past{runs.size(), 0}, half = second_half(runs);
   if (!(half < past)) return profile_between(runs, {}, past, ground, spacing, share);
   ClearedGround first = ground;
   auto [profile, after] =
       both([&] { return profile_between(runs, {}, half, first, spacing, share); },
-           [&] { return profile_between(runs, half, past, ground, spacing, share); });
+           [&] { return profile_between(runs, half, past, ground, spacing, share); }, progress);
   profile.insert(profile.end(), after.begin(), after.end());
   return std::move(profile);
 }

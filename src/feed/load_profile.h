@@ -67,9 +67,11 @@ class LoadProfiler {
 // The load along every move of `runs`, in pieces of at most `spacing` mm, shorter where it changes,
 // longer in moves that are told to meet a smooth front.
 // The moves are added to `ground`, which holds what was cleared before; each run's descent is added
-// first. Without a `share` the samples' shares are 0.
+// first. Without a `share` the samples' shares are 0. `progress`: that `ground` tells of its looks,
+// if it does.
 std::vector<LoadSample> load_profile(const std::vector<PlanarRun>& runs, ClearedGround& ground,
-                                     double spacing, const LoadShare& share = nullptr);
+                                     double spacing, const LoadShare& share = nullptr,
+                                     Progress* progress = nullptr);
 
 // Adds the ground that a helix or ramp clears.
 void add_descent(const Descent& descent, ClearedGround& ground);

@@ -1,5 +1,8 @@
 #include "strategy/border_bits.h"
 
+#include <cmath>
+#include <utility>
+
 #include "cutting/engagement.h"
 #include "feed/feed_control.h"
 #include "strategy/links.h"
@@ -14,6 +17,17 @@ constexpr double kShortestPart = 0.006;
 // mm, and the cosine between directions: a start and the place where a cut ran through it.
 constexpr double kSamePlace = 1e-6;
 constexpr double kSameWay = 1 - 1e-6;
+// rad: by how much ways back turn off the cut. The first that serves: the more, the clearer posted
+// programs show it, rounded to 0.001 mm.
+constexpr double kAsides[] = {0.1, 0.05, kLeastAside};
+
+// The way along a line, turned off it by `aside` rad at both ends.
+std::vector<Segment> beside(const Segment& line, double aside, bool arcs) {
+  if (arcs) return {Segment::from_bulge(line.a, line.b, std::tan(0.5 * aside))};
+  const Vec2 along = line.b - line.a;
+  const Vec2 middle = line.point(0.5) - 0.5 * std::tan(aside) * left_normal(along);
+  return {Segment::line(line.a, middle), Segment::line(middle, line.b)};
+}
 
 }  // namespace
 
@@ -32,6 +46,23 @@ WayBack way_back(const std::vector<PlanarMove>& moves, const Pose& to, double lo
     if (is_there) return {true, joined(back)};
   }
   return {};
+}
+
+std::vector<Segment> beside_cuts(const std::vector<Segment>& back, bool arcs,
+                                 const std::function<bool(const std::vector<Segment>&)>& is_free) {
+  std::vector<Segment> result;
+  for (const Segment& move : back) {
+    std::vector<Segment> way{move};
+    for (const bool by_arc : {true, false})
+      for (const double aside : kAsides) {
+        // Posts that write no arcs make lines of those, too.
+        if ((move.is_arc() && arcs) || way.front() != move || (by_arc && !arcs)) continue;
+        std::vector<Segment> other = beside(Segment::line(move.a, move.b), aside, by_arc);
+        if (!is_tight(other.front()) && is_free(other)) way = std::move(other);
+      }
+    result.insert(result.end(), way.begin(), way.end());
+  }
+  return result;
 }
 
 void divide_run_up(std::vector<Segment>& way, double length, const Pass& pass,

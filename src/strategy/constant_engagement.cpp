@@ -39,7 +39,7 @@ RegionResult clear(const RegionTask& given, const ClearingParams& params, Patter
 
 Toolpath clear_pocket(const std::vector<Region>& regions, const ClearingParams& params,
                       Progress& progress) {
-  PatternCache patterns(TrochoidKind::kConstantEngagement, params);
+  PatternCache patterns(TrochoidKind::kConstantEngagement, params, &progress, Turns::kWished);
   if (std::optional<TrochoidalPath> path =
           clear_abridged_slots(regions, patterns, clear, params, progress))
     return std::move(path->path);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <sstream>
 
+#include "feed/load_profile.h"
+#include "geometry/box_tree.h"
 #include "strategy/feeds.h"
 #include "toolpath/helix.h"
 #include "toolpath/ramp.h"
@@ -48,6 +50,9 @@ constexpr double kSameTurns = 1e-6;
 constexpr double kShortestRamp = 1e-3;
 // mm: the longest line of a ramp that is joined to others for being too short to descend.
 constexpr double kLongestDrop = 0.01;
+// Share of the tool's radius: between points at which is looked whether something stands. A share
+// of the area is found to half a percent.
+constexpr double kStandingLook = 1.0 / 40;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
 
@@ -243,6 +248,30 @@ std::optional<Entry> descend_within(const Area& centres, const Circle& room,
   entry.descent.ramp_by = {room.centre + line};
   entry.start = {entry.descent.at, angle_of(line)};
   return entry;
+}
+
+double area_cut_by(const Descent& descent, const ClearedGround& before) {
+  const double radius = before.tool_radius();
+  const double whole = descent.kind == DescentKind::kHelix ? cleared_area(descent, radius)
+                                                           : ramp_area(descent, radius);
+  Bounds box{descent.at, descent.at};
+  for (const Vec2 p : descent.ramp_by) box = joined(box, {p, p});
+  if (descent.kind == DescentKind::kHelix) {
+    const Vec2 opposite = 2 * descent.centre - descent.at;
+    box = grown(joined(box, {opposite, opposite}), descent.radius);
+  }
+  ClearedGround by_it(box, radius, nullptr);
+  add_descent(descent, by_it);
+  box = grown(box, radius);
+  const double step = kStandingLook * radius;
+  double all = 0, new_ones = 0;
+  for (double x = box.low.x + 0.5 * step; x < box.high.x; x += step)
+    for (double y = box.low.y + 0.5 * step; y < box.high.y; y += step) {
+      if (!by_it.is_cleared_point({x, y})) continue;
+      ++all;
+      if (!before.is_cleared_point({x, y})) ++new_ones;
+    }
+  return all > 0 ? whole * new_ones / all : 0;
 }
 
 std::optional<Entry> helix_within(const Area& centres, const Circle& room, ClearingParams params) {

@@ -55,6 +55,9 @@ inline constexpr double kMostCleared = 1.8;
 bool is_shrunk(const Descent& helix, const ClearingParams& params);
 // mm: by how much, where there is room.
 double wished_stretch(double helix_radius, const ClearingParams& params);
+// mm^2: of what a helix or ramp clears, the part that nothing did before. As a share of the whole,
+// which is exact, found on a grid of points.
+double area_cut_by(const Descent& descent, const ClearedGround& before);
 // A helix, whatever entry the parameters ask for; empty where none fits.
 std::optional<Entry> helix_within(const Area& centres, const Circle& room, ClearingParams params);
 

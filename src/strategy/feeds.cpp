@@ -128,8 +128,9 @@ struct Priced {
 // A constant load; where there are many blocks they are dearer, as little as makes them few, if
 // that can be without much more time and no least load asks for them. Condition: they have a price.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
-                             const FeedParams& params, const ClearingParams& clearing) {
-  ConstantLoad load(region, samples, params);
+                             const FeedParams& params, const ClearingParams& clearing,
+                             Progress& progress) {
+  ConstantLoad load(region, samples, params, &progress);
   const auto at = [&](double price) {
     FeedsAlong found = load.at(price);
     const double blocks = share_of_blocks(found.runs, clearing);
@@ -159,7 +160,7 @@ std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<L
 // The feeds, region by region.
 std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
                                        const std::vector<LoadSample>& profile,
-                                       const ClearingParams& params) {
+                                       const ClearingParams& params, Progress& progress) {
   std::vector<double> feeds;
   auto sample = profile.begin();
   for (std::size_t first = 0; first < runs.size();) {
@@ -181,8 +182,9 @@ std::vector<double> set_load_by_region(std::vector<PlanarRun>& runs,
     if (params.feed_control == FeedControl::kConstantRemovalRate && own.steps.most_peak > 1 &&
         params.least_load <= 0)
       own.mean_length = kMeanLength;
-    const std::vector<double> found = is_repeated ? set_constant_load(region, samples, own)
-                                                  : set_load(region, samples, own, params);
+    const std::vector<double> found = is_repeated
+                                          ? set_constant_load(region, samples, own, &progress)
+                                          : set_load(region, samples, own, params, progress);
     feeds.insert(feeds.end(), found.begin(), found.end());
     std::move(region.begin(), region.end(), from);
     first = last;
@@ -231,14 +233,16 @@ LoadShare load_share(const ClearingParams& params, bool mirrored) {
 }
 
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
-               Report& report) {
+               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown, Report& report,
+               Progress& progress) {
   if (params.feed_control == FeedControl::kConstantFeed || profile.empty()) {
     set_constant_feed(runs, {params.feed, params.maximum_feed, params.link_feed, {}});
     return;
   }
   const std::vector<PlanarRun> whole = runs;
-  const std::vector<double> feed = set_load_by_region(runs, profile, params);
+  std::vector<PlanarRun> fed = runs;
+  const std::vector<double> feed = set_load_by_region(fed, profile, params, progress);
+  runs = std::move(fed);
   std::ostringstream note;
   if (params.feed_control == FeedControl::kConstantRemovalRate) {
     const double nominal = params.feed * largest_chip_thickness(params.engagement_angle, 1);

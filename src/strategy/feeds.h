@@ -19,10 +19,11 @@ LoadShare load_share(const ClearingParams& params, bool mirrored);
 // Sets every feed of `runs`, and splits moves where the feed changes. `profile`: made with
 // `load_share`; an empty one gives constant feeds. Adds to the report's notes what a user of the
 // control should know: how thick chips get at a constant removal rate, and where a constant force
-// could not be held. `shown`: where a place of the path is shown to the user.
+// could not be held. `shown`: where a place of the path is shown to the user. Throws Cancelled by
+// the steps of `progress` that it makes; `runs` are as they were then.
 void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& profile,
-               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown,
-               Report& report);
+               const ClearingParams& params, const std::function<Vec2(Vec2)>& shown, Report& report,
+               Progress& progress);
 
 // Of helix entries. Where the removal rate is held, the level turn gets as fast as gives chips as
 // thick as a cut gets at the largest feed; with other controls it keeps the plunge feed, above

@@ -74,10 +74,22 @@ class Opening {
         shapes_(params, lame, kWallShare * params.tolerance),
         pace_(pace_of(params, task.mirrored)),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr) {}
+                task.has_open_edges ? &task.material : nullptr) {
+    ground_.tell(progress);
+  }
 
   LameOpening run() {
     made_.reached_area = area_of(offset({task_.centres}, radius_));
+    try {
+      make();
+    } catch (const Cancelled&) {  // what is made is kept
+    }
+    made_.cleared_area = std::max(made_.cleared_area, made_.spiral_area);
+    return std::move(made_);
+  }
+
+ private:
+  void make() {
     if (task_.centres.islands.empty() && !task_.has_open_edges)
       clear_pocket_of_one_wall();
     else if (task_.centres.islands.size() != 1)
@@ -86,11 +98,8 @@ class Opening {
       clear_stock_around_island();
     else
       clear_ring();
-    made_.cleared_area = std::max(made_.cleared_area, made_.spiral_area);
-    return std::move(made_);
   }
 
- private:
   Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
 
   [[noreturn]] void refuse(const std::string& sentence) const {
@@ -144,6 +153,7 @@ class Opening {
     turns.pace = pace_;
     turns.tolerance = arc_tolerance();
     turns.block_price = kBlockPrice;
+    turns.progress = &progress_;
     return turns;
   }
 

@@ -178,6 +178,7 @@ MonotoneSpline largest_steps(const LameGrowth& growth, const TurnTask& task) {
   const double farthest = kFirstStep * side_step(task.engagement, task.tool_radius);  // mm
   std::size_t worst = 0;  // where the step was the least
   for (const double level : levels) {
+    if (task.progress) task.progress->step();
     double least = growth.step_of(level, task.pitch ? std::min(farthest, *task.pitch) : farthest);
     const std::vector<double> angles = angles_to_look_at(growth, growth.at(level));
     // It is likely to be the least there again, and then one look at each other angle is enough.

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "strategy/lame_spiral.h"
+#include "support/progress.h"
 
 namespace evenload {
 
@@ -24,10 +25,11 @@ struct TurnTask {
   std::optional<double> pitch;  // mm per turn of the larger change of the semi-axes, at most
   // min/mm by the width that is cut, mm; without it the removal rate is constant at these feeds.
   std::optional<MonotoneSpline> pace;
-  double feed = 255;          // mm/min at the engagement
-  double maximum_feed = 510;  // mm/min where there is less; `feed` for a constant feed
-  double tolerance = 0.004;   // mm, of the arcs
-  double block_price = 0.02;  // s that one more block must save, > 0
+  double feed = 255;             // mm/min at the engagement
+  double maximum_feed = 510;     // mm/min where there is less; `feed` for a constant feed
+  double tolerance = 0.004;      // mm, of the arcs
+  double block_price = 0.02;     // s that one more block must save, > 0
+  Progress* progress = nullptr;  // of which steps are made
 };
 
 // The largest change of the growth's share from one turn to the next, by the share that is reached.

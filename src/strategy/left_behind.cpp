@@ -20,11 +20,26 @@ constexpr double kThinnest = 2e-5;
 // mm: arcs with centres this near are one.
 constexpr double kSameCentre = 1e-9;
 
-bool has_arc_about(const std::vector<Segment>& moves, Vec2 centre) {
-  return std::any_of(moves.begin(), moves.end(), [&](const Segment& move) {
-    return move.is_arc() && distance(move.centre, centre) < kSameCentre;
-  });
-}
+// The centres of a way's arcs, from left to right: spirals have ten thousand.
+class Centres {
+ public:
+  explicit Centres(const std::vector<Segment>& moves) {
+    for (const Segment& move : moves)
+      if (move.is_arc()) centres_.push_back(move.centre);
+    std::sort(centres_.begin(), centres_.end(), [](Vec2 a, Vec2 b) { return a.x < b.x; });
+  }
+
+  bool holds(Vec2 centre) const {
+    auto at = std::lower_bound(centres_.begin(), centres_.end(), centre.x - kSameCentre,
+                               [](Vec2 p, double x) { return p.x < x; });
+    for (; at != centres_.end() && at->x <= centre.x + kSameCentre; ++at)
+      if (distance(*at, centre) < kSameCentre) return true;
+    return false;
+  }
+
+ private:
+  std::vector<Vec2> centres_;
+};
 
 // mm: by how much less the tool reaches along the lines in place of a tight arc, in the direction
 // of its point at `share` of the arc.
@@ -81,9 +96,10 @@ void LeftBehind::expect(const std::vector<Segment>& planned, const std::vector<S
                         const ClearedGround& ground) {
   ahead_.clear();
   const Reach reach(planned, radius_);
+  const Centres centres(planned);
   for (const Segment& turn : posted) {
     if (!turn.is_arc()) continue;
-    if (has_arc_about(planned, turn.centre) && !is_tight(turn)) continue;
+    if (!is_tight(turn) && centres.holds(turn.centre)) continue;
     Sliver sliver;
     const int n = static_cast<int>(std::ceil(std::abs(turn.sweep) / kSpacing));
     for (int i = 0; i <= n; ++i) {

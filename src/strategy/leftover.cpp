@@ -45,16 +45,18 @@ Bounds around(Vec2 p, double by) { return {p - Vec2{by, by}, p + Vec2{by, by}}; 
 
 }  // namespace
 
-void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedGround& ground) {
+void Leftover::prepare(const Area& centres, const Bounds& bounds, const ClearedGround& ground,
+                       Progress* progress) {
   const double radius = ground.tool_radius();
   const double width = bounds.high.x - bounds.low.x, height = bounds.high.y - bounds.low.y;
   cell_ = std::max(kSpacing * radius, std::sqrt(width * height / kMaximumPoints));
   const int columns = static_cast<int>(std::ceil(width / cell_));
   const int rows = static_cast<int>(std::ceil(height / cell_));
-  for (int j = 0; j < rows; ++j)
-    for (int i = 0; i < columns; ++i) {
+  for (int j = 0; j < rows; ++j) {
+    if (progress) progress->step();
+    for (int i = 0; i < columns; ++i)
       look_within(bounds.low + Vec2{(i + 0.5) * cell_, (j + 0.5) * cell_}, cell_, centres, ground);
-    }
+  }
   bounds_ = bounds;
   prepared_ = true;
   offer(left(ground), ground);

@@ -9,14 +9,16 @@
 #include "geometry/point_grid.h"
 #include "strategy/area.h"
 #include "strategy/steering.h"
+#include "support/progress.h"
 
 namespace evenload {
 
 class Leftover {
  public:
   bool prepared() const { return prepared_; }
-  // Finds the points within reach of `centres` that hold material.
-  void prepare(const Area& centres, const Bounds& bounds, const ClearedGround& ground);
+  // Finds the points within reach of `centres` that hold material. Makes steps of `progress`.
+  void prepare(const Area& centres, const Bounds& bounds, const ClearedGround& ground,
+               Progress* progress = nullptr);
   // A pose that touches, on its right, leftover material not yet asked for; nearest to `from`
   // first. Each place is offered from one side, and from others as long as it stays.
   std::optional<Pose> next_start(const ClearedGround& ground, const Area& centres, Vec2 from);

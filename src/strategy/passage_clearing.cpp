@@ -46,16 +46,19 @@ class PassageClearing {
         first_number_(first_number),
         params_(params),
         progress_(progress),
-        path_(task, params),
+        path_(task, params, progress),
         room_done_(places.rooms.size(), 0),
         passage_done_(places.passages.size(), 0) {}
 
   RegionResult run() {
-    begin();
-    while (!progress_.cancelled()) {
-      const std::size_t passage = next_passage();
-      if (passage == kNone) break;
-      cut_passage(passage);
+    try {
+      begin();
+      while (!progress_.cancelled()) {
+        const std::size_t passage = next_passage();
+        if (passage == kNone) break;
+        cut_passage(passage);
+      }
+    } catch (const Cancelled&) {  // what is made is kept
     }
     result_.passes += path_.passes();
     result_.links += path_.links();

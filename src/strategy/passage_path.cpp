@@ -21,11 +21,12 @@ double heading_at(const Segment& move, double t) { return angle_of(move.tangent(
 
 }  // namespace
 
-PassagePath::PassagePath(const RegionTask& task, const ClearingParams& params)
+PassagePath::PassagePath(const RegionTask& task, const ClearingParams& params, Progress& progress)
     : params_(params),
       centres_({task.centres}),
       ground_(grown(bounds_of({task.centres}), 0.5 * params.tool_diameter),
               0.5 * params.tool_diameter, task.has_open_edges ? &task.material : nullptr) {
+  ground_.tell(progress);
   if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
 }
 

@@ -16,7 +16,7 @@ namespace evenload {
 
 class PassagePath {
  public:
-  PassagePath(const RegionTask& task, const ClearingParams& params);
+  PassagePath(const RegionTask& task, const ClearingParams& params, Progress& progress);
 
   const Area& centres() const { return centres_; }
   const ClearedGround& ground() const { return ground_; }

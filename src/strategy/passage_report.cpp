@@ -19,6 +19,9 @@ namespace {
 
 // mm: a passage whose free width is twice the minimum radius to within this is not narrow.
 constexpr double kJustWide = 0.002;
+// Share of the tool's radius: a region in which nothing has more room, half of the free width, and
+// of which the whole tool must cut a part anyway, is all cut so.
+constexpr double kStroke = 0.1;
 // Of the widest free width, or of the tool's radius where that is tiny: between points of a
 // passage's middle.
 constexpr double kAxisSpacing = 0.125;
@@ -86,13 +89,21 @@ DividedRegion without_room_for_trochoids(const Region& centres, const ClearingPa
   const double tightest = std::min({kTightestArc, posted, kTightestArcShare * tool_radius});
   if (params.entry != EntryKind::kPredrilledHole)
     if (std::optional<DividedRegion> necks = short_necks(centres, tightest, params)) return *necks;
-  const double radius = tightest_trochoid(tool_radius);
   // Corners, however sharp, are the wall pass's.
-  DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};
-  region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
+  const auto with_radius = [&](double radius) {
+    DividedRegion region{find_narrow_places(centres, radius, tool_radius), {}};
+    region.axes = passage_axes(centres, region.places, tool_radius * kAxisSpacing);
+    return region;
+  };
+  DividedRegion region = with_radius(tightest_trochoid(tool_radius));
   const bool is_long =
       std::any_of(region.axes.begin(), region.axes.end(),
                   [&](const PassageAxis& axis) { return axis.length() > tool_radius; });
+  if (is_long && !region.places.rooms.empty()) {
+    DividedRegion stroke =
+        with_radius(std::max(kStroke * tool_radius, tightest_trochoid(tool_radius)));
+    if (stroke.places.rooms.empty()) return stroke;
+  }
   return is_long || region.places.rooms.empty() ? region : DividedRegion{{{centres}, {}}, {}};
 }
 

@@ -36,7 +36,8 @@ double tightest_trochoid(double tool_radius);
 // they are those where trochoids are no way to cut: short necks between rooms that are too narrow
 // for turns of kTightestArc, or where one of those is long, or none has a room beside it, what is
 // too narrow for turns of kTightestTrochoid, if one is longer than the tool's radius, or without a
-// room beside it.
+// room beside it; all of a region that has such a passage and nowhere a tenth of the tool's radius
+// of room to either side, as a stroke about as wide as the tool.
 DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.

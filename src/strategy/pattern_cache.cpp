@@ -16,10 +16,14 @@ double rounded(double value, double to) { return std::round(value / to) * to; }
 
 }  // namespace
 
-PatternCache::PatternCache(TrochoidKind kind, const ClearingParams& params) : kind_(kind) {
+PatternCache::PatternCache(TrochoidKind kind, const ClearingParams& params, Progress* progress,
+                           Turns turns)
+    : kind_(kind) {
+  slot_.progress = progress;
   slot_.tool_radius = 0.5 * params.tool_diameter;
   slot_.engagement = params.engagement_angle;
   slot_.turn_radius = std::max(params.roll_radius, params.minimum_radius);
+  if (turns == Turns::kWished) slot_.least_turn = slot_.turn_radius;
   slot_.feed = params.feed;
   slot_.maximum_feed =
       params.feed_control == FeedControl::kConstantFeed ? params.feed : params.maximum_feed;

@@ -10,9 +10,17 @@
 
 namespace evenload {
 
+// How tightly patterns turn, up to the wished radius.
+enum class Turns {
+  kQuickest,  // as removes most in a time
+  kWished,    // as wished where there is room
+};
+
 class PatternCache {
  public:
-  PatternCache(TrochoidKind kind, const ClearingParams& params);
+  // `progress`: of which steps are made while a pattern is sought; it must outlive this object.
+  PatternCache(TrochoidKind kind, const ClearingParams& params, Progress* progress = nullptr,
+               Turns turns = Turns::kQuickest);
 
   TrochoidKind kind() const { return kind_; }
 

@@ -132,9 +132,10 @@ struct Part {
 // What is to be cleared of the regions of tool centres; their narrow passages are added to
 // `passages`.
 std::vector<Part> parts_of(const std::vector<Region>& centres, const ClearingParams& params,
-                           std::vector<PassageReport>& passages) {
+                           std::vector<PassageReport>& passages, Progress& progress) {
   std::vector<Part> parts;
   for (const Region& region : centres) {
+    if (!progress.report(0)) break;
     const int first = static_cast<int>(passages.size());
     DividedRegion narrow;
     if (!params.stock || params.narrow_passages == NarrowPassages::kSkip)
@@ -182,6 +183,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   Toolpath path;
   const std::vector<Region> allowed =
       allowed_ground(regions, params.tool_diameter, shown, path.report.notes);
+  progress.report(0);
   const std::vector<Region> centres = places_of_tool(allowed, params);
   if (centres.empty())
     throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
@@ -203,7 +205,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
         "feed.");
   }
   std::vector<PassageReport> passages;
-  const std::vector<Part> parts = parts_of(centres, params, passages);
+  const std::vector<Part> parts = parts_of(centres, params, passages, progress);
   if (abridged && !(passages.empty() && path.report.notes.empty())) return std::nullopt;
   std::size_t hole_region = parts.size();
   std::optional<Vec2> hole;
@@ -287,10 +289,11 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
 
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;
-  if (progress.cancelled())
-    following.stop();
-  else
-    profile = following.finish(runs);
+  try {
+    if (!progress.cancelled()) profile = following.finish(runs, progress);
+  } catch (const Cancelled&) {
+  }
+  if (progress.cancelled()) following.stop();
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
   RemovedByPeriod removed_by_period;
@@ -305,7 +308,11 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   if (params.feed_control != FeedControl::kConstantRemovalRate)
     find_feed_limits(runs, profile, params.feed, width);
   note_engagement(runs, profile, passages);
-  set_feeds(runs, profile, params, shown, path.report);
+  try {
+    set_feeds(runs, profile, params, shown, path.report, progress);
+  } catch (const Cancelled&) {
+    set_feeds(runs, {}, params, shown, path.report, progress);
+  }
   apply_feed_limits(runs);
   note_feeds(runs, passages);
   if (!progress.cancelled()) tell(passages, ground, mirror, path.report);
@@ -322,7 +329,8 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
 
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
-    if (run.descent.kind == DescentKind::kHelix) removed += cleared_area(run.descent, radius);
+    if (run.descent.kind == DescentKind::kHelix)
+      removed += run.descent.new_area.value_or(cleared_area(run.descent, radius));
     if (run.descent.kind == DescentKind::kRamp)
       removed += run.descent.new_area.value_or(ramp_area(run.descent, radius));
     for (const PlanarMove& move : run.moves)
@@ -398,15 +406,17 @@ std::optional<Toolpath> clear_abridged_by(const RegionClearer& clearer, const Ab
   const auto as_it_is = [](Vec2 p) { return p; };
   const std::vector<Region> allowed =
       allowed_ground(work.regions, params.tool_diameter, as_it_is, notes);
-  const std::optional<Abridged> abridged =
-      abridge(work.regions, places_of_tool(allowed, params), work.params);
-  if (!abridged) return std::nullopt;
-  work.regions = abridged->regions;
-  work.params.entry_point = abridged->entry_point;
   try {
+    const std::optional<Abridged> abridged =
+        abridge(work.regions, places_of_tool(allowed, params), work.params);
+    if (!abridged) return std::nullopt;
+    work.regions = abridged->regions;
+    work.params.entry_point = abridged->entry_point;
     return clear(clearer, work, &*abridged, progress);
   } catch (const GeometryError&) {
     return std::nullopt;  // the whole says what is wrong, if it is
+  } catch (const Cancelled&) {
+    return std::nullopt;  // while a pattern was sought: nothing is made
   }
 }
 

@@ -19,6 +19,7 @@
 #include "strategy/made_passes.h"
 #include "strategy/move_checks.h"
 #include "strategy/move_ends.h"
+#include "strategy/narrow_passages.h"
 #include "strategy/pass_choice.h"
 #include "strategy/pass_ends.h"
 #include "strategy/short_moves.h"
@@ -52,6 +53,8 @@ constexpr double kFirstTurn = 0.5;
 constexpr double kNarrowestRoom = 0.02;
 // Tool radii at link feed: what it costs to leave a front unfinished.
 constexpr double kLeavingPrice = 1;
+// mm: turns end on the walls of narrow places.
+constexpr double kOnNarrowWall = 1e-3;
 // Share of the tool's radius: so much is kept of a pass's way without contact at both ends.
 constexpr double kKeptIdle = 0.03;
 
@@ -68,7 +71,7 @@ class RegionClearing {
         radius_(0.5 * params.tool_diameter),
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
-        ground_(ground_of(task, radius_)),
+        ground_(ground_of(task, radius_, progress)),
         slivers_(radius_),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, limits().tightest}),
@@ -77,14 +80,17 @@ class RegionClearing {
   }
 
   RegionResult run() {
-    if (is_opened())
-      go_on();
-    else
-      enter();
-    if (task_.rest || !result_.runs.empty()) clear_all();
-    if (!progress_.cancelled()) {
-      if (!task_.is_part) report_uncut();
-      report_tight_turns();
+    try {
+      if (is_opened())
+        go_on();
+      else
+        enter();
+      if (task_.rest || !result_.runs.empty()) clear_all();
+      if (!progress_.cancelled()) {
+        if (!task_.is_part) report_uncut();
+        report_tight_turns();
+      }
+    } catch (const Cancelled&) {  // moves are taken into the result as whole passes
     }
     return std::move(result_);
   }
@@ -105,6 +111,18 @@ class RegionClearing {
                    : "for the turned-off WallPass, or where the tool has too little room to turn.");
       result_.notes.push_back(note.str());
     }
+  }
+
+  // Whether the walls are so close together that no wished turn fits. In corners none does, and
+  // nobody needs to be told.
+  bool is_narrow_at(Vec2 p) {
+    if (!narrow_) {
+      std::vector<Region> places;
+      for (const Passage& passage : find_narrow_places(task_.centres, limits().widest).passages)
+        places.push_back(passage.centres);
+      narrow_.emplace(places);
+    }
+    return !narrow_->empty() && narrow_->signed_distance(p) > -kOnNarrowWall;
   }
 
   void report_tight_turns() {
@@ -145,7 +163,7 @@ class RegionClearing {
   bool is_opened() const { return !task_.opening.runs.empty(); }
 
   std::vector<Stage> stages() const {
-    std::vector<Stage> all = make_stages(task_.centres, limits());
+    std::vector<Stage> all = make_stages(task_.centres, limits(), &progress_);
     if (!params_.wall_pass && all.size() > 1) all.pop_back();  // the exact border
     return all;
   }
@@ -186,10 +204,14 @@ class RegionClearing {
     samples_.update(box.low, box.high);
   }
 
-  static ClearedGround ground_of(const RegionTask& task, double radius) {
-    if (task.opened && !task.opening.runs.empty()) return *task.opened;
-    return {grown(bounds_of({task.centres}), radius), radius,
-            task.has_open_edges || task.rest ? &task.material : nullptr};
+  static ClearedGround ground_of(const RegionTask& task, double radius, Progress& progress) {
+    ClearedGround ground =
+        task.opened && !task.opening.runs.empty()
+            ? *task.opened
+            : ClearedGround(grown(bounds_of({task.centres}), radius), radius,
+                            task.has_open_edges || task.rest ? &task.material : nullptr);
+    ground.tell(progress);
+    return ground;
   }
 
   // From where the opening ends.
@@ -309,6 +331,8 @@ class RegionClearing {
                              is_shrunk(entry->descent, params_);
     if (may_stretch && !task_.round_helix) stretch_helix(*entry, exact_, params_);
     fill_narrow_room(*entry, room, params_);
+    if (ground_.size() > 0 || task_.rest || task_.has_open_edges)
+      entry->descent.new_area = area_cut_by(entry->descent, ground_);
     add_descent(entry->descent, ground_);
     begin_run(entry->descent);
     return entry->start;
@@ -403,10 +427,11 @@ class RegionClearing {
     slivers_.cut(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
     if (task_.follow && !task_.is_part && !is_opened()) task_.follow(result_.runs);
-    if (turn_radius > 0 && turn_radius < tightest_) {
-      tightest_ = turn_radius;
-      tightest_at_ = sharpest_place(pass.moves);
-    }
+    if (turn_radius > 0 && turn_radius < std::min(tightest_, limits().widest * (1 - 1e-9)))
+      if (const Vec2 at = sharpest_place(pass.moves); is_narrow_at(at)) {
+        tightest_ = turn_radius;
+        tightest_at_ = at;
+      }
     ++result_.passes;
     return is_progress(pass, radius_);
   }
@@ -432,7 +457,10 @@ class RegionClearing {
     const double longest = length_of_retract(distance(here_.p, to.p), params_);
     const WayBack back = way_back(result_.runs.back().moves, to, longest);
     if (!back.found) return false;
-    add_moves(MoveKind::kLink, back.moves);
+    const auto free = [&](const std::vector<Segment>& way) {
+      return is_free({ground_, ground_.size(), &slivers_}, exact_, way, length_of(way));
+    };
+    add_moves(MoveKind::kLink, beside_cuts(back.moves, params_.arcs, free));
     here_ = to;
     result_.links += !back.moves.empty();
     return true;
@@ -583,7 +611,7 @@ class RegionClearing {
   }
 
   void prepare_leftover() {
-    leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_);
+    leftover_.prepare(exact_, grown(bounds_of({task_.centres}), radius_), ground_, &progress_);
   }
 
   // Material that no wall leads to: approached from the nearest place where the tool has been.
@@ -629,7 +657,8 @@ class RegionClearing {
   MadePasses made_;
   double done_ = 0;               // share of the samples
   NextRoom untouched_, touched_;  // the first rooms that may need an entry
-  double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made
+  std::optional<Area> narrow_;    // where no wished turn fits
+  double tightest_ = std::numeric_limits<double>::infinity();  // mm, the tightest turn made there
   Vec2 tightest_at_;
 };
 
@@ -642,7 +671,11 @@ Vec2 shown_place(const RegionTask& task, Vec2 p) {
 
 RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
                           Progress& progress) {
-  return RegionClearing(task, params, progress).run();
+  try {
+    return RegionClearing(task, params, progress).run();
+  } catch (const Cancelled&) {  // before anything was made
+    return task.opening;
+  }
 }
 
 }  // namespace evenload

@@ -64,6 +64,7 @@ class SlotClearing {
         centres_({task.centres}),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {
+    ground_.tell(progress);
     if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
   }
 
@@ -91,8 +92,11 @@ class SlotClearing {
 
   void repeat(Use use) {
     if (task_.rest || !task_.before.empty()) return;
-    find_ways(use);
-    if (start(use)) follow_ways();
+    try {
+      find_ways(use);
+      if (start(use)) follow_ways();
+    } catch (const Cancelled&) {  // what is made is kept
+    }
     early_ends_.reset();
   }
 
@@ -179,10 +183,18 @@ class SlotClearing {
     }
     if (task_.hole) return clear_room_about_hole();
     if (params_.entry == EntryKind::kPredrilledHole) return false;
+    return clear_first_room(Place::kBegin) || clear_first_room(Place::kPastJunction);
+  }
+
+  // Where along a way its first room ends.
+  enum class Place { kBegin, kPastJunction };
+
+  // Of the longest ways that have one.
+  bool clear_first_room(Place place) {
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
       const double length = ways_[first].whole();
       while (last < ways_.size() && ways_[last].whole() > length - kSameWall) ++last;
-      if (clear_smallest_end(first, last)) return true;
+      if (clear_smallest_end(first, last, place)) return true;
     }
     return false;
   }
@@ -200,7 +212,7 @@ class SlotClearing {
   }
 
   // Of the ways [first, last), which are equally long: an end of the slot if there is one.
-  bool clear_smallest_end(std::size_t first, std::size_t last) {
+  bool clear_smallest_end(std::size_t first, std::size_t last, Place place) {
     std::optional<StartRoom> best;
     const Way* way = nullptr;  // that begins there
     for (std::size_t i = first; i < last; ++i) {
@@ -208,7 +220,9 @@ class SlotClearing {
         is_too_short_ = true;
         continue;
       }
-      std::optional<StartRoom> room = start_room_of(ways_[i], first_place(ways_[i]));
+      std::optional<StartRoom> room = place == Place::kBegin
+                                          ? start_room_of(ways_[i], first_place(ways_[i]))
+                                          : room_past_junction(ways_[i]);
       if (!room) continue;
       const bool is_better = !best || (room->is_end != best->is_end
                                            ? room->is_end
@@ -220,6 +234,17 @@ class SlotClearing {
     if (!best) return false;
     begin_ends(*way);
     return clear_room(best->room);
+  }
+
+  // Where a way begins in a junction, as the sides of a frame do in its corners: as soon as it has
+  // both walls.
+  std::optional<StartRoom> room_past_junction(const Way& way) const {
+    const double first = first_place(way),
+                 furthest = std::min(way.last(), first + kLongestJunction * way.stretch.half_room);
+    std::optional<StartRoom> room;
+    for (double s = first; !room && s < furthest; s += kMiddleLook * radius_)
+      room = start_room_of(way, s);
+    return room;
   }
 
   // On another core: of all ways but the one that ends where `followed_first` begins. Those of ways

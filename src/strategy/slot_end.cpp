@@ -1,20 +1,17 @@
 #include "strategy/slot_end.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <utility>
 
 #include "geometry/box_tree.h"
 #include "strategy/entry.h"
 #include "strategy/slot_rooms.h"
+#include "support/both.h"
 #include "support/errors.h"
 
 namespace evenload {
 namespace {
-
-// Between two questions whether the job is cancelled.
-constexpr std::chrono::milliseconds kPatience{50};
 
 std::ptrdiff_t descents(const RegionResult& result) {
   return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {

@@ -106,8 +106,9 @@ std::optional<SlotPattern> constant_engagement(const TrochoidParams& slot) {
   const TurnSearch whole = best->width.search;
   std::vector<std::optional<Candidate>> narrower(beside.size() - 1);
   if (narrower.size() == 2)
-    std::tie(narrower[0], narrower[1]) = both([&] { return candidate(slot, beside[1], &whole); },
-                                              [&] { return candidate(slot, beside[2], &whole); });
+    std::tie(narrower[0], narrower[1]) =
+        both([&] { return candidate(slot, beside[1], &whole); },
+             [&] { return candidate(slot, beside[2], &whole); }, slot.progress);
   else if (narrower.size() == 1)
     narrower[0] = candidate(slot, beside[1], &whole);
   // The narrower the pattern the more time the walls take: once it pays no longer, it does not

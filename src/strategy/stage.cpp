@@ -108,7 +108,8 @@ double held_ratio(double half, double engagement) {
                         [&](double ratio) { return met_in_corner(ratio, half) > most; });
 }
 
-std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits) {
+std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits,
+                               Progress* progress) {
   EVENLOAD_ASSERT(limits.tightest > 0 && limits.tightest <= limits.widest);
   std::vector<Stage> stages;
   const Area exact_area({centres});
@@ -120,6 +121,7 @@ std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits)
   };
   for (double turn = limits.widest; turn > (spare ? limits.spare : limits.tightest) * kStageRatio;
        turn = next(turn)) {
+    if (progress) progress->step();
     const double opening = kOpeningRatio * turn;
     const std::vector<Region> eroded = offset({centres}, -opening);
     if (eroded.empty()) continue;

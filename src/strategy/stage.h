@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "strategy/area.h"
+#include "support/progress.h"
 
 namespace evenload {
 
@@ -39,8 +40,9 @@ inline constexpr double kOpeningRatio = 1.25;
 double held_ratio(double half, double engagement);
 
 // The stages of one connected region of tool centres, from the widest turn radius to the exact
-// border. Stages in which nothing could be turned in are left out. Condition: 0 < tightest <=
-// widest.
-std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits);
+// border. Stages in which nothing could be turned in are left out. Each is a step of `progress`.
+// Condition: 0 < tightest <= widest.
+std::vector<Stage> make_stages(const Region& centres, const StageLimits& limits,
+                               Progress* progress = nullptr);
 
 }  // namespace evenload

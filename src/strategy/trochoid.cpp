@@ -77,7 +77,7 @@ TrochoidalPath clear_whole_slots(const std::vector<Region>& regions, PatternCach
 
 TrochoidalPath clear_slot(const std::vector<Region>& regions, TrochoidKind kind,
                           const ClearingParams& params, Progress& progress) {
-  PatternCache patterns(kind, params);
+  PatternCache patterns(kind, params, &progress);
   std::optional<TrochoidalPath> path =
       clear_abridged_slots(regions, patterns, clear_slots_of, params, progress);
   return path ? std::move(*path) : clear_whole_slots(regions, patterns, params, progress);

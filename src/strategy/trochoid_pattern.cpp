@@ -24,8 +24,10 @@ constexpr std::size_t kMostAlternating = 6;
 // likely one serves best in most slots.
 constexpr double kTurns[] = {1, 2, 4, 10};
 constexpr double kLikelyTurn = 2;
-// Share of half the room.
+// Shares of half the room: no turn is wider than the first; there is room for turns up to the
+// second.
 constexpr double kWidestTurn = 0.8;
+constexpr double kRoomyTurn = 0.4;
 // Share of the best removal rate before: beyond a radius that comes to less no others are tried.
 constexpr double kWorthMore = 1.002;
 // Share of a removal rate: others that differ by less are the same.
@@ -60,6 +62,7 @@ class Passes {
         stage_(stage(turn_radius)),
         ground_(grown_bounds(), params.tool_radius, nullptr),
         steering_(ground_, stage_, most_engagement(params), turn_radius, steps) {
+    if (params.progress) ground_.tell(*params.progress);
     clear_behind(front);
     note_wall(front.way);
   }
@@ -332,11 +335,12 @@ TurnSearch::TurnSearch(const TrochoidParams& params, const TurnSearch* like) : p
   if (like && like->start_.step > 0)
     start_ = scaled(like->start_, half_room(params) / half_room(like->params_));
   const double least = std::min(kTightestTurn * params.tool_radius, 0.5 * half_room(params));
+  const double roomy = std::min(kRoomyTurn * half_room(params), params.least_turn);
   for (const double times : kTurns) {
-    const double radius =
-        std::min({times * least, kWidestTurn * half_room(params), params.turn_radius});
+    const double radius = std::max(
+        roomy, std::min({times * least, kWidestTurn * half_room(params), params.turn_radius}));
     if (radii_.empty() || radius > radii_.back()) radii_.push_back(radius);
-    if (times == kLikelyTurn) first_ = radii_.size() - 1;
+    if (times <= kLikelyTurn) first_ = radii_.size() - 1;
   }
 }
 
@@ -369,7 +373,7 @@ const TurnSearch::Found* TurnSearch::with_radius(std::size_t i) {
 void TurnSearch::try_beside(std::size_t i) {
   if (i == 0 || i + 1 == radii_.size() || tried_.count(i - 1) || tried_.count(i + 1)) return;
   auto [above, below] = both([&] { return settle(radii_[i + 1], start_); },
-                             [&] { return settle(radii_[i - 1], start_); });
+                             [&] { return settle(radii_[i - 1], start_); }, params_.progress);
   take(i + 1, std::move(above));
   take(i - 1, std::move(below));
 }

@@ -27,8 +27,10 @@ constexpr double kLinkTurns[] = {0.03, 0.05, 0.08, 0.13, 0.2, 0.35, 0.6, 0.9};
 constexpr double kOtherTurns[] = {0.9, 0.6, 0.35};
 // Widths of the slot: no such link is longer.
 constexpr double kLongestLink = 4;
-// Share of the tool's radius: a link turns no more tightly, but as the pattern itself does.
+// Share of the tool's radius: a link turns no more tightly, but as the pattern itself does; and the
+// share of the least turn that links may have.
 constexpr double kTightestLink = 0.03;
+constexpr double kHalfTurn = 0.5;
 // mm: of a link's ends, along which it may graze.
 constexpr double kLinkEnds = 0.06;
 // rad: what is engaged by less cuts nothing.
@@ -214,6 +216,7 @@ RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& 
           std::ceil((reach_.ahead - reach_.back + 2 * params.tool_radius) / pattern_.step))),
       ground_(bounds(), params.tool_radius, nullptr),
       runs_(1) {
+  if (params.progress) ground_.tell(*params.progress);
   for (int k = periods_; k > 0; --k) {
     const Pose at = place_along(pattern_.curvature, -k * pattern_.step);
     for (const Segment& move : placed(pattern_.cut, at)) ground_.add(move);
@@ -224,8 +227,9 @@ RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& 
     planar.segment = move;
     runs_[0].moves.push_back(planar);
   }
-  profile_ = load_profile(runs_, ground_, kLook,
-                          removal_rate_share(params.engagement, params.tool_radius));
+  profile_ =
+      load_profile(runs_, ground_, kLook, removal_rate_share(params.engagement, params.tool_radius),
+                   params.progress);
 }
 
 Bounds RepeatedPattern::bounds() const {
@@ -300,8 +304,9 @@ std::vector<Segment> RepeatedPattern::shortest_return() const {
   const Segment &first = pattern_.cut.front(), &last = pattern_.cut.back();
   const Segment next = placed(first, place_along(pattern_.curvature, pattern_.step));
   const Pose from{last.b, angle_of(last.tangent(1))}, to{next.a, angle_of(next.tangent(0))};
-  const double h = half_room(params_),
-               least = std::min(kTightestLink * params_.tool_radius, pattern_.turn_radius);
+  const double h = half_room(params_), turn = pattern_.turn_radius,
+               least = std::max(std::min(kTightestLink * params_.tool_radius, turn),
+                                kHalfTurn * std::min(params_.least_turn, turn));
   std::vector<std::vector<Segment>> ways;
   for (const double one : kLinkTurns)
     for (const double other : kLinkTurns) {

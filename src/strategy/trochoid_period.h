@@ -22,6 +22,7 @@
 #include "feed/load_profile.h"
 #include "geometry/curve.h"
 #include "strategy/steering.h"
+#include "support/progress.h"
 
 namespace evenload {
 
@@ -36,6 +37,8 @@ struct TrochoidParams {
   double link_feed = 1500;      // mm/min
   // false: cuts end where they touch the left wall, whose scallops are left to a pass along it.
   bool finish_walls = true;
+  double least_turn = 0;  // mm, <= turn_radius: no turn is tighter where there is room for it
+  Progress* progress = nullptr;  // of which steps are made while a pattern is sought
 };
 
 struct TrochoidPattern {

@@ -16,7 +16,7 @@ std::optional<std::string> tight_turns_note(const TightTurns& turns, double wish
   if (turns.rooms == 0) return std::nullopt;
   std::ostringstream note;
   note << std::fixed << std::setprecision(3) << "Turned more tightly than the wished " << wish
-       << " mm in corners and narrow places";
+       << " mm in narrow places";
   if (turns.rooms > 1) note << " of " << turns.rooms << " rooms";
   note << ", down to " << turns.radius << " mm near (" << std::setprecision(2) << turns.at.x << ", "
        << turns.at.y << ").";

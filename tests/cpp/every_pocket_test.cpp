@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -94,6 +95,23 @@ TEST_P(EveryPocket, IsCrossedRapidlyAtTheSafeHeightOnly) {
 
 // Where no passage is cut at a reduced feed, that choice changes nothing: the path is the one at
 // home, whose bytes come again.
+// What FreeCAD's dressups take for corners between lines: none is a turn by half a circle.
+TEST_P(EveryPocket, HasNoLineThatLeadsStraightBackOnTheOneBefore) {
+  if (GetParam() == "tip_of_micrometres") GTEST_SKIP() << "half a micrometre is no room beside";
+  const std::vector<Move>& moves = at_home(GetParam()).path.moves;
+  std::optional<Vec2> last;  // the direction of the line before
+  for (std::size_t i = 1; i < moves.size(); ++i) {
+    const Vec2 way = Vec2{moves[i].x, moves[i].y} - Vec2{moves[i - 1].x, moves[i - 1].y};
+    const bool is_line = moves[i].sweep == 0 && moves[i].kind != MoveKind::kRapid &&
+                         moves[i].kind != MoveKind::kEntry && norm(way) > 1e-6;
+    if (is_line && last) {
+      const double turn = std::abs(wrap_signed(angle_of(way) - angle_of(*last)));
+      EXPECT_LT(turn, kPi - 0.01) << "at " << moves[i - 1].x << ", " << moves[i - 1].y;
+    }
+    last = is_line ? std::optional(way) : std::nullopt;
+  }
+}
+
 TEST_P(EveryPocket, IsClearedByTheSameBytesAgainAndWithinTheLimitsAtAReducedFeed) {
   const Home& home = at_home(GetParam());
   ClearingParams params = home.pocket.params();

@@ -133,7 +133,8 @@ void expect_as_looked_at_anew(const std::vector<PlanarRun>& runs, const std::vec
   const std::vector<LoadSample> expected = load_profile(runs, anew, 0.3);
   FollowingProfile following(ground, 0.3, nullptr);
   for (const Told& more : told) following.follow(more.runs, more.first);
-  const std::vector<LoadSample> found = following.finish(runs);
+  Progress progress;
+  const std::vector<LoadSample> found = following.finish(runs, progress);
   ASSERT_EQ(found.size(), expected.size());
   for (std::size_t i = 0; i < found.size(); ++i) {
     EXPECT_EQ(found[i].run, expected[i].run);
@@ -197,10 +198,11 @@ TEST(FollowingProfile, LooksAtNothingTwiceThatItWasTold) {
   ClearedGround plain(kRowField, kRadius, nullptr), ground(kRowField, kRadius, nullptr);
   load_profile(all, plain, 0.3, counts);
   const int once = looks.exchange(0);
+  Progress progress;
   FollowingProfile following(ground, 0.3, counts);
   following.follow(first_of(all, 5), 0);
   following.follow(first_of(all, 8), 0);
-  following.finish(all);
+  following.finish(all, progress);
   EXPECT_EQ(looks, once);
 }
 
@@ -219,9 +221,10 @@ TEST(FollowingProfile, ThrowsWhatIsThrownBehindThePath) {
     throw std::runtime_error("no share");
   };
   const std::vector<PlanarRun> all = rows(9);
+  Progress progress;
   FollowingProfile following(ground, 0.3, fails);
   following.follow(all, 0);
-  EXPECT_THROW(following.finish(all), std::runtime_error);
+  EXPECT_THROW(following.finish(all, progress), std::runtime_error);
 }
 
 TEST(FollowingProfile, DoesNotThrowForMovesThatAreNotInThePath) {
@@ -233,10 +236,11 @@ TEST(FollowingProfile, DoesNotThrowForMovesThatAreNotInThePath) {
   std::vector<PlanarRun> deep = rows(9);
   for (PlanarRun& run : deep)
     for (PlanarMove& move : run.moves) move.segment = Segment::line({-20, 1.5}, {20, 1.5});
+  Progress progress;
   FollowingProfile following(ground, 0.3, fails_below);
   following.follow(deep, 0);
   ground.add(Segment::line({-20, 0}, {20, 0}));
-  EXPECT_FALSE(following.finish(rows(1)).empty());
+  EXPECT_FALSE(following.finish(rows(1), progress).empty());
 }
 
 }  // namespace

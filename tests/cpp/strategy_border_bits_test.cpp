@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "strategy/border_bits.h"
+#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
@@ -36,6 +37,39 @@ TEST(WayBack, IsNotFoundBesideTheCutsInAnotherDirectionTooFarOffOrBeforeALink) {
   EXPECT_FALSE(way_back(moves(), {{0.02, 0}, 0}, 0.07).found);
   EXPECT_FALSE(way_back(moves(), {{-0.5, 0.5}, -kPi / 4}, 1).found);
   EXPECT_FALSE(way_back({}, {{0, 0}, 0}, 1).found);
+}
+
+const auto kAnyWay = [](const std::vector<Segment>&) { return true; };
+
+TEST(BesideCuts, TurnsOffTheCutToItsLeftByAnArcThatPostsCanWriteOrByTwoLines) {
+  for (const double length : {0.03, 0.09, 0.5})
+    for (const bool arcs : {true, false}) {
+      SCOPED_TRACE(length);
+      const Segment back = Segment::line({length, 0}, {0, 0});  // the cut leads along the x axis
+      const std::vector<Segment> way = beside_cuts({back}, arcs, kAnyWay);
+      EXPECT_EQ(way.size(), arcs ? 1u : 2u);
+      EXPECT_NEAR(distance(way.front().a, back.a), 0, 1e-12);
+      EXPECT_NEAR(distance(way.back().b, back.b), 0, 1e-12);
+      EXPECT_GE(wrap_signed(kPi - angle_of(way.front().tangent(0))), kLeastAside - 1e-9);
+      EXPECT_GE(wrap_signed(angle_of(way.back().tangent(1)) - kPi), kLeastAside - 1e-9);
+      EXPECT_GT(way.front().point(arcs ? 0.5 : 1).y, 0);
+      EXPECT_EQ(way.front().is_arc(), arcs);
+      EXPECT_FALSE(is_tight(way.front()));
+    }
+}
+
+TEST(BesideCuts, StaysWhereNothingBesideIsFreeAndWhereItIsAnArc) {
+  const Segment line = Segment::line({0.09, 0}, {0, 0}), arc = Segment::arc({0, 1}, 1, 0, 0.5);
+  EXPECT_EQ(beside_cuts({line}, true, [](const std::vector<Segment>&) { return false; }),
+            std::vector<Segment>{line});
+  EXPECT_EQ(beside_cuts({arc}, true, kAnyWay), std::vector<Segment>{arc});
+  // The less it turns the less room it takes.
+  const auto narrow = [](const std::vector<Segment>& way) {
+    return way.front().point(0.5).y < 1e-3;
+  };
+  const std::vector<Segment> way = beside_cuts({line}, true, narrow);
+  ASSERT_EQ(way.size(), 1u);
+  EXPECT_NEAR(way.front().sweep, 2 * kLeastAside, 1e-9);
 }
 
 // 0.09 mm to a front that the tool meets with `width` mm, 0.01 mm into it.

@@ -166,6 +166,34 @@ TEST(Entry, FillsARoomOfHundredthsOfAMillimetreWithARoundHelix) {
   EXPECT_EQ(stretched.descent.radius, radius);
 }
 
+// mm^2 that two circles of these radii share, whose centres are `apart` mm apart.
+double shared(double r, double s, double apart) {
+  const double a = std::acos((apart * apart + r * r - s * s) / (2 * apart * r)),
+               b = std::acos((apart * apart + s * s - r * r) / (2 * apart * s));
+  return r * r * (a - std::sin(a) * std::cos(a)) + s * s * (b - std::sin(b) * std::cos(b));
+}
+
+TEST(Entry, CountsWhatOfItsGroundNothingClearedBefore) {
+  Descent helix{DescentKind::kHelix, {2.7, 0}, {0, 0}, 2.7, {}, false};
+  const double whole = kPi * 5.7 * 5.7;
+  const Bounds box{{-20, -20}, {20, 20}};
+  const ClearedGround untouched(box, 3, nullptr);
+  EXPECT_DOUBLE_EQ(area_cut_by(helix, untouched), whole);
+  for (const double apart : {4.0, 6.0, 8.0}) {
+    ClearedGround ground(box, 3, nullptr);
+    ground.add_disc({0, apart}, 5);
+    EXPECT_NEAR(area_cut_by(helix, ground), whole - shared(5.7, 5, apart), 0.005 * whole);
+  }
+  std::vector<Region> half{rectangle(-20, -20, 0, 20)};
+  std::vector<Vertex> vertices = half.front().outer.vertices();
+  for (Vertex& v : vertices) v.open = true;
+  half.front().outer = Curve(vertices, true);
+  EXPECT_NEAR(area_cut_by(helix, ClearedGround(box, 3, &half)), whole / 2, 0.005 * whole);
+  Descent ramp{DescentKind::kRamp, {-8, 0}, {}, 0, {{8, 0}}, false};
+  const double swept = kPi * 9 + 16 * 6;
+  EXPECT_NEAR(area_cut_by(ramp, ClearedGround(box, 3, &half)), swept / 2, 0.005 * swept);
+}
+
 TEST(Entry, IsNeverAPlunge) {
   const Region dot = rectangle(0, 0, 4e-4, 4e-4);
   EXPECT_FALSE(descend_within(Area({dot}), widest(dot), {}));

@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <string>
 
+#include "geometry_shapes.h"
 #include "narrow_pockets.h"
 #include "strategy/constant_engagement.h"
 #include "support/errors.h"
@@ -77,7 +78,10 @@ TEST(Clearing, CountsPassesLinksAndRetractsOverAllLevels) {
 // One sentence, however many rooms turn tightly.
 TEST(Clearing, NamesTheTightestTurnOfAllRoomsOnce) {
   const Case pocket = two_rooms(6.5);
-  const Toolpath path = clear(pocket, NarrowPassages::kSkip);
+  ClearingParams params = pocket.params();
+  params.narrow_passages = NarrowPassages::kSkip;
+  params.roll_radius = 7;  // the tool's centre has a room of 12 x 14 mm
+  const Toolpath path = corpus::clear(pocket, params);
   EXPECT_EQ(notes_with(path, "Turned more tightly"), 1);
   EXPECT_EQ(notes_with(path, "of 2 rooms, down to"), 1);
 }
@@ -177,6 +181,17 @@ TEST(NarrowChoice, ClearsShortRoomsHardlyWiderThanTheToolByTheirDescentAlone) {
     EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0);
     for (const Move& move : path.moves) EXPECT_NE(move.kind, MoveKind::kCut);
   }
+}
+
+// A ring whose width changes, as strokes of letters are drawn: the tool fits on one side only, and
+// has little more than its width there.
+TEST(NarrowChoice, CutsAStrokeAboutAsWideAsTheToolByOneWayAlongItsMiddle) {
+  const Case pocket = pocket_of({{{20, 0}, 1}, {{-20, 0}, 1}}, {shapes::circle({0.3, 0}, 13.9)});
+  const Toolpath path = clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
+  EXPECT_LE(expect_cleared(pocket, path).removal_rate, 1.05 * nominal_rate(pocket));
+  EXPECT_LT(path.moves.size(), 300u);
+  EXPECT_LT(path.report.cutting_time, 1.7 * path.report.ideal_time);
+  EXPECT_LE(entries(path), 2);
 }
 
 TEST(NarrowChoice, CutsByTrochoidsWithinTheLimitWhereTheyHaveRoom) {

@@ -99,7 +99,7 @@ TEST(PocketTest, CanBeCancelledOrFailWhileItsLoadIsLookedAt) {
   const std::vector<Region> regions = {make_region(rectangle(10, 0, 40, 24))};
   const auto cleared = [&](bool fails) {
     int looks = 0;
-    Progress progress([&](double) { return ++looks < 5; });
+    Progress progress([&](double share) { return share == 0 || ++looks < 5; });
     const RegionClearer clearer = [&](const RegionTask& task, const ClearingParams& given,
                                       Progress& watch) {
       RegionResult result = clear_region(task, given, watch);
@@ -112,6 +112,62 @@ TEST(PocketTest, CanBeCancelledOrFailWhileItsLoadIsLookedAt) {
   EXPECT_EQ(path.report.termination, Termination::kCancelled);
   EXPECT_GT(path.report.cut_length, 0);
   EXPECT_THROW(cleared(true), std::runtime_error);
+}
+
+// How often the work asked whether to go on, by the passes that were made then.
+TEST(PocketTest, AsksWhetherToGoOnAllAlongASpiralAndWhileFeedsAreSought) {
+  ClearingParams params;
+  params.engagement_angle = kPi / 6;
+  params.feed_control = FeedControl::kConstantRemovalRate;
+  params.maximum_feed = 1000;
+  const std::vector<Region> regions = {make_region(shapes::circle({0, 0}, 40))};
+  std::vector<double> shares;
+  Progress counting([&](double share) {
+    shares.push_back(share);
+    return true;
+  });
+  const Toolpath whole = clear_pocket(regions, params, counting);
+  // Steering asks the ground at least twice for a move, whatever the machine.
+  const auto in_spiral = std::count(shares.begin(), shares.end(), 0.0);
+  EXPECT_GT(static_cast<double>(in_spiral) * kLooksOfStep, 2.0 * whole.moves.size());
+  EXPECT_TRUE(std::is_sorted(shares.begin(), shares.end()));
+  const auto at_the_end = std::count(shares.begin(), shares.end(), shares.back());
+  EXPECT_GT(at_the_end, 10);
+
+  const auto cancelled_at = [&](std::size_t call) {
+    std::size_t calls = 0;
+    Progress cancelling([&](double) { return ++calls < call; });
+    const Toolpath path = clear_pocket(regions, params, cancelling);
+    EXPECT_EQ(calls, call) << "nobody is asked again";
+    EXPECT_EQ(path.report.termination, Termination::kCancelled);
+    return path.report;
+  };
+  for (const double part : {0.05, 0.5, 0.9}) {
+    const Report report =
+        cancelled_at(1 + static_cast<std::size_t>(part * static_cast<double>(in_spiral)));
+    EXPECT_EQ(report.passes, 0) << part;
+    EXPECT_EQ(report.cut_length, 0) << part;
+  }
+  // All is cut, only the feeds are not found.
+  EXPECT_NEAR(cancelled_at(static_cast<std::size_t>(shares.size() - at_the_end) + 5).cut_length,
+              whole.report.cut_length, 1e-6);
+}
+
+TEST(PocketTest, AsksWhetherToGoOnWhileItSeeksAPattern) {
+  ClearingParams params;
+  params.engagement_angle = kPi / 9;
+  const std::vector<Region> slot = {make_region(rectangle(0, 0, 60, 7))};
+  std::size_t before = 0, calls = 0;
+  Progress counting([&](double share) {
+    before += share == 0;
+    return true;
+  });
+  clear_pocket(slot, params, counting);
+  EXPECT_GT(before, 100u);
+  Progress cancelling([&](double) { return ++calls < before / 2; });
+  const Toolpath path = clear_pocket(slot, params, cancelling);
+  EXPECT_EQ(path.report.termination, Termination::kCancelled);
+  EXPECT_EQ(calls, before / 2);
 }
 
 TEST(PocketTest, AClearerSeesClimbMillingAndItsPathIsMirroredBackForConventional) {
@@ -204,7 +260,7 @@ WaysBack ways_back(const std::vector<Move>& moves) {
     return Vec2{moves[i].x - moves[i - 1].x, moves[i].y - moves[i - 1].y};
   };
   for (std::size_t i = 1; i + 2 < moves.size(); ++i) {
-    if (moves[i].kind != MoveKind::kLink || moves[i].sweep != 0) continue;
+    if (moves[i].kind != MoveKind::kLink) continue;
     if (moves[i + 1].kind != MoveKind::kCut) continue;
     const Vec2 back = along(i), on = along(i + 1);
     if (dot(normalized(back), normalized(on)) > -0.99) continue;

@@ -136,6 +136,33 @@ TEST(RestMachining, OfAFullPocketIsClearingItByAHelix) {
   EXPECT_LE(run(path, stock, 6, pocket.part).figures.rest.area, 0.01);
 }
 
+// What a bore as wide as a groove left: a post in its middle, beside which a helix comes down in
+// air.
+TEST(RestMachining, CountsWhatItRemovesAndNoAir) {
+  const Pocket pocket(false, 10);
+  DexelStock stock = pocket.stock();
+  Toolpath bore;
+  for (const double x : {24.0, 16.0, 24.0}) {
+    Move move;
+    move.kind = bore.moves.empty() ? MoveKind::kEntry : MoveKind::kCut;
+    move.x = x;
+    move.y = 20;
+    move.z = -10;
+    move.feed = 600;
+    if (!bore.moves.empty()) {
+      move.sweep = kPi;
+      move.cx = move.cy = 20;
+    }
+    bore.moves.push_back(move);
+  }
+  run(bore, stock, 6);
+  const double before = stock.volume();
+  const Toolpath path = clear_what_stands(pocket, stock, params_for(6, {-10}));
+  run(path, stock, 6);
+  EXPECT_NEAR(path.report.removed_volume, before - stock.volume(),
+              0.005 * (before - stock.volume()));
+}
+
 // Here nothing leads in from beside, and the tool's centre has some hundredths of a millimetre.
 TEST(RestMachining, ComesDownByARampInARoomHardlyWiderThanTheTool) {
   for (const double width : {6.03, 6.08, 6.11}) {

@@ -238,6 +238,20 @@ TEST(TrochoidPattern, OfConstantEngagementGoesBackNearlyStraightAcrossTheSlot) {
   }
 }
 
+TEST(TrochoidPattern, OfConstantEngagementTurnsAsWidelyAsIsAskedForWhereThereIsRoom) {
+  for (const double width : {1.5, 2.0, 3.0, 4.0}) {
+    TrochoidParams params = slot(width, 60);
+    params.least_turn = 0.9;
+    const auto pattern = constant_engagement_pattern(params);
+    ASSERT_TRUE(pattern);
+    EXPECT_GE(pattern->turn_radius, std::min(0.9, 0.4 * half_room(params)) - 1e-9) << width;
+    for (const Segment& move : pattern->link)
+      if (move.is_arc()) {
+        EXPECT_GE(move.radius, 0.5 * std::min(0.9, pattern->turn_radius) - 1e-9) << width;
+      }
+  }
+}
+
 // mm^2/min, two passes along the walls in the time.
 double removal_with_walls(const TrochoidPattern& pattern, const TrochoidParams& params) {
   return params.width * pattern.step /

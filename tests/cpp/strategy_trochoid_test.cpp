@@ -18,6 +18,8 @@
 namespace evenload {
 namespace {
 
+using shapes::rectangle;
+
 constexpr double kDegree = kPi / 180;
 
 ClearingParams params_at(double degrees = 60) {
@@ -157,6 +159,20 @@ TEST(ClearSlot, StartsInAShortSlotWhereTheLongestEndsInOthers) {
   const TrochoidalPath result = clear(comb, params);
   expect_good(comb, params, result);
   EXPECT_GT(result.report.length, 20);
+}
+
+// No side of a frame has an end: the first one begins past its corner.
+TEST(ClearSlot, RepeatsItsPatternAlongTheSidesOfAFrame) {
+  for (const double width : {8.0, 10.0}) {
+    SCOPED_TRACE(width);
+    const double h = width / 2;
+    const Region frame =
+        make_region(rectangle(-h, -h, 70 + h, 40 + h), {rectangle(h, h, 70 - h, 40 - h)});
+    const ClearingParams params = params_at();
+    const TrochoidalPath result = clear(frame, params);
+    expect_good(frame, params, result);
+    EXPECT_GT(result.report.length, 110);  // half of all round
+  }
 }
 
 TEST(ClearSlot, CutsConventionallyInTheMirrorImage) {

@@ -1,10 +1,13 @@
-// Two calculations at once.
+// Two calculations at once, and how they are cancelled.
 #include <gtest/gtest.h>
 
 #include <stdexcept>
 #include <string>
+#include <thread>
+#include <vector>
 
 #include "support/both.h"
+#include "support/progress.h"
 
 namespace evenload {
 namespace {
@@ -26,6 +29,38 @@ TEST(Both, ThrowsWhatEitherThrowsOnceTheOtherHasEnded) {
     EXPECT_THROW(is_first ? both(fails, works) : both(works, fails), std::runtime_error);
     EXPECT_TRUE(has_ended);
   }
+}
+
+TEST(Progress, TellsTheLastShareAgainByStepsUntilItIsCancelled) {
+  std::vector<double> shares;
+  Progress progress([&](double share) {
+    shares.push_back(share);
+    return shares.size() < 4;
+  });
+  progress.step();
+  EXPECT_TRUE(progress.report(0.5));
+  progress.step();
+  EXPECT_THROW(progress.step(), Cancelled);
+  EXPECT_TRUE(progress.cancelled());
+  EXPECT_THROW(progress.step(), Cancelled);
+  EXPECT_EQ(shares, (std::vector<double>{0, 0.5, 0.5, 0.5}));
+}
+
+TEST(Progress, IsAskedByTheThreadThatMadeItAloneAndStopsOthersToo) {
+  const std::thread::id here = std::this_thread::get_id();
+  int asked = 0;
+  Progress progress([&](double) {
+    EXPECT_EQ(std::this_thread::get_id(), here);
+    return ++asked < 3;
+  });
+  // The other core works on and on: it is this one, which has nothing to do, that hears of it.
+  const auto works_on = [&]() -> int {
+    for (;;) progress.step();
+  };
+  EXPECT_THROW(both(
+                   works_on, [] { return 1; }, &progress),
+               Cancelled);
+  EXPECT_EQ(asked, 3);
 }
 
 }  // namespace
