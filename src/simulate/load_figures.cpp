@@ -71,7 +71,11 @@ void add_up_record(const LoadRecord& record, LoadFigures& figures) {
         figures.cut_length += length;
         break;
     }
-    const double mean = 0.5 * (record.engagement[i - 1] + record.engagement[i]);
+    // Straight down there is no side that is engaged: what stands under the tool is a plunge's.
+    const bool is_upright = record.x[i] == record.x[i - 1] && record.y[i] == record.y[i - 1];
+    const double mean = is_upright && kind == MoveKind::kLink
+                            ? 0
+                            : 0.5 * (record.engagement[i - 1] + record.engagement[i]);
     const double worst = engagement.add(length, mean);
     if (kind != MoveKind::kCut) {
       keep_worst(kind == MoveKind::kLink ? figures.link_engagement : figures.entry_engagement,

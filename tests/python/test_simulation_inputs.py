@@ -99,7 +99,7 @@ def test_notes_of_a_file_that_was_cut_before_are_taken_too(tmp_path):
 def test_kinds_are_told_from_what_moves_do_in_files_only_unless_asked(tmp_path):
     # Down beside the stock, through it, on faster beside it, and back up.
     path = written(tmp_path, "G0 X-40 Y0 Z5\nG1 Z-3 F600\nX40 F255\nY50 F900\nZ5\nG0 X0\n")
-    told = [(1, ENTRY), (2, CUT), (3, LINK), (4, LINK), (5, RAPID)]
+    told = [(1, LINK), (2, CUT), (3, LINK), (4, LINK), (5, RAPID)]
     plain = [(1, ENTRY), (2, CUT), (3, CUT), (4, CUT), (5, RAPID)]  # a plunge is no cut
     moves = core.read_gcode(path.read_text()).moves
     for source, asked, expected in (
