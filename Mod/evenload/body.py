@@ -19,12 +19,14 @@ LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so 
 FLAT = 1e-9  # mm: edges that rise by less lie in a level plane
 DEFLECTION = 0.005  # mm: triangles leave round surfaces by this at the most
 COARSE = 0.01  # mm: the same of the heights, which no wall is taken from
+SAME_PARAMETER = 1e-6  # of surfaces
 PROJECTED = 0.001  # mm: points on edges that are drawn anew in the plane lie as near as that
 POINTS = 9  # the fewest of these on a curve
 SHORTEST = 1e-7  # mm: edges that come out shorter have become points
 SIGHTINGS = 7  # places along each side of a face where its inclination is looked at
+MOST_LEVEL = 300  # level faces of which the same holds
 MOST_LEANING = 80  # faces that are united exactly; more, or such that lean both ways, as triangles
-MOST_KEPT = 16  # bodies that are remembered
+MOST_KEPT = 64  # bodies that are remembered
 OVER = 1.0  # mm by which boxes that cut a face reach beyond it
 
 _kept = []  # of (shape, Body), the latest last
@@ -42,6 +44,12 @@ def of(shape):
     return body
 
 
+def models_of(job):
+    """[(label, Body), ...] of a job's models that have a shape."""
+    shapes = [(model.Label, getattr(model, "Shape", None)) for model in job.Model.Group]
+    return [(label, of(shape)) for label, shape in shapes if shape and not shape.isNull()]
+
+
 class Body:
     """A shape's heights, its standing parts and its points. Raises ValueError from its functions
     for shapes that OpenCASCADE cannot cut or project.
@@ -55,7 +63,6 @@ class Body:
         self._drawn = {}  # edges in the plane, by their hash: neighbours share them
         self._standing = {}
         self._outlines = {}
-        self._edges = {}
 
     @functools.cached_property
     def map(self):
@@ -106,20 +113,33 @@ class Body:
         wires, polygons = self._outlines[key]
         return [wire.translated(UP * at) for wire in wires] if at else wires, polygons
 
-    def edge_points(self, spacing):
-        """Points of its edges, n x 3, hardly further apart than `spacing` mm."""
-        if spacing not in self._edges:
-            points = [_points_along(e, spacing) for e in self.shape.Edges if not e.Degenerated]
-            self._edges[spacing] = numpy.vstack([numpy.zeros((0, 3)), *points])
-        return self._edges[spacing]
-
-    def section_points(self, z, spacing):
-        """The same of its section at a height."""
-        if not self.box.ZMin < z < self.box.ZMax:
-            return numpy.zeros((0, 3))
-        wires = self.shape.slice(UP, z)
-        points = [_points_along(edge, spacing) for wire in wires for edge in wire.Edges]
+    def edge_points(self, low, high, spacing):
+        """Points of those of its faces' edges that reach into the box between two corners, or over
+        it, n x 3, hardly further apart than `spacing` mm.
+        """
+        edges = [edge for edge, box in self._borders if _meets(box, low, high)]
+        points = [_points_along(edge, spacing) for edge in edges]
         return numpy.vstack([numpy.zeros((0, 3)), *points])
+
+    def section_points(self, heights, low, high, spacing):
+        """The same of its faces that lean, where they pass some heights."""
+        points = []
+        for face in self._faces:
+            if not (face.leans and _meets(face.box, low, high)):
+                continue
+            own = [z for z in [*heights, *face.turning] if face.box.ZMin < z < face.box.ZMax]
+            for z in own:
+                for wire in face.shape.slice(UP, z):
+                    points += [_points_along(edge, spacing) for edge in wire.Edges]
+        return numpy.vstack([numpy.zeros((0, 3)), *points])
+
+    @functools.cached_property
+    def _borders(self):
+        """[(edge, its box), ...] of all faces, each once; edges of no face bound nothing."""
+        if not self.shape.Faces:
+            return []
+        edges = Part.Compound(self.shape.Faces).Edges
+        return [(edge, edge.BoundBox) for edge in edges if not edge.Degenerated]
 
     def _find_standing(self, z):
         level, leaning = [], []
@@ -129,7 +149,11 @@ class Body:
             elif not face.is_upright and face.box.ZMax > z:
                 if not self._is_closed or face.looks_up:
                     level.append(face.shape)
-        if len(leaning) > MOST_LEANING or any(not inclination for _, inclination in leaning):
+        if (
+            len(leaning) > MOST_LEANING
+            or len(level) > MOST_LEVEL
+            or any(not inclination for _, inclination in leaning)
+        ):
             return _under_triangles(level + [part for part, _ in leaning])
         found = [face.translated(UP * -face.BoundBox.ZMax) for face in level]
         for part, inclination in leaning:
@@ -141,10 +165,8 @@ class Body:
 
     def _projected(self, face):
         """The faces in the plane over which a face lies, none of whose lines up meets it twice."""
-        every = [edge for wire in face.Wires for edge in wire.SubShapes]
-        # What is there twice is a seam, with the face on either side of it.
-        once = [edge for edge in every if sum(edge.isSame(other) for other in every) == 1]
-        edges = [edge for edge in map(self._drawn_in_plane, once) if edge is not None]
+        border = [edge for edge in face.Edges if not _is_seam(edge, face)]
+        edges = [edge for edge in map(self._drawn_in_plane, border) if edge is not None]
         wires = [Part.Wire(each) for each in Part.sortEdges(edges)] if edges else []
         return faces_within([wire for wire in wires if wire.isClosed()])
 
@@ -182,20 +204,39 @@ class _Face:
         is_level = isinstance(surface, Part.Plane) and abs(surface.Axis.z) > 1 - LEVEL
         self.looks_up = is_level and shape.normalAt(0, 0).z > 0
         self.leans = not (is_level or self.is_upright)
+        # Heights at which it turns over, if its axis is upright, or level.
+        round_ = isinstance(surface, (Part.Sphere, Part.Toroid, Part.Cylinder))
+        self.turning = [surface.Center.z] if round_ and self.leans else []
 
     def parts_above(self, z):
         """[(part of the face above z, its _inclination), ...]"""
-        surface, low, high = self.shape.Surface, max(z, self.box.ZMin), self.box.ZMax
-        middle = None
-        if isinstance(surface, (Part.Sphere, Part.Toroid, Part.Cylinder)):
-            middle = surface.Center.z  # there it turns over, if its axis is upright, or level
-        ends = [low, high]
-        if middle is not None and low + FLAT < middle < high - FLAT:
-            ends = [low, middle, high]
+        low, high = max(z, self.box.ZMin), self.box.ZMax
+        ends = [low, *(z for z in self.turning if low + FLAT < z < high - FLAT), high]
         parts = [
             part for a, b in zip(ends, ends[1:]) for part in _between(self.shape, self.box, a, b)
         ]
         return [(part, _inclination(part)) for part in parts]
+
+
+def _is_seam(edge, face):
+    """Whether a face lies to both sides of an edge, where its surface closes. OpenCASCADE calls an
+    edge that lies there a seam also where the face ends at it.
+    """
+    if edge.Degenerated or not edge.isSeam(face):
+        return False
+    surface = face.Surface
+    middle = edge.valueAt(0.5 * (edge.FirstParameter + edge.LastParameter))
+    u, v = surface.parameter(middle)
+    u0, u1, v0, v1 = face.ParameterRange
+    whole_u0, whole_u1, whole_v0, whole_v1 = surface.bounds()
+    for at, low, high, whole, closes in (
+        (u, u0, u1, whole_u1 - whole_u0, surface.isUClosed()),
+        (v, v0, v1, whole_v1 - whole_v0, surface.isVClosed()),
+    ):
+        is_at_end = min(abs(at - low), abs(at - high)) < SAME_PARAMETER
+        if closes and is_at_end and high - low > whole - SAME_PARAMETER:
+            return True
+    return False
 
 
 def is_upright(surface):
@@ -277,6 +318,17 @@ def _is_straight(points):
     if along.Length < SHORTEST:
         return False
     return all(p.distanceToLine(points[0], along) < SHORTEST for p in points)
+
+
+def _meets(box, low, high):
+    """Whether a box of FreeCAD's reaches into the one between two corners, or over it."""
+    return (
+        box.ZMax > low[2]
+        and box.XMin < high[0]
+        and box.XMax > low[0]
+        and box.YMin < high[1]
+        and box.YMax > low[1]
+    )
 
 
 def _points_along(edge, spacing):

@@ -279,7 +279,7 @@ def _part(job, operation, tool, stock, top, bottom, moves, notes):
 
 
 def _bodies(job):
-    return [body.of(model.Shape) for model in job.Model.Group if not model.Shape.isNull()]
+    return [each for _, each in body.models_of(job)]
 
 
 def _base_objects(operation):
@@ -306,8 +306,8 @@ def _outside_floors(job, op, tool, stock, top):
     for floor, ground in zip(floors, grounds):
         height = max(floor.z, final) if floor.is_face else final
         part += [(region, height) for region in _level_regions(ground.common(whole))]
-        if floor.of_solid and floor.z < final + SAME_LEVEL:
-            part += _above(job, ground, final)
+        if floor.of_solid:
+            part += _above(job, ground, max(final, floor.z))
     return part
 
 

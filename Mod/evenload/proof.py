@@ -28,10 +28,8 @@ ABOVE_LEVEL = 2e-3  # mm: sections are made so far above a path's levels
 MOST_SECTIONS = 40  # levels at which a model that leans is cut; what lies between is seen at edges
 DEEPER = 1e-3  # mm below a face, from which on the operation is meant to cut into it
 BESIDE = 0.05  # mm beside a face's edge, where a model is looked for that its border keeps off
-AROUND = [(math.cos(k * math.pi / 4), math.sin(k * math.pi / 4)) for k in range(8)]
 FEWEST = 9  # points along an edge
 ON_BORDER = 0.01  # mm: points so near to a border are on it; polygons leave it by half of that
-SLOT_SAMPLES = 0.02  # slot widths between places of a centreline, of what the slot covers
 NEARER = 1e-3  # mm by which a centreline may come nearer to a slot's border than half its width
 FIRST_LINES = "G21 G90\nF600\n"  # for the reader of G-code: FreeCAD's paths are always in mm
 NO_POINTS = numpy.zeros((0, 3))
@@ -58,15 +56,15 @@ def check(operation):
     low, high, levels = core.extent_of(path)
     if not low:
         return []
-    models = [(m.Label, body.of(m.Shape)) for m in job.Model.Group if not m.Shape.isNull()]
+    models = body.models_of(job)
     labels, points = [], []
-    drawn = _Drawn(host.operation_under(operation))
+    drawn = _Drawn(host.operation_under(operation), list(job.Model.Group))
     for label, each in models:
         found = drawn.left(_points(each, low, high, levels, tool.diameter))
         labels += [label] * len(found)
         points.append(found)
     stock = body.of(job.Stock.Shape).map
-    borders = drawn.borders(SPACING * tool.diameter, stock, [each.map for _, each in models])
+    borders = drawn.borders(SPACING * tool.diameter, stock, [each for _, each in models])
     labels += [drawn.name] * len(borders)
     points = numpy.vstack([NO_POINTS, *points, borders])
     options = {
@@ -105,39 +103,33 @@ def _program(operation):
 
 
 def _points(each, low, high, levels, diameter):
-    """Points, n x 3, of a body that the tool might meet between two corners of its path."""
+    """Points, n x 3, of a body that the tool might meet on a path between two corners."""
     reach = 0.5 * diameter
-    if each.box.ZMax <= low[2] or not _meet(each.box, low, high, reach):
-        return NO_POINTS
+    low = (low[0] - reach, low[1] - reach, low[2])
+    high = (high[0] + reach, high[1] + reach, high[2])
     spacing = SPACING * diameter
-    found = [each.edge_points(spacing)]
-    if not each.is_prismatic(low[2]):
-        heights = levels[:: max(1, math.ceil(len(levels) / MOST_SECTIONS))]
-        found += [each.section_points(z + ABOVE_LEVEL, spacing) for z in heights]
-    found.append(_upper_side(each, low, high, reach, RASTER * diameter))
-    points = numpy.vstack(found)
+    heights = [z + ABOVE_LEVEL for z in levels[:: math.ceil(len(levels) / MOST_SECTIONS) or 1]]
+    points = numpy.vstack(
+        [
+            each.edge_points(low, high, spacing),
+            each.section_points(heights, low, high, spacing),
+            _upper_side(each, low, high, RASTER * diameter),
+        ]
+    )
     near = points[:, 2] > low[2]
     for axis in (0, 1):
-        near &= points[:, axis] > low[axis] - reach
-        near &= points[:, axis] < high[axis] + reach
+        near &= (points[:, axis] > low[axis]) & (points[:, axis] < high[axis])
     return points[near]
 
 
-def _upper_side(each, low, high, reach, step):
+def _upper_side(each, low, high, step):
     box = each.box
-    x0, x1 = max(low[0] - reach, box.XMin), min(high[0] + reach, box.XMax)
-    y0, y1 = max(low[1] - reach, box.YMin), min(high[1] + reach, box.YMax)
+    x0, x1 = max(low[0], box.XMin), min(high[0], box.XMax)
+    y0, y1 = max(low[1], box.YMin), min(high[1], box.YMax)
+    if box.ZMax <= low[2] or x0 > x1 or y0 > y1:
+        return NO_POINTS
     step = max(step, (x1 - x0) / MOST_PER_SIDE, (y1 - y0) / MOST_PER_SIDE)
     return each.map.raster(x0, y0, x1, y1, step)
-
-
-def _meet(box, low, high, reach):
-    return (
-        box.XMin < high[0] + reach
-        and box.XMax > low[0] - reach
-        and box.YMin < high[1] + reach
-        and box.YMax > low[1] - reach
-    )
 
 
 class _Drawn:
@@ -146,104 +138,124 @@ class _Drawn:
     and slots nowhere, those of faces where a model stands beyond.
     """
 
-    def __init__(self, operation):
+    def __init__(self, operation, models):
+        self._models = models
         self.name = ""
-        self.depth = operation.FinalDepth.Value
-        self._grounds = []  # (height of a face, nested polygons); no height for outlines
+        self.depth = getattr(getattr(operation, "FinalDepth", None), "Value", math.inf)
+        self._start = getattr(getattr(operation, "StartDepth", None), "Value", math.inf)
+        self._grounds = []  # (up to which height it is cut, its own height, nested polygons)
         self._outlines, self._faces, self._curves = [], [], []  # edges
+        self._lines = []  # the curves as points, each n x 2
         self._width = getattr(getattr(operation, "SlotWidth", None), "Value", 0.0)
         labels = []
-        for obj, names in operation.Base:
+        base = getattr(operation, "Base", None) or []
+        for obj, names in base if isinstance(base, list) else []:
+            if not hasattr(obj, "Shape"):
+                continue  # of an array: an operation
             shape = _placed(obj)
             parts = [shape.getElement(name) if name else shape for name in names or ("",)]
-            faces = [part for part in parts if part.Faces and self._is_to_be_cut(part, shape)]
+            faces = [part for part in parts if part.Faces and self._is_to_be_cut(part, obj)]
             edges = [edge for part in parts if not part.Faces for edge in part.Edges]
-            self._add_faces([face for part in faces for face in part.Faces])
+            faces_of = [part.Faces for part in faces]
+            # Drawn faces that adjoin each other are one; those of a model may lie at any heights.
+            groups = faces_of if self._of_model(obj) else [sum(faces_of, [])]
+            for group in groups:
+                self._add_faces(group, self._of_model(obj))
             self._add_edges(edges)
             labels += [obj.Label] if faces or edges else []
         self.name = ", ".join(dict.fromkeys(labels))
 
-    def _is_to_be_cut(self, part, shape):
+    def _is_to_be_cut(self, part, obj):
         """Whether faces were drawn by themselves, or lie higher than what is cut."""
-        return not shape.Solids or part.BoundBox.ZMin > self.depth + DEEPER
+        return not self._of_model(obj) or part.BoundBox.ZMin > self.depth + DEEPER
 
-    def _add_faces(self, faces):
+    def _of_model(self, obj):
+        return bool(obj.Shape.Solids) or obj in self._models
+
+    def _add_faces(self, faces, of_model):
         level = [face.translated(UP * -face.BoundBox.ZMax) for face in faces]
         if len(level) > 1:  # what two of them share is no border
             level = level[0].fuse(level[1:]).removeSplitter().Faces
         height = max((face.BoundBox.ZMax for face in faces), default=-math.inf)
+        top = height + DEEPER if of_model else math.inf
         for face in level:
-            self._grounds.append((height, [points_of(wire) for wire in face.Wires]))
+            self._grounds.append((top, height, [points_of(wire) for wire in face.Wires]))
             self._faces += face.Edges
 
     def _add_edges(self, edges):
         wires = [Part.Wire(each) for each in Part.sortEdges(edges)] if edges else []
         if self._width > 0:
             self._curves += [edge for wire in wires for edge in wire.Edges]
+            self._lines += [points_of(edge) for wire in wires for edge in wire.Edges]
             return
         closed = [wire for wire in wires if wire.isClosed()]
         if closed:
-            self._grounds.append((-math.inf, [points_of(wire) for wire in closed]))
+            self._grounds.append((math.inf, -math.inf, [points_of(wire) for wire in closed]))
             self._outlines += [edge for wire in closed for edge in wire.Edges]
 
-    def _within(self, flat, margin):
-        """For each of some points, n x 2, whether it lies on a ground that is to be cut, and so
-        many mm off its border; with a negative margin whether it lies so near to one.
+    def _within(self, flat, margin, z=-math.inf):
+        """For each of some points, n x 2 at the heights z, whether it lies on a ground that is to
+        be cut, so many mm off its border.
         """
-        around = [flat + margin * numpy.array(side) for side in AROUND]
         result = numpy.zeros(len(flat), bool)
-        for _, polygons in self._grounds:
-            found = [inside(moved, polygons) for moved in around]
-            result |= numpy.all(found, axis=0) if margin > 0 else numpy.any(found, axis=0)
-        away = numpy.full(len(flat), math.inf)
-        for x, y in self._samples(SLOT_SAMPLES * self._width):
-            away = numpy.minimum(away, numpy.hypot(flat[:, 0] - x, flat[:, 1] - y))
-        return result | (away < 0.5 * self._width - margin)
+        for top, _, polygons in self._grounds:
+            away = _away(flat, [numpy.vstack([each, each[:1]]) for each in polygons])
+            signed = numpy.where(inside(flat, polygons), away, -away)
+            result |= (signed > margin) & (z < top)
+        if self._lines:
+            result |= _away(flat, self._lines) < 0.5 * self._width - margin
+        return result
 
     def left(self, points):
         """Those of the points, n x 3, that must stay nevertheless."""
         if not self.name or not len(points):
             return points
-        flat = numpy.ascontiguousarray(points[:, :2])
-        goes = self._within(flat, ON_BORDER)
+        flat, z = numpy.ascontiguousarray(points[:, :2]), points[:, 2]
+        goes = self._within(flat, ON_BORDER, z)
         # A face's own edge goes with it; what rises from there stays.
-        height = max((height for height, _ in self._grounds), default=-math.inf)
-        goes |= self._within(flat, -ON_BORDER) & (points[:, 2] < height + DEEPER)
-        return points[~goes | (points[:, 2] < self.depth)]
+        for _, height, polygons in self._grounds:
+            border = _away(flat, [numpy.vstack([each, each[:1]]) for each in polygons])
+            goes |= (border < ON_BORDER) & (z < height + DEEPER)
+        return points[~goes | (z < self.depth)]
 
     def borders(self, spacing, stock, models):
-        """Points of what must not be passed, n x 3, as high as what stands there. stock and
-        models: HeightMaps.
+        """Points of what must not be passed, n x 3, as high as what stands there, but no higher
+        than where the operation starts. stock: a HeightMap; models: Bodies.
         """
         found = [(p.x, p.y) for edge in self._outlines for p in _along(edge, spacing)]
         found += self._slot_border(spacing)
-        points = [(x, y, stock.top_at(x, y)) for x, y in found]
+        points = [(x, y, min(stock.top_at(x, y), self._start)) for x, y in found]
         for edge in self._faces:
             for p, side in _beside(edge, spacing):
                 beyond = numpy.array(
                     [(p.x + s * side.x, p.y + s * side.y) for s in (BESIDE, -BESIDE)]
                 )
                 for x, y in beyond[~self._within(beyond, ON_BORDER)]:
-                    top = max((model.top_at(x, y) for model in models), default=-math.inf)
+                    top = max((each.map.top_at(x, y) for each in models), default=-math.inf)
                     points.append((p.x, p.y, top))
         points = [point for point in points if math.isfinite(point[2])]
         return numpy.array(points).reshape(-1, 3)
-
-    def _samples(self, spacing):
-        return [(p.x, p.y) for edge in self._curves for p in _along(edge, spacing)]
 
     def _slot_border(self, spacing):
         """(x, y) half the slot's width beside its centrelines, to both sides, where no other part
         of them is nearer.
         """
-        own = numpy.array(self._samples(spacing)).reshape(-1, 2)
-        half, found = 0.5 * self._width, []
-        for edge in self._curves:
-            for p, side in _beside(edge, spacing):
-                for x, y in ((p.x + s * side.x, p.y + s * side.y) for s in (half, -half)):
-                    if numpy.hypot(own[:, 0] - x, own[:, 1] - y).min() > half - NEARER:
-                        found.append((x, y))
-        return found
+        half = 0.5 * self._width
+        points = [
+            (p.x + s * side.x, p.y + s * side.y)
+            for edge in self._curves
+            for p, side in _beside(edge, spacing)
+            for s in (half, -half)
+        ]
+        points = numpy.array(points).reshape(-1, 2)
+        return [tuple(p) for p in points[_away(points, self._lines) > half - NEARER]]
+
+
+def _away(points, lines):
+    """mm from points, n x 2, to the nearest of lines through points, each m x 2; inf without."""
+    starts = numpy.vstack([numpy.zeros((0, 2)), *(line[:-1] for line in lines)])
+    ends = numpy.vstack([numpy.zeros((0, 2)), *(line[1:] for line in lines)])
+    return compiled.core().distances(points, starts, ends)
 
 
 def _placed(obj):

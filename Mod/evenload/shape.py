@@ -40,7 +40,7 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     ValueError with a sentence that names the geometry.
     """
     found, slots = [], []
-    for item in _items(base):
+    for item in _items(base, models):
         read = _slots(item, tolerance, slot) if slot and not item.is_face else []
         slots += read
         if read:
@@ -136,7 +136,7 @@ def _element(shape, name):
         return None
 
 
-def _items(base):
+def _items(base, models):
     """What to read one by one: faces, those that adjoin each other as one; each object's edges
     together; whole objects.
     """
@@ -156,7 +156,7 @@ def _items(base):
                 raise ValueError("There is no %s on %s: pick the geometry anew." % (name, label))
             if part.ShapeType == "Face":
                 _refuse_downward(part, shape, "%s of %s" % (name, label))
-                result.append(_Item([(label, name)], part, True, bool(shape.Solids)))
+                result.append(_Item([(label, name)], part, True, _is_of_body(shape, models)))
             elif name and part.ShapeType in ("Edge", "Wire"):
                 edges.append((name, part))
             elif name:
@@ -171,6 +171,11 @@ def _items(base):
             shapes = Part.Compound([edge for _, edge in edges])
             result.append(_Item([(label, name) for name, _ in edges], shapes, False))
     return _merged(result)
+
+
+def _is_of_body(shape, models):
+    """Whether a shape is a body, or a model that is none, such as a shell: not drawn by itself."""
+    return bool(shape.Solids) or any(shape.isSame(model) for model in models)
 
 
 def _refuse_downward(face, shape, name):

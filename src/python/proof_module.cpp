@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <optional>
 #include <set>
 #include <stdexcept>
@@ -75,13 +76,44 @@ py::tuple extent_of(const py::object& source) {
   std::set<double, std::greater<>> levels;
   for (std::size_t i = 1; i < moves.size(); ++i) {
     const Move& m = moves[i];
-    low = {std::min(low.x, m.x), std::min(low.y, m.y), std::min(low.z, m.z)};
-    high = {std::max(high.x, m.x), std::max(high.y, m.y), std::max(high.z, m.z)};
+    const Bounds box = segment_of({moves[i - 1].x, moves[i - 1].y, moves[i - 1].z}, m).bounds();
+    low = {std::min(low.x, box.low.x), std::min(low.y, box.low.y), std::min(low.z, m.z)};
+    high = {std::max(high.x, box.high.x), std::max(high.y, box.high.y), std::max(high.z, m.z)};
     if (m.kind != MoveKind::kRapid && m.z == moves[i - 1].z)
       levels.insert(kLevels * std::round(m.z / kLevels));
   }
   return py::make_tuple(py::make_tuple(low.x, low.y, low.z), py::make_tuple(high.x, high.y, high.z),
                         std::vector<double>(levels.begin(), levels.end()));
+}
+
+// mm from each of some points, n x 2, to the nearest of lines from `starts` to `ends`, m x 2.
+py::array_t<double> distances(const Rows& points, const Rows& starts, const Rows& ends) {
+  for (const Rows* rows : {&points, &starts, &ends})
+    if (rows->ndim() != 2 || rows->shape(1) != 2)
+      throw std::invalid_argument("Points must be rows of two.");
+  if (starts.shape(0) != ends.shape(0))
+    throw std::invalid_argument("Each line needs a start and an end.");
+  const auto from = starts.unchecked<2>(), to = ends.unchecked<2>(), at = points.unchecked<2>();
+  std::vector<Segment> lines;
+  std::vector<Bounds> boxes;
+  for (py::ssize_t i = 0; i < starts.shape(0); ++i) {
+    lines.push_back(Segment::line({from(i, 0), from(i, 1)}, {to(i, 0), to(i, 1)}));
+    boxes.push_back(lines.back().bounds());
+  }
+  const BoxTree tree(boxes);
+  py::array_t<double> result(points.shape(0));
+  auto view = result.mutable_unchecked<1>();
+  for (py::ssize_t i = 0; i < points.shape(0); ++i) {
+    const Vec2 p{at(i, 0), at(i, 1)};
+    double best = std::numeric_limits<double>::infinity();
+    std::size_t nearest = 0;
+    tree.nearest(p, best, nearest, [&](std::uint32_t item) {
+      const double d = lines[item].distance_to(p);
+      return d * d;
+    });
+    view(i) = std::sqrt(best);
+  }
+  return result;
 }
 
 // Kind, amount, (x, y, z), number of the move.
@@ -152,9 +184,12 @@ void bind_proof(py::module_& module) {
       .def_property_readonly("lowest", &HeightMap::lowest, "mm")
       .def_property_readonly("highest", &HeightMap::highest, "mm");
 
+  module.def("distances", &distances, py::arg("points"), py::arg("starts"), py::arg("ends"),
+             "mm from points, n x 2, to the nearest of lines between starts and ends, m x 2; inf "
+             "without lines.");
   module.def("extent_of", &extent_of, py::arg("path"),
              "((x, y, z) of the lower corner of a path's box, that of the upper one, heights of "
-             "its level cuts from the highest) in mm; arcs by their ends. None, None, [] for a "
+             "its level cuts from the highest) in mm. None, None, [] for a "
              "path without moves.");
   const ProofLimits defaults;
   module.def("faults_of", &faults_for_python, py::arg("path"), py::kw_only(),

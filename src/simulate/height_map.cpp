@@ -15,6 +15,9 @@ constexpr double kUpright = 1e-9;
 // mm above a height, by which what reaches it counts as higher.
 constexpr double kAbove = 1e-9;
 
+// Places along each side of a region's box at which a body is looked for, at the most.
+constexpr double kMostLooks = 400;
+
 // Share of a triangle by which places beside it count as on it: neighbours leave no gap.
 constexpr double kBeside = 1e-9;
 
@@ -129,6 +132,8 @@ std::optional<Point3> HeightMap::highest_within(const Region& region, double z, 
   const BoundaryIndex border(curves);
   const Bounds box = bounds_of({region});
   if (!overlap(box, bounds_)) return std::nullopt;
+  spacing = std::max(
+      {spacing, (box.high.x - box.low.x) / kMostLooks, (box.high.y - box.low.y) / kMostLooks});
   std::optional<Point3> found;
   const auto look = [&](Vec2 p, double height) {
     if (height <= z || (found && height <= found->z)) return;

@@ -43,7 +43,8 @@ class HeightMap {
   void raise(std::vector<DexelRow>& rows, double first, double spacing, bool mirror) const;
   // A place within `region`, and no nearer to its border than `inset` mm, over which the body
   // stands higher than `z`: the highest of those looked at, which are on a raster of `spacing` mm,
-  // along the border, and at the triangles' corners and middles.
+  // along the border, and at the triangles' corners and middles. The raster of a wide region is
+  // coarser.
   std::optional<Point3> highest_within(const Region& region, double z, double inset,
                                        double spacing) const;
 

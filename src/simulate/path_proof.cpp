@@ -35,12 +35,6 @@ constexpr Ring kRings[] = {{0.0, 1}, {0.35, 6}, {0.7, 12}, {1.0, 24}};
 
 Point3 end_of(const Move& m) { return {m.x, m.y, m.z}; }
 
-Segment segment_of(const Point3& from, const Move& m) {
-  return m.sweep == 0 ? Segment::line({from.x, from.y}, {m.x, m.y})
-                      : Segment::arc({m.cx, m.cy}, distance({m.cx, m.cy}, {from.x, from.y}),
-                                     angle_of(Vec2{from.x, from.y} - Vec2{m.cx, m.cy}), m.sweep);
-}
-
 // How deep a point at a distance from the tool's axis, and so far above its tip, is in the tool.
 double depth_in(const ProofTool& tool, double from_axis, double above) {
   const double radius = 0.5 * tool.diameter, corner = tool.corner_radius;
@@ -204,6 +198,12 @@ class Material {
 };
 
 }  // namespace
+
+Segment segment_of(const Point3& from, const Move& m) {
+  return m.sweep == 0 ? Segment::line({from.x, from.y}, {m.x, m.y})
+                      : Segment::arc({m.cx, m.cy}, distance({m.cx, m.cy}, {from.x, from.y}),
+                                     angle_of(Vec2{from.x, from.y} - Vec2{m.cx, m.cy}), m.sweep);
+}
 
 std::vector<Fault> faults_of(const std::vector<Move>& moves, const ProofTool& tool,
                              const std::vector<Point3>& bodies, const HeightMap& stock,

@@ -15,6 +15,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "geometry/curve.h"
 #include "simulate/height_map.h"
 #include "toolpath/toolpath.h"
 
@@ -36,6 +37,9 @@ struct ProofLimits {
   double material = 0.02;  // mm of material under the tool that are none yet
   double rim = 0.02;       // mm of the tool's rim that may touch what stands
 };
+
+// A move as a piece of the plane, from where it begins.
+Segment segment_of(const Point3& from, const Move& move);
 
 enum class FaultKind { kGouge, kRapid, kPlunge };
 

@@ -190,7 +190,7 @@ TEST(PocketTest, AClearerSeesClimbMillingAndItsPathIsMirroredBackForConventional
   EXPECT_LT(seen[1].high.x, -12.9);
 }
 
-TEST(PocketTest, TheToolComesDownByRapidsWhereTheGroundIsClearedAlready) {
+TEST(PocketTest, TheToolComesDownFastWhereTheGroundIsClearedAlready) {
   const corpus::Case pocket = corpus::load("star");
   Progress progress;
   const Toolpath path = clear_pocket({pocket.region}, pocket.params(), progress);
@@ -199,7 +199,12 @@ TEST(PocketTest, TheToolComesDownByRapidsWhereTheGroundIsClearedAlready) {
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Move &before = path.moves[i - 1], &move = path.moves[i];
     if (move.z >= before.z) continue;
-    ++(move.kind == MoveKind::kRapid ? rapid : fed);
+    rapid += move.kind == MoveKind::kRapid;
+    fed += move.kind != MoveKind::kRapid && move.feed < pocket.params().link_feed;
+    // The last stretch is no rapid.
+    if (move.kind == MoveKind::kRapid) {
+      EXPECT_GT(move.z, pocket.params().top);
+    }
   }
   EXPECT_GE(rapid, path.report.retracts);
   EXPECT_LE(fed, 1) << "into the hole";
@@ -263,6 +268,7 @@ WaysBack ways_back(const std::vector<Move>& moves) {
     if (moves[i].kind != MoveKind::kLink) continue;
     if (moves[i + 1].kind != MoveKind::kCut) continue;
     const Vec2 back = along(i), on = along(i + 1);
+    if (norm(back) == 0) continue;  // straight down
     if (dot(normalized(back), normalized(on)) > -0.99) continue;
     ++result.count;
     result.divided += moves[i + 2].kind == MoveKind::kCut &&

@@ -147,7 +147,8 @@ TEST(ReducedFeed, JoinsWaysByLinksThatAreTangentToThemOrGoBackOnThem) {
         const bool cuts = m[i - 1].kind == MoveKind::kCut || m[i].kind == MoveKind::kCut;
         const bool links = m[i - 1].kind == MoveKind::kLink || m[i].kind == MoveKind::kLink;
         if (!cuts || !links || m[i].kind == MoveKind::kRapid || m[i - 1].kind == MoveKind::kRapid ||
-            m[i].kind == MoveKind::kEntry || m[i - 1].kind == MoveKind::kEntry)
+            m[i].kind == MoveKind::kEntry || m[i - 1].kind == MoveKind::kEntry ||
+            m[i - 1].z != m[i - 2].z)  // straight down to where the next one begins
           continue;
         const double turn = wrap_signed(direction_at(m[i - 1], m[i], false) -
                                         direction_at(m[i - 2], m[i - 1], true));

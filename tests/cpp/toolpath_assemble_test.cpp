@@ -211,8 +211,8 @@ TEST(Assemble, DescendsNoMoreSteeplyThanTheHelixAngle) {
         const Move &from = moves[i - 1], &to = moves[i];
         if (to.kind == MoveKind::kCut) floor = to.z;
         if (to.kind != MoveKind::kEntry) continue;
-        EXPECT_EQ(to.feed, params.entry.plunge);
         const double flat = flat_length(from, to), drop = from.z - to.z;
+        EXPECT_EQ(to.feed, params.entry.plunge);
         if (flat == 0) {  // straight down in the air, to just above what is to be cut
           EXPECT_GT(to.z, floor);
           EXPECT_LT(to.z, floor + 0.1);

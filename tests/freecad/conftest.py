@@ -196,8 +196,9 @@ def in_gui(script, folder, *arguments, **environment):
 
 
 def errors_in(report_view, provoked):
-    """The lines of the report view, [(text, whether it is red)], that are errors and tracebacks,
-    but for those with a sentence that was provoked, and what FreeCAD says whatever is installed.
+    """The lines of the report view, [(text, whether it is an error's)], that are errors and
+    tracebacks, but for those with a sentence that was provoked, and what FreeCAD says whatever is
+    installed.
     """
     lines = _without_slips_of_pyside(
         [text for text, red in report_view if red or "Traceback" in text]
@@ -222,7 +223,13 @@ def _without_slips_of_pyside(lines):
 
 
 # FreeCAD 0.20 opens a tool controller, under Python 3.11, by a method that its class lacks.
-OF_EVERY_JOB = ["<class 'AttributeError'>: setAttr failed."]
+# What FreeCAD's posts print stands in the report view like an error.
+OF_EVERY_JOB = [
+    "<class 'AttributeError'>: setAttr failed.",
+    "Show editor = ",
+    "postprocessing...",
+    "done postprocessing.",
+]
 # PySide 2 now and then hands FreeCAD's own filter of events a widget in place of an event.
 OF_PYSIDE = "AttributeError: 'PySide2.QtWidgets.QWidget' object has no attribute 'type'"
 

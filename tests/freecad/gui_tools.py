@@ -96,15 +96,19 @@ def answering(answer):
 
 
 def report_view():
-    """(text, whether it is red) of each line of the report view."""
+    """The lines of the report view."""
     windows = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit)
     view = next(w for w in windows if w.objectName() == "Report view")
-    lines, block = [], view.document().begin()
-    while block.isValid():
-        colours = [part.format.foreground().color() for part in block.layout().formats()]
-        lines.append((block.text(), any(c.red() > 200 > 100 > c.green() for c in colours)))
-        block = block.next()
-    return lines
+    return [line for line in view.toPlainText().splitlines() if line.strip()]
+
+
+def show_errors_only():
+    """From now on the report view shows nothing but errors; gives what stood there before."""
+    settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/OutputWindow")
+    for kind in ("checkLogging", "checkMessage", "checkWarning"):
+        settings.SetBool(kind, False)
+    settings.SetBool("checkError", True)
+    return report_view()
 
 
 def run(session):
@@ -113,13 +117,17 @@ def run(session):
     """
 
     def all_of_it():
+        started = show_errors_only()
         try:
             session()
         except BaseException:
             result["traceback"] = traceback.format_exc()
         FreeCAD.Console.PrintError(LAST_ERROR + "\n")
         later(100)
-        result["report_view"] = report_view()
+        # What FreeCAD says as it starts is no error unless it looks like one.
+        result["report_view"] = [
+            (line, number >= len(started)) for number, line in enumerate(report_view())
+        ]
         with open(os.path.join(OUT, "result.json"), "w") as file:
             json.dump(result, file, indent=1)
         os._exit(0)

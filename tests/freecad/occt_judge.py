@@ -1,8 +1,8 @@
 """A judge of paths by OpenCASCADE's booleans: the tool's swept body against models and stock.
 
 It shares nothing with the addon: commands are followed here, swept bodies are solids. Slow, so of
-the moves that come near what they must not touch only each EVERY-th is put to it, and all those that
-points of the models' edges find too near.
+the moves that come near what they must not touch only each EVERY-th is put to it, and all those
+that points of the models' edges find too near.
 """
 
 import math

@@ -115,9 +115,10 @@ def test_a_body_is_remembered_as_long_as_its_shape_is_the_same():
 
 
 def test_points_of_edges_are_near_each_other_and_uprights_have_their_upper_end():
-    points = body.Body(BOX).edge_points(0.5)
+    points = body.Body(BOX).edge_points((-1, -1, -1), (99, 99, 99), 0.5)
     top = points[abs(points[:, 2] - 20) < 1e-9]
     assert len(top) >= 2 * (60 + 40) / 0.5
     assert all(min(abs(z), abs(z - 20)) < 1e-9 for z in points[:, 2])
-    section = body.Body(Part.makeCone(10, 5, 20)).section_points(10, 0.5)
+    cone = body.Body(Part.makeCone(10, 5, 20))
+    section = cone.section_points([10], (-99, -99, -1), (99, 99, 99), 0.5)
     assert numpy.hypot(section[:, 0], section[:, 1]) == pytest.approx(7.5, abs=1e-6)

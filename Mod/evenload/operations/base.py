@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import FreeCAD
 import Path
 
-from evenload import commands, compiled, host, planar, proof, shape
+from evenload import body, commands, compiled, host, planar, proof, shape
 from evenload import tool as tools
 from evenload.floor import name_of
 from evenload.labels import told
@@ -310,7 +310,7 @@ class Operation(host.operation_base()):
         job = host.parent_job(obj)
         return shape.floors(
             obj.Base,
-            [model.Shape for model in job.Model.Group if not model.Shape.isNull()],
+            [each.shape for _, each in body.models_of(job)],
             job.Stock.Shape,
             tool.diameter,
             obj.Tolerance.Value,
@@ -372,7 +372,7 @@ class Operation(host.operation_base()):
             raise ValueError("'%s' belongs to no job: create it in one." % obj.Label)
         if not job.Model.Group:
             raise ValueError("The job '%s' has no model: add one to it." % job.Label)
-        if job.Stock is None:
+        if job.Stock is None or job.Stock.Shape.isNull():
             raise ValueError("The job '%s' has no stock: give it one." % job.Label)
         tools.read(obj.ToolController)
 

@@ -19,7 +19,10 @@ def is_wanted(op):
 
 def starts_below(op, job):
     """Whether an operation starts below the top of the stock, where others must have cut before."""
-    return job.Stock.Shape.BoundBox.ZMax > op.StartDepth.Value + SAME_HEIGHT
+    stock = job.Stock.Shape if job.Stock is not None else None
+    if stock is None or stock.isNull():
+        return False  # said where the operation is computed
+    return stock.BoundBox.ZMax > op.StartDepth.Value + SAME_HEIGHT
 
 
 def link_all(job):

@@ -43,16 +43,22 @@ def refuse_material_above(op, core, tool, regions):
     place = _highest(body.of(host.parent_job(op).Stock.Shape).map, regions, start, tool)
     if place is None:
         return
+    if not job_simulation.cut_before(op, []):
+        _refuse(op, *place)
     rest.wait_for_earlier(op)
     stock, _ = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
     reach = core.reachable_ground(regions, tool.diameter, 0.0)
     left = stock.standing(start, reach)
     if sum(region.area for region in left) < LEAST * tool.diameter**2:
         return
+    _refuse(op, *left[0].outer[0][:2])
+
+
+def _refuse(op, x, y, z=None):
+    up_to = "" if z is None else " up to %g mm," % round(z, 3)
     raise ValueError(
-        "Material stands up to %g mm, above StartDepth (%g mm), near (%.3f, %.3f): raise "
-        "StartDepth, or clear it before."
-        % (round(place[2], 3), op.StartDepth.Value, *left[0].outer[0][:2])
+        "Material stands%s above StartDepth (%g mm), near (%.3f, %.3f): raise StartDepth, or clear "
+        "it before." % (up_to, op.StartDepth.Value, x, y)
     )
 
 
