@@ -59,9 +59,9 @@ def test_in_a_wide_pocket_turns_are_as_wide_as_wished_and_nothing_is_noted(bench
 def test_after_a_bored_ring_the_removed_volume_is_what_the_path_removes(bench):
     b = bench(with_rectangle(60, 45, 20, 44, 30, 10, margin=8))
     lines = ["G0 Z25", "G0 X34 Y22.5", "G0 Z20.5"]
-    for z in [19 - k for k in range(10)] + [10]:
-        lines.append("G3 X26 Y22.5 Z%g I-4 J0 F600" % min(z + 0.5, 19.5))
-        lines.append("G3 X34 Y22.5 Z%g I4 J0 F600" % z)
+    for middle, end in [(19.5 - k, 19 - k) for k in range(10)] + [(10, 10)]:
+        lines.append("G3 X26 Y22.5 Z%g I-4 J0 F600" % middle)
+        lines.append("G3 X34 Y22.5 Z%g I4 J0 F600" % end)
     before = host.freecads("Custom", "Bore", b.job, b.controller)
     before.Gcode = [*lines, "G0 Z25"]
     op = b.done(on_floor(b, 10.0, UseRestMachining=True))
@@ -78,4 +78,5 @@ def test_along_a_closed_frame_trochoids_are_repeated(bench):
     op = b.operation([(frame, "")], "trochoid", SlotWidth=10, FinalDepth=-4, StepDown=4)
     b.done(op)
     assert op.TrochoidalStep.Value > 0 and "No trochoid was repeated" not in op.Report
-    assert op.CuttingTime < 1.35 * op.IdealTime
+    # Without repeated trochoids it is 1.54; corners are cleared pass by pass.
+    assert op.CuttingTime < 1.45 * op.IdealTime
