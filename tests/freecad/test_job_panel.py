@@ -73,7 +73,8 @@ def check_panel(panel):
 
 
 def test_a_job_is_made_by_its_dialog(fresh):
-    assert len(fresh["job_dialogs"]) == 1
+    # FreeCAD 1.0 warns first that there are no tools yet.
+    assert len([title for title in fresh["job_dialogs"] if title != "Warning"]) == 1
     assert fresh["new_job_panel"] and len(fresh["new_job_pages"]) == 6
 
 
