@@ -19,6 +19,9 @@ LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so 
 FLAT = 1e-9  # mm: edges that rise by less lie in a level plane
 DEFLECTION = 0.005  # mm: triangles leave round surfaces by this at the most
 COARSE = 0.01  # mm: the same of the heights, which no wall is taken from
+# mm: nearer to a region's border stand its own walls, as wide as triangles leave them.
+INSET = 0.02
+LOOKS = 0.25  # tool diameters between places where something is looked for over a region
 SAME_PARAMETER = 1e-6  # of surfaces
 PROJECTED = 0.001  # mm: points on edges that are drawn anew in the plane lie as near as that
 POINTS = 9  # the fewest of these on a curve
@@ -71,6 +74,14 @@ class Body:
         points, triangles = faces.tessellate(COARSE)
         points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
         return compiled.core().HeightMap(points, numpy.array(triangles).reshape(-1, 3))
+
+    def highest_over(self, region, z, tool_diameter):
+        """(x, y, z) of its highest place over a Region, off the region's border, where it stands
+        higher than z; None without one. mm.
+        """
+        if not self.box.ZMax > z:
+            return None
+        return self.map.highest_within(region, z, INSET, LOOKS * tool_diameter)
 
     def is_prismatic(self, z):
         """Whether all that it has above a height is level or upright."""

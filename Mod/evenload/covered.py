@@ -17,9 +17,6 @@ from evenload.floor import (
     with_chains,
 )
 
-INSET = 0.02  # mm: nearer to a floor's border there are its own walls, to the width of triangles
-LOOKS = 0.25  # tool diameters between places where something is looked for
-
 
 def uncovered(floor, models, tool_diameter, tolerance):
     """The Floors that are left of one, a face, with a note where that is not all of it.
@@ -27,12 +24,10 @@ def uncovered(floor, models, tool_diameter, tolerance):
     models: shapes in place; tool_diameter and tolerance in mm. Raises ValueError, with the floor's
     name and a place, where nothing is left or the ground cannot be found.
     """
-    z, region, spacing = floor.z + ABOVE_FLOOR, floor.region(), LOOKS * tool_diameter
-    found = []
-    for each in map(body.of, models):
-        place = each.map.highest_within(region, z, INSET, spacing) if each.box.ZMax > z else None
-        if place is not None:
-            found.append((each, place))
+    z, region = floor.z + ABOVE_FLOOR, floor.region()
+    bodies = [body.of(model) for model in models]
+    found = [(each, each.highest_over(region, z, tool_diameter)) for each in bodies]
+    found = [(each, place) for each, place in found if place is not None]
     if not found:
         return [floor]
     x, y, _ = max((place for _, place in found), key=lambda place: place[2])

@@ -72,7 +72,7 @@ def check(operation):
         "corner_radius": tools.corner_radius(host.controller_of(operation)),
         "bodies": points,
         "stock": stock,
-        "gouge_limit": operation_tolerance(operation) + BEYOND_TOLERANCE,
+        "gouge_limit": _tolerance(operation) + BEYOND_TOLERANCE,
     }
     found = core.faults_of(path, **options)
     if any(kind != "gouge" for kind, *_ in found):
@@ -86,7 +86,7 @@ def check(operation):
     return [_fault(*fault, points, labels) for fault in worst.values()]
 
 
-def operation_tolerance(operation):
+def _tolerance(operation):
     """mm by which an operation's path may leave the exact one."""
     tolerance = getattr(host.operation_under(operation), "Tolerance", None)
     return tolerance.Value if tolerance is not None else 0.0
@@ -179,7 +179,7 @@ class _Drawn:
         height = max((face.BoundBox.ZMax for face in faces), default=-math.inf)
         top = height + DEEPER if of_model else math.inf
         for face in level:
-            self._grounds.append((top, height, [points_of(wire) for wire in face.Wires]))
+            self._grounds.append((top, height, _closed(face.Wires)))
             self._faces += face.Edges
 
     def _add_edges(self, edges):
@@ -190,7 +190,7 @@ class _Drawn:
             return
         closed = [wire for wire in wires if wire.isClosed()]
         if closed:
-            self._grounds.append((math.inf, -math.inf, [points_of(wire) for wire in closed]))
+            self._grounds.append((math.inf, -math.inf, _closed(closed)))
             self._outlines += [edge for wire in closed for edge in wire.Edges]
 
     def _within(self, flat, margin, z=-math.inf):
@@ -199,7 +199,7 @@ class _Drawn:
         """
         result = numpy.zeros(len(flat), bool)
         for top, _, polygons in self._grounds:
-            away = _away(flat, [numpy.vstack([each, each[:1]]) for each in polygons])
+            away = _away(flat, polygons)
             signed = numpy.where(inside(flat, polygons), away, -away)
             result |= (signed > margin) & (z < top)
         if self._lines:
@@ -214,8 +214,7 @@ class _Drawn:
         goes = self._within(flat, ON_BORDER, z)
         # A face's own edge goes with it; what rises from there stays.
         for _, height, polygons in self._grounds:
-            border = _away(flat, [numpy.vstack([each, each[:1]]) for each in polygons])
-            goes |= (border < ON_BORDER) & (z < height + DEEPER)
+            goes |= (_away(flat, polygons) < ON_BORDER) & (z < height + DEEPER)
         return points[~goes | (z < self.depth)]
 
     def borders(self, spacing, stock, models):
@@ -249,6 +248,12 @@ class _Drawn:
         ]
         points = numpy.array(points).reshape(-1, 2)
         return [tuple(p) for p in points[_away(points, self._lines) > half - NEARER]]
+
+
+def _closed(wires):
+    """Closed wires as polygons whose first point is repeated."""
+    polygons = [points_of(wire) for wire in wires]
+    return [numpy.vstack([polygon, polygon[:1]]) for polygon in polygons]
 
 
 def _away(points, lines):

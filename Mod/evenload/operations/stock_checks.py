@@ -6,8 +6,6 @@ from evenload.simulation import rest_resolution
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 FILM = 0.02  # mm: what stands no higher above StartDepth is none
-INSET = 0.02  # mm off a region's border, where what stands beside it begins
-LOOKS = 0.25  # tool diameters between places where stock is looked for
 LEAST = 0.01  # tool diameters squared of material above StartDepth that are none
 
 
@@ -40,15 +38,16 @@ def refuse_material_above(op, core, tool, regions):
     regions, after all that the job's earlier operations cut.
     """
     start = op.StartDepth.Value + FILM
-    place = _highest(body.of(host.parent_job(op).Stock.Shape).map, regions, start, tool)
+    stock = body.of(host.parent_job(op).Stock.Shape)
+    places = [stock.highest_over(region, start, tool.diameter) for region in regions]
+    place = max(filter(None, places), key=lambda place: place[2], default=None)
     if place is None:
         return
     if not job_simulation.cut_before(op, []):
         _refuse(op, *place)
     rest.wait_for_earlier(op)
-    stock, _ = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
-    reach = core.reachable_ground(regions, tool.diameter, 0.0)
-    left = stock.standing(start, reach)
+    dexels, _ = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    left = dexels.standing(start, core.reachable_ground(regions, tool.diameter, 0.0))
     if sum(region.area for region in left) < LEAST * tool.diameter**2:
         return
     _refuse(op, *left[0].outer[0][:2])
@@ -60,8 +59,3 @@ def _refuse(op, x, y, z=None):
         "Material stands%s above StartDepth (%g mm), near (%.3f, %.3f): raise StartDepth, or clear "
         "it before." % (up_to, op.StartDepth.Value, x, y)
     )
-
-
-def _highest(heights, regions, z, tool):
-    found = [heights.highest_within(region, z, INSET, LOOKS * tool.diameter) for region in regions]
-    return max(filter(None, found), key=lambda place: place[2], default=None)
