@@ -87,9 +87,11 @@ class Gouges {
  private:
   void look(const Segment& way, double z, Fault& worst) const {
     const double radius = 0.5 * tool_.diameter;
-    grid_.visit(grown(way.bounds(), radius), [&](std::size_t item) {
+    const Bounds box = way.bounds();
+    grid_.visit(grown(box, radius), [&](std::size_t item) {
       const Point3& p = bodies_[item];
-      if (p.z - z <= worst.amount) return;
+      // Most points of a cell are too far away, which the move's box tells sooner.
+      if (p.z - z <= worst.amount || squared_distance(box, {p.x, p.y}) > radius * radius) return;
       const double depth = depth_in(tool_, way.distance_to({p.x, p.y}), p.z - z);
       if (depth > worst.amount) worst = {FaultKind::kGouge, depth, p, 0};
     });
