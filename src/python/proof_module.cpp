@@ -122,7 +122,8 @@ using FaultTuple = std::tuple<const char*, double, std::tuple<double, double, do
 std::vector<FaultTuple> faults_for_python(
     const py::object& path, double tool_diameter, double corner_radius, const Rows& bodies,
     const HeightMap& stock,
-    const std::vector<std::tuple<py::object, double, double>>& earlier_paths, double gouge_limit) {
+    const std::vector<std::tuple<py::object, double, double>>& earlier_paths, double gouge_limit,
+    double rim) {
   const std::vector<Move> moves = moves_from(path);
   const std::vector<Point3> points = points_from(bodies);
   std::vector<EarlierPath> earlier;
@@ -130,6 +131,7 @@ std::vector<FaultTuple> faults_for_python(
     earlier.push_back({moves_from(source), {diameter, corner}});
   ProofLimits limits;
   limits.gouge = gouge_limit;
+  limits.rim = rim;
   std::vector<Fault> faults;
   {
     const py::gil_scoped_release unlocked;
@@ -192,15 +194,16 @@ void bind_proof(py::module_& module) {
              "its level cuts from the highest) in mm. None, None, [] for a "
              "path without moves.");
   const ProofLimits defaults;
-  module.def("faults_of", &faults_for_python, py::arg("path"), py::kw_only(),
-             py::arg("tool_diameter"), py::arg("corner_radius") = 0.0, py::arg("bodies"),
-             py::arg("stock"),
-             py::arg("earlier") = std::vector<std::tuple<py::object, double, double>>(),
-             py::arg("gouge_limit") = defaults.gouge,
-             "[(kind, amount in mm, (x, y, z), number of the move), ...]: where a path, a "
-             "GCodeProgram or moves, cuts into bodies, points n x 3 of their surface, and comes "
-             "down into stock, a HeightMap. Kinds are 'gouge', 'rapid' and 'plunge'. earlier: "
-             "[(path, diameter, corner radius), ...] in mm.");
+  module.def(
+      "faults_of", &faults_for_python, py::arg("path"), py::kw_only(), py::arg("tool_diameter"),
+      py::arg("corner_radius") = 0.0, py::arg("bodies"), py::arg("stock"),
+      py::arg("earlier") = std::vector<std::tuple<py::object, double, double>>(),
+      py::arg("gouge_limit") = defaults.gouge, py::arg("rim") = defaults.rim,
+      "[(kind, amount in mm, (x, y, z), number of the move), ...]: where a path, a "
+      "GCodeProgram or moves, cuts into bodies, points n x 3 of their surface, and comes "
+      "down into stock, a HeightMap. Kinds are 'gouge', 'rapid' and 'plunge'. earlier: "
+      "[(path, diameter, corner radius), ...] in mm. Less than gouge_limit mm into bodies is "
+      "no gouge; rim: mm of the tool's rim that may touch what stands.");
 }
 
 }  // namespace evenload

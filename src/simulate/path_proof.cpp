@@ -171,7 +171,7 @@ class Material {
     const Segment way = segment_of(from, move);
     const double length = way.length(), descent = from.z - move.z;
     if (move.kind != MoveKind::kRapid && !(descent > kLevel && descent > kSteep * length)) return;
-    const double radius = 0.5 * tool.diameter - limits_.rim;
+    const double radius = std::max(0.0, 0.5 * tool.diameter - limits_.rim);
     const int steps =
         length > 0 ? static_cast<int>(std::ceil(length / (kWay * 0.5 * tool.diameter))) : 0;
     for (int k = 0; k <= steps; ++k) {

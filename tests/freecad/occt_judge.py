@@ -146,10 +146,7 @@ def _distance(move, points):
     if not len(high):
         return math.inf
     if move.centre is None:
-        along = numpy.array([move.end.x - move.start.x, move.end.y - move.start.y])
-        arms = high[:, :2] - (move.start.x, move.start.y)
-        share = numpy.clip(arms @ along / max(along @ along, FLAT**2), 0, 1)
-        return float(numpy.hypot(*(arms - share[:, None] * along).T).min())
+        return float(_from_line(move, high[:, :2]).min())
     count = max(2, math.ceil(move.length() / DENSE) + 1)
     places = numpy.array([tuple(move.point(k / (count - 1)))[:2] for k in range(count)])
     reach = numpy.hypot(*(high[:, :2] - places[0]).T) < move.length() + 20
@@ -157,8 +154,17 @@ def _distance(move, points):
     return float(away.min(initial=math.inf))
 
 
-def collisions(moves, stock, radius, earlier=()):
-    """[(mm3, move), ...] of rapids and straight plunges that meet what stands of the stock.
+def _from_line(move, points):
+    """mm from each of the points, n x 2, to a straight move, seen from above."""
+    along = numpy.array([move.end.x - move.start.x, move.end.y - move.start.y])
+    arms = points - (move.start.x, move.start.y)
+    share = numpy.clip(arms @ along / max(along @ along, FLAT**2), 0, 1)
+    return numpy.hypot(*(arms - share[:, None] * along).T)
+
+
+def collisions(moves, stock, radius, tolerance, earlier=()):
+    """[(mm3, move), ...] of rapids and straight plunges that meet what stands of the stock, beyond
+    the tolerance of what passes it and of what left it.
 
     earlier: [(moves, radius), ...] of what has been cut before.
     """
@@ -167,7 +173,7 @@ def collisions(moves, stock, radius, earlier=()):
     for move in moves:
         plunges = move.length() < FLAT and move.end.z < move.start.z - FLAT
         if (move.is_rapid or plunges) and move.low < stock.BoundBox.ZMax - TOUCH:
-            left = _standing(move, stock, radius - TOUCH, cut)
+            left = _standing(move, stock, radius - TOUCH - 2 * tolerance, cut)
             if left > LEAST:
                 found.append((left, move))
         cut.append((move, radius))
@@ -176,26 +182,47 @@ def collisions(moves, stock, radius, earlier=()):
 
 def _standing(move, stock, radius, cut):
     """mm3 of the stock in the way of a move after what has been cut."""
-    solids = [s for s in swept(move, radius, TOUCH)]
-    left = [s.common(stock) for s in solids]
-    left = [s for s in left if s.Volume > LEAST]
-    box = None
-    for before, r in reversed(cut):
-        if not left:
-            return 0.0
-        if before.is_rapid or (not before.is_level() and before.length() > FLAT):
-            continue
-        if before.low > move.low + TOUCH:
-            continue  # what stays under a higher cut is still in the way, and it may go at once
-        box = left[0].BoundBox
-        for s in left[1:]:
-            box.add(s.BoundBox)
-        if not _may_meet(before, r, box):
-            continue
-        for solid in swept(before, r):
-            left = [s.cut(solid) for s in left]
-        left = [s for s in left if s.Volume > LEAST]
-    return sum(s.Volume for s in left)
+    left = [solid.common(stock) for solid in swept(move, radius, TOUCH)]
+    left = [solid for solid in left if solid.Volume > LEAST]
+    if not left:
+        return 0.0
+    box = left[0].BoundBox
+    for solid in left[1:]:
+        box.add(solid.BoundBox)
+    waiting = [
+        (before, r)
+        for before, r in cut
+        if not before.is_rapid
+        and (before.is_level() or before.length() < FLAT)
+        and before.low <= move.low + TOUCH  # what a higher cut leaves is still in the way
+        and _may_meet(before, r, box)
+    ]
+    while left:
+        # The move that clears most of the corners of what is left comes first, or thousands of
+        # slivers would have to be cut. What no move clears a corner of stands.
+        corners = numpy.array([tuple(p)[:2] for solid in left for p in solid.tessellate(0.05)[0]])
+        cleared = [_cleared(before, r, corners) for before, r in waiting]
+        if max(cleared, default=0) == 0:
+            return sum(solid.Volume for solid in left)
+        for solid in swept(*waiting.pop(cleared.index(max(cleared)))):
+            left = [each.cut(solid) for each in left]
+        left = [solid for solid in left if solid.Volume > LEAST]
+    return 0.0
+
+
+def _cleared(move, radius, points):
+    """How many of the points, n x 2, a move clears, seen from above."""
+    if move.centre is None:
+        return int((_from_line(move, points) < radius - FLAT).sum())
+    arms = points - (move.centre.x, move.centre.y)
+    first = math.atan2(move.start.y - move.centre.y, move.start.x - move.centre.x)
+    turn = (numpy.arctan2(arms[:, 1], arms[:, 0]) - first) * math.copysign(1, move.sweep)
+    arm = math.hypot(move.start.x - move.centre.x, move.start.y - move.centre.y)
+    away = numpy.abs(numpy.hypot(*arms.T) - arm)
+    away[turn % (2 * math.pi) > abs(move.sweep)] = math.inf
+    for end in (move.start, move.end):
+        away = numpy.minimum(away, numpy.hypot(*(points - (end.x, end.y)).T))
+    return int((away < radius - FLAT).sum())
 
 
 def _may_meet(move, radius, box):

@@ -33,6 +33,16 @@ def test_a_gouge_in_the_middle_of_an_arc_is_found():
     assert fault[0] == "gouge" and fault[1] == pytest.approx(0.1) and fault[3] == 2
 
 
+def test_no_more_than_the_rim_of_a_tool_may_touch_what_stands():
+    # The square is 2 mm high; the tool goes down beside it, 0.025 mm within its edge x = 10.
+    path = [(0, 12.975, 5, 5, 0, 0, 0, 0), (3, 12.975, 5, 0, 0, 0, 0, 600)]
+    stock = core.HeightMap(SQUARE, FACES)
+    options = {"tool_diameter": 6, "bodies": numpy.zeros((0, 3)), "stock": stock}
+    ((kind, amount, *_),) = core.faults_of(path, rim=0.02, **options)
+    assert kind == "plunge" and amount == pytest.approx(2)
+    assert core.faults_of(path, rim=0.03, **options) == []
+
+
 def test_distances_are_to_the_nearest_line():
     points = numpy.array([(0, 0), (5, 3), (20, 4)], float)
     starts, ends = numpy.array([(0, 1), (9, 9)], float), numpy.array([(10, 1), (9, 20)], float)
