@@ -2,6 +2,7 @@
 
 import math
 
+import numpy
 import Path
 from FreeCAD import Vector
 
@@ -17,14 +18,14 @@ def with_fault(commands, kind, models, stock, radius):
     """
     if kind == "plunge":
         return _straight_down(commands, "G1", stock)
-    at, level = {}, None
+    at, level, walls = {}, None, _walls(models)
     for number, command in enumerate(commands):
         before = dict(at)
         at.update({k: v for k, v in command.Parameters.items() if k in "XYZ"})
         if command.Name not in ("G1", "G2", "G3") or len(before) < 3 or at["Z"] != before["Z"]:
             continue
         level = at["Z"]
-        wall = _nearest_wall(models, at["X"], at["Y"], level, radius)
+        wall = _nearest_wall(walls, at["X"], at["Y"], level, radius)
         if wall is None:
             continue
         (x, y), (u, v) = wall, _unit(wall[0] - at["X"], wall[1] - at["Y"])
@@ -59,18 +60,26 @@ def _straight_down(commands, name, stock):
     return None
 
 
-def _nearest_wall(models, x, y, level, radius):
-    """(x, y) of a wall of the models that a tool touches; None where it touches none."""
-    best = None
-    for model in models:
-        for edge in model.Edges:
-            if edge.Degenerated or edge.BoundBox.ZMin < level + 0.5:
-                continue
-            for p in edge.discretize(Number=max(2, math.ceil(edge.Length / 0.2) + 1)):
-                away = math.hypot(p.x - x, p.y - y)
-                if abs(away - radius) < TOUCHES and (best is None or away < best[0]):
-                    best = away, (p.x, p.y)
-    return best[1] if best else None
+def _walls(models):
+    """Points of the models' edges, n x 3: x, y and the lowest z of the edge."""
+    rows = [
+        (p.x, p.y, edge.BoundBox.ZMin)
+        for model in models
+        for edge in model.Edges
+        if not edge.Degenerated
+        for p in edge.discretize(Number=max(2, math.ceil(edge.Length / 0.2) + 1))
+    ]
+    return numpy.array(rows).reshape(-1, 3)
+
+
+def _nearest_wall(walls, x, y, level, radius):
+    """(x, y) of a wall that a tool touches; None where it touches none."""
+    away = numpy.hypot(walls[:, 0] - x, walls[:, 1] - y)
+    touched = (walls[:, 2] >= level + 0.5) & (abs(away - radius) < TOUCHES)
+    if not touched.any():
+        return None
+    nearest = numpy.argmin(numpy.where(touched, away, math.inf))
+    return tuple(walls[nearest, :2])
 
 
 def _unit(x, y):

@@ -12,6 +12,7 @@ from evenload.operations import adaptive
 from FreeCAD import Placement, Rotation, Vector
 
 PARTS = 60
+ON_EACH_FREECAD = 20  # of them, since shapes and STEP depend on its OpenCASCADE
 WIDTH, DEPTH, HEIGHT = 80.0, 60.0, 30.0
 TURNS = [
     Rotation(),
@@ -72,7 +73,13 @@ def imported(doc, seed, folder):
     return next(obj for obj in doc.Objects if getattr(obj, "Shape", None) and obj.Shape.Solids)
 
 
-@pytest.mark.parametrize("seed", range(PARTS))
+@pytest.mark.parametrize(
+    "seed",
+    [
+        pytest.param(seed, marks=pytest.mark.core if seed >= ON_EACH_FREECAD else ())
+        for seed in range(PARTS)
+    ],
+)
 def test_a_part_has_a_checked_path_or_a_sentence(seed, tmp_path):
     doc = FreeCAD.newDocument("Imported")
     try:

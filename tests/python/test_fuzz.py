@@ -19,6 +19,8 @@ import posted  # noqa: E402
 import shapes  # noqa: E402
 from evenload import planar  # noqa: E402
 
+pytestmark = pytest.mark.core
+
 FINE = {**{name: 0.0 for name in fuzz.LIMITS}, "climb": 1.0, "ratio": 1.1}
 
 

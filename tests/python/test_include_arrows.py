@@ -4,6 +4,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.core
+
 SOURCE = Path(__file__).resolve().parents[2] / "src"
 
 # What each folder may include besides itself. Strategy and simulate never see each other: the

@@ -106,6 +106,7 @@ def chain(box):
 # ---- the figures are true ----
 
 
+@pytest.mark.core
 @pytest.mark.parametrize("control", optimisation_inputs.FEED_CONTROLS)
 @pytest.mark.parametrize("machine", [None, "hobby_router_grbl"])
 def test_time_force_torque_power_and_chips_are_those_of_a_whole_simulation(control, machine):

@@ -5,14 +5,15 @@ import inspect
 import re
 from pathlib import Path
 
+import pytest
 from evenload import optimisation, optimisation_inputs
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "optimisation.md").read_text()
 
-
 COLUMN = 6  # of the time
 
 
+@pytest.mark.core
 def test_the_example_prints_the_table_of_the_page(capsys):
     example = re.search(r"^```python\n(.*?)^```", PAGE, re.MULTILINE | re.DOTALL)[1]
     table = re.search(r"^```\n(tool .*?)^```", PAGE, re.MULTILINE | re.DOTALL)[1].splitlines()
