@@ -63,9 +63,8 @@ Curve closed(const Curve& curve, const std::string& name) {
   if (distance(first, last) > kClosingGap)
     fail(GeometryErrorCode::kOpen, last, name + " is not closed: it ends",
          "join this end to its start at " + text_of(first) + " in the sketch.");
-  std::vector<Vertex> vertices = curve.vertices();
-  vertices.pop_back();
-  return Curve(std::move(vertices), true);
+  const std::vector<Vertex>& all = curve.vertices();
+  return Curve(std::vector<Vertex>(all.begin(), all.end() - 1), true);
 }
 
 Curve normalised(const Curve& given, const std::string& name, bool counter_clockwise) {
