@@ -2,10 +2,11 @@
 import math
 
 import Part
-from evenload import _occt
+from evenload import compiled
 from FreeCAD import Vector
 from timing import best_time
 
+_occt = compiled.occt()
 TOLERANCE = 0.005  # mm
 
 

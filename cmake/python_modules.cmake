@@ -1,9 +1,16 @@
 # The modules _core and _occt, for the Python and the OpenCASCADE that FreeCAD itself runs on, and the addon's layout.
 
-find_program(FREECADCMD NAMES freecadcmd FreeCADCmd)
+# A FreeCAD of a conda environment, or one that was built and installed by hand, brings all that it runs on in its prefix.
+set(FREECAD_PREFIX "" CACHE PATH "the prefix of the FreeCAD to build for, when it is not the system's: FREECAD_PREFIX/bin/freecadcmd")
+if(FREECAD_PREFIX)
+  list(PREPEND CMAKE_PREFIX_PATH ${FREECAD_PREFIX})
+  find_program(FREECADCMD NAMES freecadcmd FreeCADCmd HINTS ${FREECAD_PREFIX}/bin NO_DEFAULT_PATH)
+else()
+  find_program(FREECADCMD NAMES freecadcmd FreeCADCmd)
+endif()
 if(NOT FREECADCMD)
-  message(FATAL_ERROR "FreeCAD's console program was not found: name it with -DFREECADCMD=/path/to/freecadcmd, "
-    "or build the core alone with -DEVENLOAD_PYTHON=OFF.")
+  message(FATAL_ERROR "FreeCAD's console program was not found: name the folder above its bin with -DFREECAD_PREFIX=..., "
+    "the program itself with -DFREECADCMD=..., or build the core alone with -DEVENLOAD_PYTHON=OFF.")
 endif()
 
 # FreeCAD is asked in a home of its own, so that the question leaves nothing in the user's.
@@ -38,7 +45,8 @@ if(NOT PYTHON_SUFFIX STREQUAL freecad_suffix)
 endif()
 find_package(pybind11 REQUIRED)
 
-find_package(OpenCASCADE REQUIRED)
+# The parts that are used and no others, because the files for a whole OpenCASCADE may name libraries that are not installed.
+find_package(OpenCASCADE REQUIRED COMPONENTS FoundationClasses ModelingData ModelingAlgorithms)
 if(NOT OpenCASCADE_VERSION STREQUAL freecad_occt)
   message(FATAL_ERROR "FreeCAD runs on OpenCASCADE ${freecad_occt}, but the one found to build with is ${OpenCASCADE_VERSION}: "
     "name FreeCAD's own with -DOpenCASCADE_DIR=/path/to/its/cmake/folder.")
@@ -54,11 +62,12 @@ file(GLOB occt_sources CONFIGURE_DEPENDS src/occt/*.cpp)
 pybind11_add_module(_occt MODULE NO_EXTRAS ${occt_sources})
 target_include_directories(_occt SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
 target_link_libraries(_occt PRIVATE evenload_core TKernel TKMath TKG3d TKGeomBase TKBRep TKTopAlgo)
-
-configure_file(${CMAKE_CURRENT_LIST_DIR}/_build.py.in _build.py @ONLY)
+# Modules for several FreeCADs lie in one folder: Python's suffix tells its version, the name OpenCASCADE's.
+string(REPLACE "." "_" occt_module "_occt_${freecad_occt}")
+set_target_properties(_occt PROPERTIES OUTPUT_NAME ${occt_module})
+target_compile_definitions(_occt PRIVATE EVENLOAD_OCCT_MODULE=${occt_module})
 
 # What FreeCAD loads, and nothing else.
 install(FILES package.xml Init.py InitGui.py LICENSE README.md DESTINATION .)
-install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE PATTERN _build.py EXCLUDE)
+install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE)
 install(TARGETS _core _occt LIBRARY DESTINATION Mod/evenload)
-install(FILES ${CMAKE_BINARY_DIR}/_build.py DESTINATION Mod/evenload)

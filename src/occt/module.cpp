@@ -1,4 +1,5 @@
-// The Python module evenload._occt: the only one that is linked to OpenCASCADE.
+// The Python module evenload._occt_X_Y_Z, called after the version of OpenCASCADE that it is linked
+// to: the only one that is.
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
@@ -69,14 +70,19 @@ const char* reason(ShapeFault fault) {
 }  // namespace
 }  // namespace evenload
 
-PYBIND11_MODULE(_occt, module) {
+// The build names the module. One more step lets the preprocessor put in that name, not the macro's
+// own.
+#define EVENLOAD_MODULE(name, variable) PYBIND11_MODULE(name, variable)
+#define EVENLOAD_TEXT(name) PYBIND11_TOSTRING(name)
+
+EVENLOAD_MODULE(EVENLOAD_OCCT_MODULE, module) {
   using namespace evenload;
   module.doc() = "Regions and curves from FreeCAD's shapes.";
   module.attr("OCC_VERSION") = OCC_VERSION_COMPLETE;
 
   // Kept for as long as the process runs: the translator may be asked until the very end.
   static PyObject* const shape_error = PyErr_NewExceptionWithDoc(
-      "evenload._occt.ShapeError",
+      "evenload." EVENLOAD_TEXT(EVENLOAD_OCCT_MODULE) ".ShapeError",
       "A shape that gives no region. `reason` is one word or two ('tilted', 'not planar', "
       "'open', 'branching', 'crossing', 'not finite', 'empty', 'unreadable', 'kernel'), `index` "
       "counts the direct children of the compound that was read, from 0.",

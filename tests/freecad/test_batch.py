@@ -566,10 +566,22 @@ def test_the_program_without_a_usable_job_file_says_so(folder):
     assert code == 2 and "cannot be read: Is a directory" in output and "Traceback" not in output
 
 
-def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
+@pytest.mark.parametrize(
+    "modules, words",
+    [
+        ([], "EvenLoad's compiled modules are missing, for Python "),
+        (
+            ["_core.cpython-39-x86_64-linux-gnu.so", "_occt_7_1_0.cpython-39-x86_64-linux-gnu.so"],
+            "EvenLoad's compiled modules are for Python 3.9 and OpenCASCADE 7.1.0: ",
+        ),
+    ],
+)
+def test_a_tree_without_modules_for_this_freecad_gives_one_sentence(folder, modules, words):
     source = os.path.dirname(os.path.abspath(batch.__file__))
     bare = folder / "bare" / "Mod" / "evenload"
-    shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "_build.py", "__pycache__"))
+    shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    for name in modules:
+        (bare / name).write_bytes(b"of another FreeCAD")
     (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))
     home = folder / "home"
     home.mkdir()  # or FreeCAD takes the user's own, with the addon in it if that is installed
@@ -577,7 +589,8 @@ def test_a_tree_without_compiled_modules_gives_one_sentence(folder):
         str(bare / "batch.py"), "jobs.json", cwd=folder, FREECAD_USER_HOME=str(home)
     )
     assert code == 2, output
-    assert "compiled modules are missing: run './run install'" in output
+    assert words in output
+    assert "build EvenLoad for it with './run install'" in output
     assert "Traceback" not in output
 
 
