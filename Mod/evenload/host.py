@@ -1,5 +1,5 @@
-"""The only file that knows FreeCAD's versions: 0.20 (PathScripts, workbench "Path") and 1.0
-(Path.Op, workbench "CAM").
+"""The only file that knows FreeCAD's versions: 0.20 (PathScripts, workbench "Path"), 1.0 (Path.Op,
+workbench "CAM") and 1.1 (tool bits are assets).
 """
 
 import contextlib
@@ -15,12 +15,16 @@ import FreeCAD
 _VERSION = tuple(int(number) for number in FreeCAD.Version()[:2])
 _MOVED = _VERSION >= (0, 21)  # PathScripts.PathOp has become Path.Op.Base, and so on
 _CAM = _VERSION >= (1, 0)  # the workbench Path has become CAM
+_ASSETS = _VERSION >= (1, 1)  # Path.Tool.Bit has become Path.Tool.toolbit, and shapes are assets
 
 WORKBENCH = "CAMWorkbench" if _CAM else "PathWorkbench"
 MENU = "&CAM" if _CAM else "&Path"
 TOOLBAR = "New Operations"
 NEIGHBOUR = "CAM_Adaptive" if _CAM else "Path_Adaptive"  # our commands stand beside this one
 INACTIVE_ICON = ":/icons/CAM_OpActive.svg" if _CAM else ":/icons/Path_OpActive.svg"
+# Whether FreeCAD ends its list of tool controllers with "Copy ..." and "New tool controller...". It
+# acts on them only in a form that has a box editToolController in a QGridLayout.
+LIST_MAKES_CONTROLLERS = _ASSETS
 
 
 @functools.lru_cache(maxsize=None)
@@ -34,8 +38,9 @@ def cam():
         import Path.Main.Stock as stock
         import Path.Op.Base as op
         import Path.Preferences as preferences
-        import Path.Tool.Bit as bit
         import Path.Tool.Controller as controller
+
+        bit = importlib.import_module("Path.Tool." + ("toolbit" if _ASSETS else "Bit"))
     else:
         import PathScripts.PathJob as job
         import PathScripts.PathOp as op
@@ -165,9 +170,29 @@ def operations(job):
     return list(job.Operations.Group)
 
 
+def call_after_recompute(function):
+    """Has function(document) called after each recompute of a document, from now on."""
+
+    class Observer:
+        def slotRecomputedDocument(self, doc):
+            function(doc)
+
+    FreeCAD.addDocumentObserver(Observer())
+
+
 def is_active(obj):
     """Whether an operation, or the one that a dressup dresses, takes part in the job."""
     return bool(getattr(operation_under(obj), "Active", True))
+
+
+def turned_work_plane(obj):
+    """The work plane of an operation, which FreeCAD has from 26.3 on, where it is turned against
+    the job; else None. Base geometry and path are in its frame then.
+    """
+    plane = getattr(obj, "Workplane", None)
+    if plane is None or plane.Placement.Rotation.isSame(FreeCAD.Rotation(), 1e-9):
+        return None
+    return plane
 
 
 def controller_of(obj):
@@ -237,7 +262,7 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
     replaced = controller.Tool
     controller.Tool = create_tool("endmill", {"Diameter": tool_diameter, "Flutes": int(flutes)})
     if getattr(replaced, "Document", None) is doc:
-        doc.removeObject(replaced.Name)
+        _remove_tool(replaced)
     controller.SpindleSpeed = float(spindle_speed)
     controller.HorizFeed = controller.VertFeed = "%.9g mm/min" % feed
     set_rapid_feed(controller, 5000.0)
@@ -252,18 +277,58 @@ def create_tool(shape, properties):
     properties: {name: value}; lengths in mm. Raises ValueError for a shape or a property that
     FreeCAD does not have.
     """
-    file = shape + ".fcstd"
-    if cam().bit.findToolShape(file) is None:
-        raise ValueError("FreeCAD has no tool shape '%s': 'endmill' is one." % shape)
-    attributes = {"shape": file, "name": shape, "parameter": properties, "attribute": {}}
-    tool = cam().bit.Factory.CreateFromAttrs(attributes, "Tool")
-    for name in properties:
-        if not hasattr(tool, name):
-            tool.Document.removeObject(tool.Name)
-            raise ValueError("A tool of the shape '%s' has no %s." % (shape, name))
+    make = _tool_of_asset if _ASSETS else _tool_of_file
+    tool = make(shape, properties)
     if FreeCAD.GuiUp:
         tool.ViewObject.Visibility = False
     return tool
+
+
+def _tool_of_file(shape, properties):
+    file = shape + ".fcstd"
+    if cam().bit.findToolShape(file) is None:
+        raise _no_such_shape(shape)
+    attributes = {"shape": file, "name": shape, "parameter": properties, "attribute": {}}
+    tool = cam().bit.Factory.CreateFromAttrs(attributes, "Tool")
+    unknown = [name for name in properties if not hasattr(tool, name)]
+    if unknown:
+        _remove_tool(tool)
+        raise _no_such_property(shape, unknown[0])
+    return tool
+
+
+def _tool_of_asset(shape, properties):
+    from Path.Tool.camassets import cam_assets
+    from Path.Tool.shape import ToolBitShape
+
+    doc = FreeCAD.ActiveDocument  # reading a shape opens a document of its own
+    asset = cam_assets.get_or_none(ToolBitShape.resolve_name(shape))
+    if asset is None:
+        raise _no_such_shape(shape)
+    # FreeCAD itself would give the tool any other property too.
+    for name in properties:
+        if name not in asset.get_parameters():
+            raise _no_such_property(shape, name)
+    attributes = {"name": shape, "parameter": properties}
+    return cam().bit.ToolBit.from_shape(asset, attributes).attach_to_doc(doc)
+
+
+def _no_such_shape(shape):
+    return ValueError("FreeCAD has no tool shape '%s': 'endmill' is one." % shape)
+
+
+def _no_such_property(shape, name):
+    return ValueError("A tool of the shape '%s' has no %s." % (shape, name))
+
+
+def _remove_tool(tool):
+    """Takes a tool bit out of its document, with the body by which FreeCAD 1.1 shows it."""
+    doc, body = tool.Document, getattr(tool, "BitBody", None) if _ASSETS else None
+    if body is not None:
+        tool.BitBody = None
+        body.removeObjectsFromDocument()
+        doc.removeObject(body.Name)
+    doc.removeObject(tool.Name)
 
 
 def set_rapid_feed(controller, feed):
@@ -378,6 +443,11 @@ def gui():
         import PathScripts.PathOpGui as op
         import PathScripts.PathSelection as selection
     return SimpleNamespace(op=op, util=util, selection=selection)
+
+
+def show_value(box):
+    """Brings one of FreeCAD's controllers of a spin box up to date with its property."""
+    (box.updateWidget if _ASSETS else box.updateSpinBox)()
 
 
 def show_job(job):

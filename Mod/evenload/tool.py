@@ -193,10 +193,12 @@ def _cuts_at_its_centre(bit):
 
 
 def _shapes(bit):
-    """What a tool bit calls its shape, small letters and digits only."""
+    """What a tool bit calls its shape, small letters and digits only: by a file and a name, since
+    FreeCAD 1.1 by an asset and a type.
+    """
     file = os.path.splitext(os.path.basename(getattr(bit, "BitShape", "") or ""))[0]
-    words = file, getattr(bit, "ShapeName", "")
-    return ["".join(c for c in word.lower() if c.isalnum()) for word in words]
+    words = file, *(getattr(bit, name, "") for name in ("ShapeName", "ShapeID", "ShapeType"))
+    return ["".join(c for c in str(word or "").lower() if c.isalnum()) for word in words]
 
 
 def _other_shape(bit):

@@ -176,6 +176,39 @@ def other_panel(doc, job, model, floor, command):
     return seen
 
 
+def controllers_of_the_list(job, op):
+    """What the panel's list of tool controllers offers, and what becomes of the operation's when
+    the last two are chosen that FreeCAD 1.1 adds: "Copy ..." and "New tool controller...".
+    """
+    from evenload import host
+
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later()
+    page = op.ViewObject.Proxy.panel.featurePages[-1]
+    combo = page.form.toolController
+    seen = {
+        "makes": host.LIST_MAKES_CONTROLLERS,
+        "items": [combo.itemText(i) for i in range(combo.count())],
+        "labels": [controller.Label for controller in job.Tools.Group],
+        "chosen": [],
+    }
+    if host.LIST_MAKES_CONTROLLERS:
+        for from_the_end in (2, 1):
+            index = combo.count() - from_the_end
+            combo.setCurrentIndex(index)
+            combo.activated.emit(index)
+            later(500)
+            seen["chosen"].append(
+                [op.ToolController is not None, combo.currentText(), len(job.Tools.Group)]
+            )
+        page.form.editToolController.setChecked(True)
+        later()
+        picture("controller")
+    press(QtGui.QDialogButtonBox.Cancel)
+    later(500)
+    return seen
+
+
 def session():
     from models import SQUARE, block_with, face_of, floors_of, wire
     from evenload import host
@@ -267,6 +300,8 @@ def session():
     press(QtGui.QDialogButtonBox.Ok)
     later(500)
     result["closed"] = not FreeCADGui.Control.activeDialog()
+
+    result["controllers"] = controllers_of_the_list(job, op)
 
     # A sketch as a whole.
     sketch = doc.addObject("Sketcher::SketchObject", "Outline")

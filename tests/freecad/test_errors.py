@@ -261,6 +261,14 @@ def prop(**properties):
     return set_them
 
 
+def turned_plane(doc, op):
+    """What operations have from FreeCAD 26.3 on."""
+    plane = doc.addObject("App::Placement", "Tilted")
+    plane.Placement.Rotation = FreeCAD.Rotation(Vector(1, 0, 0), 90)
+    op.addProperty("App::PropertyLink", "Workplane")
+    op.Workplane = plane
+
+
 def controller_again(doc, op):
     op.ToolController = doc.Job.Tools.Group[0]
 
@@ -338,6 +346,11 @@ MISTAKES = {
         prop(**{**HOLE, "EntryPoint": Vector(40, 15, 0)}),
         ["Hole at (EntryPoint) is (40, 15)", "outside", "move it inside"],
         prop(**HOLE),
+    ),
+    "a turned work plane": (
+        turned_plane,
+        ["The work plane 'Tilted' is turned", "choose another"],
+        prop(Workplane=None),
     ),
     "a hole smaller than the tool": (
         prop(**{**HOLE, "HoleDiameter": 5}),

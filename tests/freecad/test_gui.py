@@ -49,6 +49,19 @@ def test_every_operation_has_its_command_panel_and_icon(session, command):
     assert seen["own_after_apply"] == []
 
 
+def test_the_list_of_tool_controllers_makes_new_ones_where_freecad_does(session):
+    seen = session["controllers"]
+    (label,) = seen["labels"]
+    assert seen["items"][0] == label
+    if not seen["makes"]:
+        assert seen["items"] == [label] and seen["chosen"] == []
+        return
+    copied, made = seen["chosen"]
+    assert copied[0] and copied[1].startswith(label) and copied[2] == 2
+    # FreeCAD lets the user choose a tool bit in a dock; until then nothing changes.
+    assert made[0] and made[1] == copied[1] and made[2] == 2
+
+
 def test_what_is_edited_in_the_panel_is_fitted_no_more_until_it_is_asked_for(session):
     seen = session["others"]["EvenLoad_LameSpiral"]
     shown, value = seen["fitted"]

@@ -150,10 +150,16 @@ class OperationPage(_gui.op.TaskPanelPage):
         self.widgets = {}
         form.toolController = self._combo_box()
         form.coolantController = self._combo_box()
-        head = QtGui.QFormLayout()
-        head.addRow(_translate("EvenLoad", "Tool controller"), form.toolController)
-        head.addRow(_translate("EvenLoad", "Coolant"), form.coolantController)
-        layout.addLayout(head)
+        head = QtGui.QWidget()
+        grid = QtGui.QGridLayout(head)  # in which FreeCAD 1.1 shows the tool controller's editor
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setColumnStretch(1, 1)
+        for row, (title, widget) in enumerate(
+            (("Tool controller", form.toolController), ("Coolant", form.coolantController))
+        ):
+            grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
+            grid.addWidget(widget, row, 1)
+        layout.addWidget(head)
         for title, names in self.groups:
             box = QtGui.QGroupBox(_translate("EvenLoad", title))
             rows = QtGui.QFormLayout(box)
@@ -180,6 +186,9 @@ class OperationPage(_gui.op.TaskPanelPage):
         area.setWidget(form)
         area.toolController = form.toolController  # FreeCAD looks for it in the outermost widget
         area.coolantController = form.coolantController
+        if host.LIST_MAKES_CONTROLLERS:
+            area.editToolController = QtGui.QCheckBox(_translate("EvenLoad", "Edit"))
+            grid.addWidget(area.editToolController, 0, 2)
         return area
 
     def _widget(self, name):
@@ -281,8 +290,17 @@ class OperationPage(_gui.op.TaskPanelPage):
             self._show_settings(obj)
             self._show_results(obj)
 
+    def resetToolController(self, job, tc):
+        """FreeCAD calls this for a tool controller that the user has just made."""
+        super().resetToolController(job, tc)
+        if self.obj is not None:
+            self._show_new_tool()
+
     def _tool_chosen(self):
         self.updateToolController(self.obj, self.form.toolController)
+        self._show_new_tool()
+
+    def _show_new_tool(self):
         self._show_settings(self.obj)
         self.setDirty()
 
@@ -325,7 +343,7 @@ class OperationPage(_gui.op.TaskPanelPage):
         for name, widget in self.widgets.items():
             value = getattr(obj, name)
             if name in self.boxes:
-                self.boxes[name].updateSpinBox()
+                host.show_value(self.boxes[name])
             elif name in self.points:
                 for box, number in zip(self.points[name], (value.x, value.y)):
                     box.setProperty("rawValue", number)

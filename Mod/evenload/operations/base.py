@@ -272,6 +272,12 @@ class Operation(host.operation_base()):
     def opExecute(self, obj):
         core = compiled.core()
         tool, data = tools.read(obj.ToolController)
+        turned = host.turned_work_plane(obj)
+        if turned is not None:
+            raise ValueError(
+                "The work plane '%s' is turned, and EvenLoad cuts along the job's own axes: choose "
+                "another, or turn the model in a job of its own." % turned.Label
+            )
         # Geometry first: depths follow it, and what is wrong with them then is not the cause.
         checks.for_geometry(obj)
         floors = self.floors(obj, tool)
@@ -481,6 +487,21 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
         raise
     _show(obj)
     return obj
+
+
+def _compute_left_out(doc):
+    """Computes the operations that FreeCAD has left out because their tool controller failed: 1.1
+    does so where it has no tool, and would keep the path that was for another tool.
+    """
+    for obj in doc.Objects:
+        if not isinstance(getattr(obj, "Proxy", None), Operation):
+            continue
+        controller = host.controller_of(obj)
+        if controller is not None and not controller.isValid() and obj.isValid():
+            obj.recompute()
+
+
+host.call_after_recompute(_compute_left_out)
 
 
 def _show(obj):
