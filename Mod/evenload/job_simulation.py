@@ -201,7 +201,7 @@ def cut_before(operation, notes):
     top = job.Stock.Shape.BoundBox.ZMax
     inner = host.operation_under(operation)
     for other in host.operations(job):
-        if host.operation_under(other) is inner:
+        if inner in host.all_under(other):  # also where the job has but its dressup or array
             break
         controller = host.controller_of(other)
         if not host.is_active(other) or controller is None or not controller.Tool:

@@ -30,14 +30,13 @@ def link_all(job):
 
     All at once, so that operations which changed places never depend on each other.
     """
-    earlier, wanted = [], []
+    earlier, wanted = [], {}
     for item in host.operations(job):
-        inner = host.operation_under(item)
-        if hasattr(inner, "EarlierOperations"):
-            links = list(earlier) if is_wanted(inner) or starts_below(inner, job) else []
-            wanted.append((inner, links))
+        for op in host.all_under(item):
+            if op not in wanted and hasattr(op, "EarlierOperations"):
+                wanted[op] = list(earlier) if is_wanted(op) or starts_below(op, job) else []
         earlier.append(item)
-    changed = [(op, links) for op, links in wanted if op.EarlierOperations != links]
+    changed = [(op, links) for op, links in wanted.items() if op.EarlierOperations != links]
     for op, _ in changed:
         op.EarlierOperations = []
     for op, links in changed:
