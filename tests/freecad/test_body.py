@@ -67,6 +67,24 @@ STANDING = {
 }
 
 
+def _stepped():
+    """A plate with a T-slot, a deep step and a round hole."""
+    plate = Part.makeBox(80, 50, 20).cut(Part.makeBox(80, 10, 20, Vector(0, 20, 6)))
+    plate = plate.cut(Part.makeBox(80, 20, 5, Vector(0, 15, 6)))
+    plate = plate.cut(Part.makeBox(10, 6, 30, Vector(40, 40, 12)))
+    return plate.cut(Part.makeCylinder(5, 30, Vector(15, 8, 10)))
+
+
+@pytest.mark.parametrize("askew", [3e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-5])
+@pytest.mark.parametrize("along", [Vector(1, 0, 0), Vector(1, 1, 0), Vector(1, 0.3, 0)])
+def test_what_lies_askew_by_rounding_stands_where_it_would_stand_straight(askew, along):
+    shape = _stepped()
+    shape.rotate(Vector(20, 15, 0), along, math.degrees(askew))
+    for z, area in ((3, 4000), (6.01, 3200), (11.5, 3200 - 25 * math.pi), (19.9, 3061.46)):
+        faces = body.Body(shape).standing(z)
+        assert sum(face.Area for face in faces) == pytest.approx(area, abs=0.05)
+
+
 @pytest.mark.parametrize("shape, z, area", STANDING.values(), ids=STANDING)
 def test_the_ground_over_which_a_body_stands(shape, z, area):
     faces = body.Body(shape).standing(z)

@@ -2,6 +2,8 @@
 of it may be cut rightly or refused.
 """
 
+import math
+
 import Part
 import pytest
 from conftest import moves_of, solid_in_tool
@@ -44,16 +46,20 @@ def test_an_outline_on_the_stocks_top_is_the_limit_down_to_the_final_depth(bench
 # ---- what stands above a floor ----
 
 
-def test_the_lips_over_a_t_slots_floor_stay(bench):
+@pytest.mark.parametrize("askew", [0, 1e-8])
+def test_the_lips_over_a_t_slots_floor_stay(bench, askew):
     slot = Part.makeBox(80, 10, 20, Vector(0, 20, 6)).fuse(
         Part.makeBox(80, 20, 5, Vector(0, 15, 6))
     )
-    b = bench(Part.makeBox(80, 50, 20).cut(slot))
-    op = b.operation([(b.model, upward_floors(b.model.Shape, 6))], StartDepth=20, FinalDepth=6)
-    b.set(op, StepDown=14)
+    part = Part.makeBox(80, 50, 20).cut(slot)
+    part.rotate(Vector(), Vector(1, 1, 0), math.degrees(askew))
+    b = bench(part)
+    op = b.operation([(b.model, upward_floors(b.model.Shape, 6))], StartDepth=21, FinalDepth=6)
+    b.set(op, StepDown=15)
     if is_computed(b, op):
         volume, at = solid_in_tool(op, b.model.Shape, 6, 20)
         assert volume < 0.1, at
+    assert op.isValid() or not op.Report.startswith("The path cuts"), op.Report
 
 
 def test_a_pin_of_another_model_in_a_pocket_stays(bench):
