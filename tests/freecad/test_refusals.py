@@ -58,6 +58,15 @@ def test_tracebacks_are_left_out_only_until_freecad_has_printed_the_refusal(squa
             del sys.tracebacklimit
 
 
+def test_of_several_refusals_any_may_go_first():
+    before = getattr(sys, "tracebacklimit", None)
+    first, second = Refusal("One."), Refusal("Two.")
+    del first
+    assert sys.tracebacklimit == 0
+    del second
+    assert getattr(sys, "tracebacklimit", None) == before
+
+
 @pytest.mark.parametrize("module", [adaptive, trochoid, lame_spiral])
 def test_freecads_stand_in_for_an_operation_holds_what_its_editors_take(module):
     operation = host.cam().setup_sheet._RegisteredOps[module.NAME]
