@@ -16,7 +16,7 @@ from evenload import compiled
 from evenload.floor import UP, faces_within, points_of
 
 LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so exactly
-# mm: planes that stand over a strip no wider than this are upright; imported files round directions.
+# mm: planes that stand over a strip no wider than this are upright: files round directions.
 STRIP = 1e-6
 FLAT = 1e-9  # mm: edges that rise by less lie in a level plane
 DEFLECTION = 0.005  # mm: triangles leave round surfaces by this at the most
