@@ -24,6 +24,7 @@ COARSE = 0.01  # mm: the same of the heights, which no wall is taken from
 # mm: nearer to a region's border stand its own walls, as wide as triangles leave them.
 INSET = 0.02
 LOOKS = 0.25  # tool diameters between places where something is looked for over a region
+TURN = 0.5  # rad between neighbouring triangles, at the most
 SAME_PARAMETER = 1e-6  # of surfaces
 PROJECTED = 0.001  # mm: points on edges that are drawn anew in the plane lie as near as that
 POINTS = 9  # the fewest of these on a curve
@@ -73,7 +74,7 @@ class Body:
     def map(self):
         """Its upper side, as the core's HeightMap."""
         faces = Part.Compound([face.shape for face in self._faces if not face.is_upright])
-        points, triangles = faces.tessellate(COARSE)
+        points, triangles = _triangles(faces, COARSE)
         points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
         return compiled.core().HeightMap(points, numpy.array(triangles).reshape(-1, 3))
 
@@ -304,13 +305,26 @@ def _under_triangles(faces):
     """The faces in the plane that lie under any of some faces, as near as triangles are."""
     corners = []
     for face in faces:
-        points, triangles = face.tessellate(DEFLECTION)
+        points, triangles = _triangles(face, DEFLECTION)
         corners += [[(points[k].x, points[k].y) for k in triangle] for triangle in triangles]
     wires = []
     for outline in compiled.core().united(corners, DEFLECTION / 2):
         points = [FreeCAD.Vector(x, y, 0) for x, y in outline]
         wires.append(Part.makePolygon([*points, points[0]]))
     return faces_within(wires)
+
+
+def _triangles(shape, deflection):
+    """(points, triangles as three of their numbers each) within `deflection` mm of a shape's faces.
+
+    Shape.tessellate() turns by no more than 5 `deflection` rad from one triangle to the next, which
+    made 13 000 of a countersink, and seconds of a dozen.
+    """
+    import MeshPart  # here, since it is slow to load
+
+    return MeshPart.meshFromShape(
+        Shape=shape, LinearDeflection=deflection, AngularDeflection=TURN, Relative=False
+    ).Topology
 
 
 def _in_plane(edge):

@@ -140,3 +140,12 @@ def test_points_of_edges_are_near_each_other_and_uprights_have_their_upper_end()
     cone = body.Body(Part.makeCone(10, 5, 20))
     section = cone.section_points([10], (-99, -99, -1), (99, 99, 99), 0.5)
     assert numpy.hypot(section[:, 0], section[:, 1]) == pytest.approx(7.5, abs=1e-6)
+
+
+def test_a_countersink_has_no_more_triangles_than_its_distance_asks_for():
+    """FreeCAD's own tessellation makes 13 000 of it: parts with dozens of them took a minute."""
+    cone = Part.makeCone(1, 3, 9)
+    points, triangles = body._triangles(cone, body.COARSE)
+    assert len(triangles) < 2500
+    middles = [sum((points[k] for k in triangle), Vector()) / 3 for triangle in triangles]
+    assert max(cone.distToShape(Part.Vertex(p))[0] for p in middles[::7]) < 1.1 * body.COARSE
