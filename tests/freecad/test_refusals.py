@@ -127,6 +127,26 @@ def test_rest_machining_after_a_cancelled_operation_is_emptied(square):
     assert first.Label in second.Report
 
 
+@pytest.mark.parametrize("properties", [{"UseRestMachining": True}, {"StartDepth": -1.5}])
+def test_cancel_is_asked_for_while_what_was_cut_before_is_looked_at(square, properties):
+    square.done(square.operation())
+    op = square.operation(**properties, StepDown=1.0)
+    shares = []
+
+    def stop_at_the_first(share):
+        shares.append(share)
+        return False
+
+    def no_path(*_):
+        raise AssertionError("it was cancelled before")
+
+    op.Proxy.progress, op.Proxy.generate = stop_at_the_first, no_path
+    op.touch()
+    square.doc.recompute()
+    assert shares == [0.0] and op.Report.startswith("Cancelled")
+    assert not op.isValid() and op.UncutArea.Value > 800
+
+
 def test_errors_of_the_report_view_are_seen_but_for_those_that_were_provoked():
     last = ["12:00:00  The session ends.", True]
     lines = [["12:00:00  Done", False], ["12:00:00  <class 'E'>: Too wide.", True], last]

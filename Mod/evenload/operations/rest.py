@@ -43,16 +43,18 @@ def link_all(job):
         op.EarlierOperations = links
 
 
-def standing(op, core, tool, regions, levels, slack):
+def standing(op, core, tool, regions, levels, slack, progress):
     """([[Region, ...] for each level], notes): where material stands within the tool's reach.
 
+    progress: as for job_simulation.stock_before.
     Raises ValueError with a sentence where the earlier operations' paths cannot be relied upon.
     """
     from evenload import job_simulation
     from evenload.simulation import rest_resolution
 
     wait_for_earlier(op)
-    stock, notes = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    resolution = rest_resolution(op.SideStep.Value)
+    stock, notes = job_simulation.stock_before(op, resolution, progress)
     reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
     return [stock.standing(z, reach) for z in levels], notes
 
