@@ -441,8 +441,10 @@ def _set_parameter(op, name, kind, value):
     if kind == "App::PropertyVectorDistance" and isinstance(value, list):
         value = FreeCAD.Vector(*value)
     setattr(op, name, value)
+    taken = getattr(op, name)
+    if isinstance(value, str) and hasattr(taken, "Value"):
+        value = FreeCAD.Units.Quantity(value).Value
     if isinstance(value, NUMBER):
-        taken = getattr(op, name)
         taken = getattr(taken, "Value", taken)
         if not math.isclose(taken, value, rel_tol=1e-6, abs_tol=1e-9):  # such as lengths below 0
             raise ValueError("FreeCAD would take %g for it" % taken)

@@ -16,12 +16,15 @@ from evenload import compiled
 from evenload.floor import UP, faces_within, points_of
 
 LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so exactly
+# mm: planes that stand over a strip no wider than this are upright: files round directions.
+STRIP = 1e-6
 FLAT = 1e-9  # mm: edges that rise by less lie in a level plane
 DEFLECTION = 0.005  # mm: triangles leave round surfaces by this at the most
 COARSE = 0.01  # mm: the same of the heights, which no wall is taken from
 # mm: nearer to a region's border stand its own walls, as wide as triangles leave them.
 INSET = 0.02
 LOOKS = 0.25  # tool diameters between places where something is looked for over a region
+TURN = 0.5  # rad between neighbouring triangles, at the most
 SAME_PARAMETER = 1e-6  # of surfaces
 PROJECTED = 0.001  # mm: points on edges that are drawn anew in the plane lie as near as that
 POINTS = 9  # the fewest of these on a curve
@@ -71,7 +74,7 @@ class Body:
     def map(self):
         """Its upper side, as the core's HeightMap."""
         faces = Part.Compound([face.shape for face in self._faces if not face.is_upright])
-        points, triangles = faces.tessellate(COARSE)
+        points, triangles = _triangles(faces, COARSE)
         points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
         return compiled.core().HeightMap(points, numpy.array(triangles).reshape(-1, 3))
 
@@ -159,20 +162,31 @@ class Body:
                 leaning += face.parts_above(z)
             elif not face.is_upright and face.box.ZMax > z:
                 if not self._is_closed or face.looks_up:
-                    level.append(face.shape)
+                    level.append(face)
+        shapes = [face.shape for face in level]
         if (
             len(leaning) > MOST_LEANING
             or len(level) > MOST_LEVEL
             or any(not inclination for _, inclination in leaning)
         ):
-            return _under_triangles(level + [part for part, _ in leaning])
-        found = [face.translated(UP * -face.BoundBox.ZMax) for face in level]
+            return _under_triangles(shapes + [part for part, _ in leaning])
+        found = []
+        for face in level:
+            if face.is_askew:
+                found += self._projected(face.shape)
+            else:
+                found.append(face.shape.translated(UP * -face.box.ZMax))
         for part, inclination in leaning:
             if not self._is_closed or inclination > 0:
                 found += self._projected(part)
         if len(found) < 2:
             return found
-        return found[0].fuse(found[1:]).removeSplitter().Faces
+        # Under faces that are upright but for a strip there are slits as wide as that.
+        is_rounded = any(face.is_askew for face in level)
+        fused = found[0].fuse(found[1:], 2 * STRIP if is_rounded else 0).removeSplitter()
+        if fused.Area < max(face.Area for face in found) - STRIP:  # OpenCASCADE has lost some
+            return _under_triangles(shapes + [part for part, _ in leaning])
+        return fused.Faces
 
     def _projected(self, face):
         """The faces in the plane over which a face lies, none of whose lines up meets it twice."""
@@ -211,13 +225,19 @@ class _Face:
         self.shape = shape
         self.box = shape.BoundBox
         surface = shape.Surface
-        self.is_upright = is_upright(surface)
+        self.is_upright = is_upright(surface) or self._stands_over_a_strip(surface)
         is_level = isinstance(surface, Part.Plane) and abs(surface.Axis.z) > 1 - LEVEL
         self.looks_up = is_level and shape.normalAt(0, 0).z > 0
+        self.is_askew = is_level and math.hypot(surface.Axis.x, surface.Axis.y) > LEVEL
         self.leans = not (is_level or self.is_upright)
         # Heights at which it turns over, if its axis is upright, or level.
         round_ = isinstance(surface, (Part.Sphere, Part.Toroid, Part.Cylinder))
         self.turning = [surface.Center.z] if round_ and self.leans else []
+
+    def _stands_over_a_strip(self, surface):
+        if not isinstance(surface, Part.Plane) or abs(surface.Axis.z) > 0.5:
+            return False
+        return abs(surface.Axis.z) * self.box.ZLength < STRIP
 
     def parts_above(self, z):
         """[(part of the face above z, its _inclination), ...]"""
@@ -285,13 +305,26 @@ def _under_triangles(faces):
     """The faces in the plane that lie under any of some faces, as near as triangles are."""
     corners = []
     for face in faces:
-        points, triangles = face.tessellate(DEFLECTION)
+        points, triangles = _triangles(face, DEFLECTION)
         corners += [[(points[k].x, points[k].y) for k in triangle] for triangle in triangles]
     wires = []
     for outline in compiled.core().united(corners, DEFLECTION / 2):
         points = [FreeCAD.Vector(x, y, 0) for x, y in outline]
         wires.append(Part.makePolygon([*points, points[0]]))
     return faces_within(wires)
+
+
+def _triangles(shape, deflection):
+    """(points, triangles as three of their numbers each) within `deflection` mm of a shape's faces.
+
+    Shape.tessellate() turns by no more than 5 `deflection` rad from one triangle to the next, which
+    made 13 000 of a countersink, and seconds of a dozen.
+    """
+    import MeshPart  # here, since it is slow to load
+
+    return MeshPart.meshFromShape(
+        Shape=shape, LinearDeflection=deflection, AngularDeflection=TURN, Relative=False
+    ).Topology
 
 
 def _in_plane(edge):
@@ -306,6 +339,8 @@ def _in_plane(edge):
         return None
     if box.ZLength < FLAT or _is_level_curve(edge.Curve):
         return edge.translated(UP * -edge.valueAt(edge.FirstParameter).z)
+    if isinstance(edge.Curve, Part.Circle) and abs(edge.Curve.Axis.z) > 1 - LEVEL:
+        return _flattened_arc(edge)
     points = edge.discretize(Deflection=PROJECTED)
     if len(points) < POINTS:
         points = edge.discretize(Number=POINTS)
@@ -321,7 +356,20 @@ def _in_plane(edge):
 
 
 def _is_level_curve(curve):
-    return isinstance(curve, (Part.Circle, Part.Ellipse)) and abs(curve.Axis.z) > 1 - LEVEL
+    if not isinstance(curve, (Part.Circle, Part.Ellipse)):
+        return False
+    return math.hypot(curve.Axis.x, curve.Axis.y) < LEVEL
+
+
+def _flattened_arc(edge):
+    """An arc that lies askew by no more than level faces may, in the plane z = 0."""
+    first, last = edge.ParameterRange
+    ends = [edge.valueAt(first + share * (last - first)) for share in (0, 0.5, 1)]
+    start, middle, end = (FreeCAD.Vector(p.x, p.y, 0) for p in ends)
+    if (end - start).Length > SHORTEST:
+        return Part.Arc(start, middle, end).toShape()
+    centre = edge.Curve.Center
+    return Part.makeCircle(edge.Curve.Radius, FreeCAD.Vector(centre.x, centre.y, 0))
 
 
 def _is_straight(points):

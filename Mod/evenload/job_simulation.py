@@ -162,16 +162,32 @@ def read(operation, after_earlier=True):
     return Setup(*found)
 
 
-def stock_before(operation, resolution):
+class Stopped(Exception):
+    """Whoever was asked whether to go on does not want to."""
+
+
+def stock_before(operation, resolution, progress=None):
     """(DexelStock, notes): what the job's earlier active operations leave for an operation.
 
-    Raises ValueError with a sentence.
+    progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work follows.
+    Raises ValueError with a sentence, Stopped where it was stopped.
     """
     core, notes = compiled.core(), []
     _, blocks, _, bottom = _stock(host.parent_job(operation).Stock)
     stock = core.DexelStock(blocks, bottom, resolution)
+    answers = []
+
+    def ask(_):
+        answers.append(progress is None or progress(0.0))
+        return answers[-1]
+
     for moves, diameter in cut_before(operation, notes):
-        core.simulate(moves, stock, tool_diameter=diameter, step=COARSE * diameter, find_rest=False)
+        step = COARSE * diameter
+        core.simulate(
+            moves, stock, tool_diameter=diameter, step=step, find_rest=False, progress=ask
+        )
+        if not all(answers):
+            raise Stopped()
     return stock, notes
 
 
@@ -201,7 +217,7 @@ def cut_before(operation, notes):
     top = job.Stock.Shape.BoundBox.ZMax
     inner = host.operation_under(operation)
     for other in host.operations(job):
-        if host.operation_under(other) is inner:
+        if inner in host.all_under(other):  # also where the job has but its dressup or array
             break
         controller = host.controller_of(other)
         if not host.is_active(other) or controller is None or not controller.Tool:

@@ -54,9 +54,9 @@ FREECADS = {
     "StepDown": "Step Down",
     "SafeHeight": "Safe Height",
     "ClearanceHeight": "Clearance Height",
-    "HorizFeed": "Horizontal Feed",
-    "VertFeed": "Vertical Feed",
-    "SpindleDir": "Spindle Direction",
+    "HorizFeed": "Horiz. Feed",
+    "VertFeed": "Vert. Feed",
+    "SpindleDir": "Spindle",
 }
 
 

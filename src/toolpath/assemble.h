@@ -37,8 +37,8 @@ inline constexpr double kAboveMaterial = 0.05;
 // The moves of `runs` at every level, regions in the order given, each level of a region after the
 // one above it and by its own descent. Between regions the tool rises to the clearance height. Arcs
 // turn by at most half a circle. No rapid goes below what the levels before have cleared: the rest
-// of the way down is a feed move, which a machinist can stop. Without arcs the lines stay on the side of each arc that the tool
-// may touch.
+// of the way down is a feed move, which a machinist can stop. Without arcs the lines stay on the
+// side of each arc that the tool may touch.
 std::vector<Move> assemble(const std::vector<PlanarRun>& runs, const AssemblyParams& params);
 
 // s, of all moves; rapids at `rapid_feed` mm/min.

@@ -120,6 +120,17 @@ def rs274():
     return interpret
 
 
+def headless_document(folder):
+    """The file of a document with a job and a computed operation, made without a GUI."""
+    doc = FreeCAD.newDocument("Headless")
+    bench = Bench(doc, block_with(face_of(SQUARE)))
+    bench.done(bench.operation())
+    path = os.path.join(str(folder), "headless.FCStd")
+    doc.saveAs(path)
+    FreeCAD.closeDocument(doc.Name)
+    return path
+
+
 @contextlib.contextmanager
 def reopened(doc, path):
     """Saves a document, closes it, and opens it for the context's length."""
@@ -204,6 +215,7 @@ def errors_in(report_view, provoked):
         [text for text, red in report_view if red or "Traceback" in text]
     )
     assert lines and lines[-1].endswith("The session ends."), "errors are not seen"
+    assert all(provoked), "an empty sentence would excuse all errors"
     expected = [*provoked, *OF_EVERY_JOB]
     if provoked:
         expected.append("Recompute failed! Please check report view.")

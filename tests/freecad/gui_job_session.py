@@ -8,7 +8,6 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-import Part
 from FreeCAD import Vector
 from PySide import QtCore, QtGui
 
@@ -39,28 +38,15 @@ def accept(dialog):
     dialog.accept()
 
 
-def rectangle(body, name, x, y, width, height, z):
-    sketch = body.newObject("Sketcher::SketchObject", name)
-    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
-    for a, b in zip(corners, corners[1:]):
-        sketch.addGeometry(Part.LineSegment(Vector(*a, 0), Vector(*b, 0)), False)
-    sketch.Placement.Base.z = z
-    return sketch
-
-
 def plate():
     """A document with a body: a plate with a pocket of 30 x 24 mm, 4 mm deep."""
+    from models import body_with_pockets
+
     doc = FreeCAD.newDocument("Plate")
-    body = doc.addObject("PartDesign::Body", "Body")
-    pad = body.newObject("PartDesign::Pad", "Pad")
-    pad.Profile = rectangle(body, "Outline", 0, 0, 60, 50, 0)
-    pad.Length = 12
-    pocket = body.newObject("PartDesign::Pocket", "Pocket")
-    pocket.Profile = rectangle(body, "Edge", 15, 13, 30, 24, 12)
-    pocket.Length = 4
+    body = body_with_pockets(doc, 60, 50, [("Pocket", 15, 13, 30, 24, 4)])
     doc.recompute()
-    for feature in (pad, pad.Profile[0], pocket.Profile[0]):
-        feature.ViewObject.Visibility = False
+    for feature in body.Group:
+        feature.ViewObject.Visibility = feature is body.Tip
     return doc, body
 
 

@@ -73,6 +73,30 @@ def sketch_of(doc, chain, z=-DEPTH, name="Sketch", closed=True):
     return sketch
 
 
+def body_with_pockets(doc, width, length, pockets):
+    """A PartDesign body: a plate 12 mm thick, from z = 0 up, with pockets in its top, made in their
+    order. pockets: of (name, x, y, width, length, depth).
+    """
+    body = doc.addObject("PartDesign::Body", "Body")
+    pad = body.newObject("PartDesign::Pad", "Pad")
+    pad.Profile = _rectangle_in(body, "Outline", rectangle(0, 0, width, length), 0)
+    pad.Length = BLOCK
+    for name, x, y, a, b, depth in pockets:
+        pocket = body.newObject("PartDesign::Pocket", name)
+        outline = rectangle(x, y, x + a, y + b)
+        pocket.Profile = _rectangle_in(body, name + "Sketch", outline, BLOCK)
+        pocket.Length = depth
+    return body
+
+
+def _rectangle_in(body, name, chain, z):
+    sketch = body.newObject("Sketcher::SketchObject", name)
+    for edge in wire(chain).Edges:
+        sketch.addGeometry(Part.LineSegment(*(v.Point for v in edge.Vertexes)), False)
+    sketch.Placement.Base.z = z
+    return sketch
+
+
 def floors_of(shape, z=-DEPTH):
     """Names of the level faces at a height."""
     return [

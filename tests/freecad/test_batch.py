@@ -299,6 +299,7 @@ def breaking(post):
         ("stock/margin", 1e999, ["jobs.json is no JSON: Infinity is no number"]),
         ("simulation/step", 0, ["simulation: 'step' is 0: it must be more than 0"]),
         ("operation/parameters/StockToLeave", -1, ["StockToLeave cannot be -1", "take 0 for it"]),
+        ("operation/parameters/StockToLeave", "-1 mm", ["cannot be '-1 mm'", "take 0 for it"]),
         ("operation/parameters/StepDown", "half of it", ["StepDown cannot be 'half of it'"]),
         ("operation/parameters/StepDown", True, ["StepDown cannot be True: it is no yes or no"]),
         ("operation/parameters/WallPass", 1, ["WallPass cannot be 1: it must be true or false"]),

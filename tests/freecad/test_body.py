@@ -67,6 +67,24 @@ STANDING = {
 }
 
 
+def _stepped():
+    """A plate with a T-slot, a deep step and a round hole."""
+    plate = Part.makeBox(80, 50, 20).cut(Part.makeBox(80, 10, 20, Vector(0, 20, 6)))
+    plate = plate.cut(Part.makeBox(80, 20, 5, Vector(0, 15, 6)))
+    plate = plate.cut(Part.makeBox(10, 6, 30, Vector(40, 40, 12)))
+    return plate.cut(Part.makeCylinder(5, 30, Vector(15, 8, 10)))
+
+
+@pytest.mark.parametrize("askew", [3e-9, 1e-8, 3e-8, 1e-7, 3e-7, 1e-6, 1e-5])
+@pytest.mark.parametrize("along", [Vector(1, 0, 0), Vector(1, 1, 0), Vector(1, 0.3, 0)])
+def test_what_lies_askew_by_rounding_stands_where_it_would_stand_straight(askew, along):
+    shape = _stepped()
+    shape.rotate(Vector(20, 15, 0), along, math.degrees(askew))
+    for z, area in ((3, 4000), (6.01, 3200), (11.5, 3200 - 25 * math.pi), (19.9, 3061.46)):
+        faces = body.Body(shape).standing(z)
+        assert sum(face.Area for face in faces) == pytest.approx(area, abs=0.05)
+
+
 @pytest.mark.parametrize("shape, z, area", STANDING.values(), ids=STANDING)
 def test_the_ground_over_which_a_body_stands(shape, z, area):
     faces = body.Body(shape).standing(z)
@@ -122,3 +140,12 @@ def test_points_of_edges_are_near_each_other_and_uprights_have_their_upper_end()
     cone = body.Body(Part.makeCone(10, 5, 20))
     section = cone.section_points([10], (-99, -99, -1), (99, 99, 99), 0.5)
     assert numpy.hypot(section[:, 0], section[:, 1]) == pytest.approx(7.5, abs=1e-6)
+
+
+def test_a_countersink_has_no_more_triangles_than_its_distance_asks_for():
+    """FreeCAD's own tessellation makes 13 000 of it: parts with dozens of them took a minute."""
+    cone = Part.makeCone(1, 3, 9)
+    points, triangles = body._triangles(cone, body.COARSE)
+    assert len(triangles) < 2500
+    middles = [sum((points[k] for k in triangle), Vector()) / 3 for triangle in triangles]
+    assert max(cone.distToShape(Part.Vertex(p))[0] for p in middles[::7]) < 1.1 * body.COARSE

@@ -243,7 +243,7 @@ def test_a_spindle_that_turns_the_other_way_takes_the_path_the_other_way(square,
     opposite = ways(square.done(op))
     square.controller.SpindleDir, op.CutMode = "Reverse", mode
     assert ways(square.done(op)) == opposite != forward and quiet
-    assert "counter-clockwise, as its Spindle Direction (SpindleDir) says" in op.Report
+    assert "counter-clockwise, as its Spindle (SpindleDir) says" in op.Report
     assert "so that it cuts as %s." % mode.lower() in op.Report
     assert any("counter-clockwise" in note for note in job_simulation.read(op).notes)
 
@@ -254,4 +254,4 @@ def ways(op):
 
 def test_a_spindle_that_does_not_turn_is_noted(square):
     square.controller.SpindleDir = "None"
-    assert "does not turn: set its Spindle Direction" in square.done(square.operation()).Report
+    assert "does not turn: set its Spindle (SpindleDir)" in square.done(square.operation()).Report

@@ -1,24 +1,16 @@
 """The command and the panel, used in FreeCAD's GUI on a virtual screen (see gui_session.py)."""
 
 import pytest
-from conftest import Bench, in_gui
+from conftest import headless_document, in_gui
 from evenload import materials
 from evenload.operations.adaptive import Adaptive
-from models import SQUARE, block_with, face_of
 
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory):
     """What gui_session.py reports."""
-    import FreeCAD
-
     folder = tmp_path_factory.mktemp("gui")
-    doc = FreeCAD.newDocument("Headless")
-    bench = Bench(doc, block_with(face_of(SQUARE)))
-    bench.done(bench.operation())
-    doc.saveAs(str(folder / "headless.FCStd"))
-    FreeCAD.closeDocument(doc.Name)
-    return in_gui("gui_session.py", folder, EVENLOAD_GUI_DOCUMENT=str(folder / "headless.FCStd"))
+    return in_gui("gui_session.py", folder, EVENLOAD_GUI_DOCUMENT=headless_document(folder))
 
 
 def test_the_command_is_in_menu_and_toolbar_with_its_icon(session):

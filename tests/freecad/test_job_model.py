@@ -1,37 +1,21 @@
 """Selected faces and edges become those of the job's model, which may be moved in the job."""
 
 import FreeCAD
-import Part
 import pytest
-from FreeCAD import Vector
 from evenload import host
 from evenload.operations import adaptive, job_model
-
-
-def sketch_in(body, name, x, y, width, height, z):
-    sketch = body.newObject("Sketcher::SketchObject", name)
-    corners = [(x, y), (x + width, y), (x + width, y + height), (x, y + height), (x, y)]
-    for a, b in zip(corners, corners[1:]):
-        sketch.addGeometry(Part.LineSegment(Vector(*a, 0), Vector(*b, 0)), False)
-    sketch.Placement.Base.z = z
-    return sketch
+from FreeCAD import Vector
+from models import body_with_pockets
 
 
 class Plate:
     """A body with a deep and a shallow pocket, made one after the other, in a job."""
 
     def __init__(self, doc, group=None, x=0.0):
-        self.body = doc.addObject("PartDesign::Body", "Body")
+        pockets = [("First", 8, 10, 28, 30, 6), ("Second", 44, 10, 28, 30, 3)]
+        self.body = body_with_pockets(doc, 80, 50, pockets)
         self.body.Placement.Base.x = x
-        pad = self.body.newObject("PartDesign::Pad", "Pad")
-        pad.Profile = sketch_in(self.body, "Outline", 0, 0, 80, 50, 0)
-        pad.Length = 12
-        self.pockets = []
-        for name, left, depth in (("First", 8, 6), ("Second", 44, 3)):
-            pocket = self.body.newObject("PartDesign::Pocket", name)
-            pocket.Profile = sketch_in(self.body, name + "Sketch", left, 10, 28, 30, 12)
-            pocket.Length = depth
-            self.pockets.append(pocket)
+        self.pockets = [doc.getObject(name) for name, *_ in pockets]
         if group is not None:
             group.addObject(self.body)
         doc.recompute()

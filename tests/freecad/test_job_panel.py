@@ -4,13 +4,12 @@ that is opened again, and with one that was made without a GUI (see gui_job_sess
 
 import math
 import os
+import pathlib
 import shutil
 
-import FreeCAD
 import pytest
-from conftest import Bench, in_gui
+from conftest import headless_document, in_gui
 from evenload.operations.adaptive import Adaptive
-from models import SQUARE, block_with, face_of
 
 ROWS = sorted(setting.name for setting in Adaptive.settings if setting.in_setup_sheet())
 
@@ -40,7 +39,7 @@ def fresh(home, tmp_path_factory):
 def opened_again(document, home):
     return in_gui(
         "gui_job_session.py",
-        document.parent,
+        pathlib.Path(document).parent,
         FREECAD_USER_HOME=str(home),
         EVENLOAD_GUI_STAGE="again",
         EVENLOAD_GUI_DOCUMENT=str(document),
@@ -56,13 +55,7 @@ def again(fresh, home):
 @pytest.fixture(scope="module")
 def headless(home, tmp_path_factory):
     """A document that was made without a GUI."""
-    folder = tmp_path_factory.mktemp("headless")
-    doc = FreeCAD.newDocument("Headless")
-    bench = Bench(doc, block_with(face_of(SQUARE)))
-    bench.done(bench.operation())
-    doc.saveAs(str(folder / "headless.FCStd"))
-    FreeCAD.closeDocument(doc.Name)
-    return opened_again(folder / "headless.FCStd", home)
+    return opened_again(headless_document(tmp_path_factory.mktemp("headless")), home)
 
 
 def check_panel(panel):

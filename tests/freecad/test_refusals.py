@@ -58,6 +58,15 @@ def test_tracebacks_are_left_out_only_until_freecad_has_printed_the_refusal(squa
             del sys.tracebacklimit
 
 
+def test_of_several_refusals_any_may_go_first():
+    before = getattr(sys, "tracebacklimit", None)
+    first, second = Refusal("One."), Refusal("Two.")
+    del first
+    assert sys.tracebacklimit == 0
+    del second
+    assert getattr(sys, "tracebacklimit", None) == before
+
+
 @pytest.mark.parametrize("module", [adaptive, trochoid, lame_spiral])
 def test_freecads_stand_in_for_an_operation_holds_what_its_editors_take(module):
     operation = host.cam().setup_sheet._RegisteredOps[module.NAME]
@@ -116,6 +125,26 @@ def test_rest_machining_after_a_cancelled_operation_is_emptied(square):
     square.doc.recompute()
     assert not first.isValid() and second.Path.Commands == []
     assert first.Label in second.Report
+
+
+@pytest.mark.parametrize("properties", [{"UseRestMachining": True}, {"StartDepth": -1.5}])
+def test_cancel_is_asked_for_while_what_was_cut_before_is_looked_at(square, properties):
+    square.done(square.operation())
+    op = square.operation(**properties, StepDown=1.0)
+    shares = []
+
+    def stop_at_the_first(share):
+        shares.append(share)
+        return False
+
+    def no_path(*_):
+        raise AssertionError("it was cancelled before")
+
+    op.Proxy.progress, op.Proxy.generate = stop_at_the_first, no_path
+    op.touch()
+    square.doc.recompute()
+    assert shares == [0.0] and op.Report.startswith("Cancelled")
+    assert not op.isValid() and op.UncutArea.Value > 800
 
 
 def test_errors_of_the_report_view_are_seen_but_for_those_that_were_provoked():

@@ -268,6 +268,17 @@ def test_each_copy_of_an_array_before_it_counts(room):
     assert found.gouge_mm < 0.002 and found.incidents == []
 
 
+def test_where_the_job_has_only_its_array_the_array_does_not_come_before_it(room):
+    first = custom(room, "G0 Z15", "G0 X12 Y30", "G81 X12 Y30 Z-3 R1 F100", "G80", "G0 Z15")
+    op = room.done(after(room, 6.0))
+    whole = op.RemovedVolume.Value
+    array = with_array(room, op, Vector(100, 0, 0), 1)
+    room.job.Operations.Group = [first, array]
+    assert room.done(op).RemovedVolume.Value == pytest.approx(whole)
+    assert op.EarlierOperations == [first]
+    assert len(job_simulation.cut_before(op, [])) == 1
+
+
 def test_it_is_emptied_when_what_an_array_before_it_repeats_fails(room):
     first = room.done(room.operation())
     array = with_array(room, first, Vector(100, 0, 0), 1)

@@ -8,6 +8,7 @@ from evenload import host
 from evenload.gui import views
 from evenload.labels import LABELS
 from evenload.operations import settings
+from evenload.operations.base import SENTENCES
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
@@ -77,10 +78,13 @@ def create(operation):
     except host.no_tool_chosen():
         doc.abortTransaction()
         return None
-    except Exception as error:
+    except SENTENCES as error:
         doc.abortTransaction()
         FreeCAD.Console.PrintError("%s was not created: %s\n" % (operation.NAME, error))
         return None
+    except Exception:  # a bug, which keeps its traceback
+        doc.abortTransaction()
+        raise
     doc.commitTransaction()
     obj.ViewObject.Document.setEdit(obj.ViewObject, 0)
     return obj

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 import FreeCAD
 import Path
 
-from evenload import body, commands, compiled, host, planar, proof, shape
+from evenload import body, commands, compiled, host, job_simulation, planar, proof, shape
 from evenload import tool as tools
 from evenload.floor import name_of
 from evenload.labels import told
@@ -284,14 +284,18 @@ class Operation(host.operation_base()):
         stock_checks.refuse_floors_below(obj, floors)
         levels = checks.settings(obj, tool, data)
         regions = [floor.region() for floor in floors]
-        stock_checks.refuse_material_above(obj, core, tool, regions)
-        hole = checks.hole(obj, tool, floors)
+        slack = max(floor.slack for floor in floors)
+        stock, notes = None, []
         with self._watch(obj) as watch:
-            slack = max(floor.slack for floor in floors)
+            try:
+                stock_checks.refuse_material_above(obj, core, tool, regions, watch)
+                hole = checks.hole(obj, tool, floors)
+                if rest.is_wanted(obj):
+                    stock, notes = rest.standing(obj, core, tool, regions, levels, slack, watch)
+            except job_simulation.Stopped:
+                raise Cancelled(self._area_in_reach(obj, core, tool, regions)) from None
             parameters = self._parameters(obj, tool, data, levels, hole, slack)
-            stock, notes = None, []
-            if rest.is_wanted(obj):
-                stock, notes = rest.standing(obj, core, tool, regions, levels, slack)
+            if stock is not None:
                 parameters["stock"] = stock
             parameters["progress"] = watch
             toolpath, own = self.generate(obj, core, regions, parameters)

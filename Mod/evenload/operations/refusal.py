@@ -8,19 +8,27 @@ class Refusal(ValueError):
 
     FreeCAD prints every error's traceback, which helps whoever mends a program and hides the
     sentence from whoever mends a job. It takes the text, then the traceback, then lets go of the
-    error: from its making until then Python is asked to print no tracebacks.
+    error: from its making until then Python is asked to print no tracebacks. Several, which may go
+    in any order, are counted.
     """
 
     __module__ = "EvenLoad"  # FreeCAD prints it before the sentence
+    _alive = 0
+    _before = None  # Python's limit before the first of those that are alive
 
     def __init__(self, sentence):
         super().__init__(sentence)
-        self._before = getattr(sys, "tracebacklimit", None)
+        if not Refusal._alive:
+            Refusal._before = getattr(sys, "tracebacklimit", None)
+        Refusal._alive += 1
         sys.tracebacklimit = 0
 
     def __del__(self):
-        if self._before is not None:
-            sys.tracebacklimit = self._before
+        Refusal._alive -= 1
+        if Refusal._alive:
+            return
+        if Refusal._before is not None:
+            sys.tracebacklimit = Refusal._before
         elif hasattr(sys, "tracebacklimit"):
             del sys.tracebacklimit
 

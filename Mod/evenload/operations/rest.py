@@ -30,30 +30,31 @@ def link_all(job):
 
     All at once, so that operations which changed places never depend on each other.
     """
-    earlier, wanted = [], []
+    earlier, wanted = [], {}
     for item in host.operations(job):
-        inner = host.operation_under(item)
-        if hasattr(inner, "EarlierOperations"):
-            links = list(earlier) if is_wanted(inner) or starts_below(inner, job) else []
-            wanted.append((inner, links))
+        for op in host.all_under(item):
+            if op not in wanted and hasattr(op, "EarlierOperations"):
+                wanted[op] = list(earlier) if is_wanted(op) or starts_below(op, job) else []
         earlier.append(item)
-    changed = [(op, links) for op, links in wanted if op.EarlierOperations != links]
+    changed = [(op, links) for op, links in wanted.items() if op.EarlierOperations != links]
     for op, _ in changed:
         op.EarlierOperations = []
     for op, links in changed:
         op.EarlierOperations = links
 
 
-def standing(op, core, tool, regions, levels, slack):
+def standing(op, core, tool, regions, levels, slack, progress):
     """([[Region, ...] for each level], notes): where material stands within the tool's reach.
 
+    progress: as for job_simulation.stock_before.
     Raises ValueError with a sentence where the earlier operations' paths cannot be relied upon.
     """
     from evenload import job_simulation
     from evenload.simulation import rest_resolution
 
     wait_for_earlier(op)
-    stock, notes = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    resolution = rest_resolution(op.SideStep.Value)
+    stock, notes = job_simulation.stock_before(op, resolution, progress)
     reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
     return [stock.standing(z, reach) for z in levels], notes
 

@@ -83,8 +83,9 @@ SETTINGS = (
         "LeastLoad",
         "App::PropertyFloat",
         0.0,
-        "Wherever the feed is below MaximumFeed, what the feed control holds is at least this share "
-        "of its nominal value, as far as moves can be divided: less time, more blocks; 0 to 0.95",
+        "Wherever the feed is below MaximumFeed, what the feed control holds is at least this "
+        "share of its nominal value, as far as moves can be divided: less time, more blocks; 0 to "
+        "0.95",
     ),
     Setting(
         "Material",

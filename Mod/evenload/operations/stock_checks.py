@@ -33,9 +33,10 @@ def notes_of(op):
     return ["FinalDepth lies %g mm below the underside of the stock." % round(below, 3)]
 
 
-def refuse_material_above(op, core, tool, regions):
+def refuse_material_above(op, core, tool, regions, progress):
     """Raises ValueError with the place where material stands above StartDepth within an operation's
-    regions, after all that the job's earlier operations cut.
+    regions, after all that the job's earlier operations cut. progress: as for
+    job_simulation.stock_before.
     """
     start = op.StartDepth.Value + FILM
     stock = body.of(host.parent_job(op).Stock.Shape)
@@ -46,7 +47,8 @@ def refuse_material_above(op, core, tool, regions):
     if not job_simulation.cut_before(op, []):
         _refuse(op, *place)
     rest.wait_for_earlier(op)
-    dexels, _ = job_simulation.stock_before(op, rest_resolution(op.SideStep.Value))
+    resolution = rest_resolution(op.SideStep.Value)
+    dexels, _ = job_simulation.stock_before(op, resolution, progress)
     left = dexels.standing(start, core.reachable_ground(regions, tool.diameter, 0.0))
     if sum(region.area for region in left) < LEAST * tool.diameter**2:
         return
