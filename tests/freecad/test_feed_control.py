@@ -10,6 +10,8 @@ from evenload import compiled, host, materials
 from models import case_model, corpus_case
 
 FEED, SPEED, RADIUS, THETA, DEPTH = 255.0, 6366.0, 3.0, 60.0, 3.0
+pytestmark = pytest.mark.core
+
 CUT = 3  # kind of a simulated move
 FINE = 0.02  # mm between dexels: at 0.05 short arcs are seen a tenth too long here and there
 STAR = "Star test piece"  # a material whose force is all the chip's, none the edges'

@@ -4,6 +4,8 @@ import evenload
 import pytest
 from models import DEPTH
 
+pytestmark = pytest.mark.core
+
 TOOL = {
     "diameter": 6,
     "teeth": 1,

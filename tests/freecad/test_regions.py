@@ -10,6 +10,8 @@ from conftest import check_path, moves_of
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, sketch_of
 
+pytestmark = pytest.mark.core
+
 FACES = [face_of(SQUARE), face_of(circle(60, 15, 12))]
 AT_FLOOR = [face.translated(Vector(0, 0, -DEPTH)) for face in FACES]
 SPLIT = 40  # mm: x between the two

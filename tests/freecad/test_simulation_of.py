@@ -7,6 +7,8 @@ from FreeCAD import Vector
 from models import DEPTH, SQUARE, case_model, corpus_case, floors_of, sketch_of
 from test_batch import a_job, folder, run  # noqa: F401: folder is a fixture
 
+pytestmark = pytest.mark.core
+
 POCKET = 900 - (4 - 3.14159265) * 9  # mm2 that a tool of 6 mm reaches of a square of 30 mm
 
 
