@@ -358,23 +358,30 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
                 std::min(low + end * step + kWindowMargin, low + 2 * kPi));
     first_covered = n;
   };
-  for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
+  // One move often takes all the rest of the circle: windows beyond what is left are not looked at.
+  int end = n;
+  for (int k = 0; k < end; ++k, towards = rotated(towards, turn)) {
     const Cell& cell = cell_at_grid(centre + spoke * towards);
     if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
       first_covered = std::min(first_covered, k);
       continue;
     }
     cut_covered(k);
+    if (set.empty()) return;
     const Window window{p + radius * towards, low + k * step - kWindowMargin,
                         low + (k + 1) * step + kWindowMargin};
     if (cell.newest >= 0) {
       const AngularInterval part = part_within(set, window.low, window.high);
       if (part.width() <= 0) continue;
+      const double highest = set.back().high;
       subtract_near(window, cell, look, part, seen, set);
+      if (set.empty()) return;
+      if (set.back().high < highest)
+        end = std::min(n, static_cast<int>((set.back().high - low + kWindowMargin) / step) + 1);
     }
     if (!go_on(window)) return;
   }
-  cut_covered(n);
+  cut_covered(end);
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,
