@@ -261,10 +261,15 @@ void ClearedGround::remove_last() {
 }
 
 const ClearedGround::Cell& ClearedGround::cell_at(Vec2 x) const {
-  const Vec2 at = cells_per_mm_ * (x - origin_);
+  return cell_at_grid(cells_per_mm_ * (x - origin_));
+}
+
+// `at`: in cells from the grid's corner.
+const ClearedGround::Cell& ClearedGround::cell_at_grid(Vec2 at) const {
   if (!(at.x >= 0 && at.y >= 0 && at.x < columns_ && at.y < rows_)) return untouched_;
-  const auto i = static_cast<std::size_t>(at.x), j = static_cast<std::size_t>(at.y);
-  return cells_[j * static_cast<std::size_t>(columns_) + i];
+  const int i = static_cast<int>(at.x), j = static_cast<int>(at.y);
+  return cells_[static_cast<std::size_t>(j) * static_cast<std::size_t>(columns_) +
+                static_cast<std::size_t>(i)];
 }
 
 // Where a list begins that holds what counts of the moves before `last`.
@@ -288,15 +293,17 @@ void ClearedGround::subtract_near(const Window& window, const Cell& cell, const 
   if (newest < 0) return;
   // What is left of the window, and a disc that holds it.
   Vec2 middle, low_end, high_end;
-  double half = 0, dip = 0;
+  double half = 0;
+  bool has_ends = false;
+  const double window_middle = 0.5 * (window.low + window.high);
+  const Vec2 spoke = window.middle - look.p;
+  const auto at_angle = [&](double angle) {
+    return look.p + rotated_little(spoke, angle - window_middle);
+  };
   const auto measure = [&] {
-    const double at = 0.5 * (window.low + window.high);
-    const Vec2 spoke = window.middle - look.p;
-    middle = look.p + rotated_little(spoke, 0.5 * (part.low + part.high) - at);
-    low_end = look.p + rotated_little(spoke, part.low - at);
-    high_end = look.p + rotated_little(spoke, part.high - at);
-    half = 0.5 * part.width() * look.radius + kDiscMargin * look.radius;
-    dip = kMostDip / look.radius * half * half + kDiscMargin * look.radius;
+    middle = at_angle(0.5 * (part.low + part.high));
+    half = (0.5 * part.width() + kDiscMargin) * look.radius;
+    has_ends = false;
   };
   measure();
   for (std::int32_t at = newest; at >= 0 && part.width() > 0;) {
@@ -307,6 +314,12 @@ void ClearedGround::subtract_near(const Window& window, const Cell& cell, const 
     const SweptMove& swept = moves_[index];
     if (!swept.is_within(middle, swept.swept_radius() + half)) continue;
     if (swept.swept_radius() >= look.radius) {
+      if (!has_ends) {
+        low_end = at_angle(part.low);
+        high_end = at_angle(part.high);
+        has_ends = true;
+      }
+      const double dip = kMostDip / look.radius * half * half + kDiscMargin * look.radius;
       const double reach = swept.swept_radius() + dip;
       if (!swept.is_within(low_end, reach) && !swept.is_within(high_end, reach)) continue;
     }
@@ -334,31 +347,41 @@ void ClearedGround::look_round(Vec2 p, double low, double high, double shrink, s
   const bool half_circle = n == half_circle_windows_ && std::abs(high - low - kPi) < kHalfTurn;
   const Vec2 turn = half_circle ? half_circle_turn_ : unit(step);
   Vec2 towards = unit(low + 0.5 * step);
-  constexpr AngularInterval kNothing{0, -1e9};
-  AngularInterval covered = kNothing;
-  const auto cut_covered = [&] {
-    if (covered.width() <= 0) return;
-    cut_wrapped(set, low, std::max(covered.low, low), std::min(covered.high, low + 2 * kPi));
-    covered = kNothing;
+  // Most windows are covered as a whole, or nothing has been cut there: these need no more than
+  // their cell.
+  const Vec2 centre = cells_per_mm_ * (p - origin_);
+  const double spoke = cells_per_mm_ * radius;
+  int first_covered = n;  // of those side by side, which are cut at once
+  const auto cut_covered = [&](int end) {
+    if (first_covered >= end) return;
+    cut_wrapped(set, low, std::max(low + first_covered * step - kWindowMargin, low),
+                std::min(low + end * step + kWindowMargin, low + 2 * kPi));
+    first_covered = n;
   };
-  for (int k = 0; k < n && !set.empty(); ++k, towards = rotated(towards, turn)) {
-    const Window window{p + radius * towards, low + k * step - kWindowMargin,
-                        low + (k + 1) * step + kWindowMargin};
-    const Cell& cell = cell_at(window.middle);
+  // One move often takes all the rest of the circle: windows beyond what is left are not looked at.
+  int end = n;
+  for (int k = 0; k < end; ++k, towards = rotated(towards, turn)) {
+    const Cell& cell = cell_at_grid(centre + spoke * towards);
     if (cell.covered_by >= 0 && static_cast<std::size_t>(cell.covered_by) < last) {
-      // Windows side by side are cut at once.
-      if (covered.high < window.low) cut_covered();
-      if (covered.width() <= 0) covered.low = window.low;
-      covered.high = window.high;
+      first_covered = std::min(first_covered, k);
       continue;
     }
-    cut_covered();
-    const AngularInterval part = part_within(set, window.low, window.high);
-    if (part.width() <= 0) continue;
-    subtract_near(window, cell, look, part, seen, set);
+    cut_covered(k);
+    if (set.empty()) return;
+    const Window window{p + radius * towards, low + k * step - kWindowMargin,
+                        low + (k + 1) * step + kWindowMargin};
+    if (cell.newest >= 0) {
+      const AngularInterval part = part_within(set, window.low, window.high);
+      if (part.width() <= 0) continue;
+      const double highest = set.back().high;
+      subtract_near(window, cell, look, part, seen, set);
+      if (set.empty()) return;
+      if (set.back().high < highest)
+        end = std::min(n, static_cast<int>((set.back().high - low + kWindowMargin) / step) + 1);
+    }
     if (!go_on(window)) return;
   }
-  cut_covered();
+  cut_covered(end);
 }
 
 void ClearedGround::uncovered(Vec2 p, double low, double high, std::vector<AngularInterval>& out,

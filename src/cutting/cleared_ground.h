@@ -134,6 +134,7 @@ class ClearedGround {
                                std::vector<AngularInterval>& set) const;
   int windows_in(double angle, double radius) const;
   const Cell& cell_at(Vec2 x) const;
+  const Cell& cell_at_grid(Vec2 at) const;
   // Writes down in all cells near `part`, the newest move or a part of it, what that move sweeps.
   void spread(const SweptMove& part);
   void list(Cell& cell, std::int32_t move);

@@ -137,12 +137,15 @@ class Division {
   void find_best(std::size_t end) {
     Best& best = best_[end];
     const double price = move_ends(end) ? kChangePrice : params_.steps.price;
-    for (auto start = starts_.rbegin(); start != starts_.rend(); ++start) {
-      start->own = cost_of_(load_.length(start->at, end), start->share, start->least_share);
-      const double cost = start->cost + start->own + price;
-      if (cost < best.cost && can_be_piece(start->at, end))
-        best = {cost, start->at, allowed_feed(start->share, params_)};
+    double share = 0;
+    for (Start& start : starts_) {
+      start.own = cost_of_(load_.length(start.at, end), start.share, start.least_share);
+      const double cost = start.cost + start.own + price;
+      if (cost > best.cost || !can_be_piece(start.at, end)) continue;
+      best = {cost, start.at, 0};
+      share = start.share;
     }
+    best.feed = allowed_feed(share, params_);
   }
 
   void drop_beaten(std::size_t end) {
