@@ -183,10 +183,12 @@ class Body:
             return found
         # Under faces that are upright but for a strip there are slits as wide as that.
         is_rounded = any(face.is_askew for face in level)
-        fused = found[0].fuse(found[1:], 2 * STRIP if is_rounded else 0).removeSplitter()
-        if fused.Area < max(face.Area for face in found) - STRIP:  # OpenCASCADE has lost some
-            return _under_triangles(shapes + [part for part, _ in leaning])
-        return fused.Faces
+        try:
+            fused = found[0].fuse(found[1:], 2 * STRIP if is_rounded else 0).removeSplitter()
+            is_lost = fused.Area < max(face.Area for face in found) - STRIP
+        except Part.OCCError:  # of 7.9, where 7.6 and 7.8 lose some of the faces
+            is_lost = True
+        return _under_triangles(shapes + [part for part, _ in leaning]) if is_lost else fused.Faces
 
     def _projected(self, face):
         """The faces in the plane over which a face lies, none of whose lines up meets it twice."""

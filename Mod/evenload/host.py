@@ -468,7 +468,8 @@ def show_job(job):
         (job.Stock, "Stock"),
         (job.SetupSheet, "SetupSheet"),
     ):
-        if resource is not None and not hasattr(resource.ViewObject.Proxy, "getIcon"):
+        # Its Job panel asks for onEdit, which the view of Draft's clone has not.
+        if resource is not None and not hasattr(resource.ViewObject.Proxy, "onEdit"):
             icon.Attach(resource.ViewObject, name)
             resource.ViewObject.Visibility = False
     for controller in job.Tools.Group:

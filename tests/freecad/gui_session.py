@@ -195,9 +195,10 @@ def controllers_of_the_list(job, op):
     if host.LIST_MAKES_CONTROLLERS:
         for from_the_end in (2, 1):
             index = combo.count() - from_the_end
-            combo.setCurrentIndex(index)
-            combo.activated.emit(index)
-            later(500)
+            with answering(lambda dialog: dialog.reject()):  # that for a new one's tool bit
+                combo.setCurrentIndex(index)
+                combo.activated.emit(index)
+                later(500)
             seen["chosen"].append(
                 [op.ToolController is not None, combo.currentText(), len(job.Tools.Group)]
             )

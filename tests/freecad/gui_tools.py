@@ -108,6 +108,8 @@ def show_errors_only():
     for kind in ("checkLogging", "checkMessage", "checkWarning"):
         settings.SetBool(kind, False)
     settings.SetBool("checkError", True)
+    FreeCAD.Console.PrintError("\n")  # FreeCAD 1.1 may leave its own last line open
+    later(100)
     return report_view()
 
 
@@ -123,7 +125,10 @@ def run(session):
         except BaseException:
             result["traceback"] = traceback.format_exc()
         FreeCAD.Console.PrintError(LAST_ERROR + "\n")
-        later(100)
+        for _ in range(100):  # FreeCAD 1.1 writes into the report view by and by
+            if any(LAST_ERROR in line for line in report_view()):
+                break
+            later(50)
         # What FreeCAD says as it starts is no error unless it looks like one.
         result["report_view"] = [
             (line, number >= len(started)) for number, line in enumerate(report_view())

@@ -120,9 +120,8 @@ def gouges(moves, models, radius, tolerance):
                 continue
             if not move.is_level() and move.length() > FLAT:
                 continue  # helices and ramps go where a level turn goes after them, at its depth
-            volume = sum(
-                solid.common(model).Volume for solid in swept(move, radius - allowed, allowed)
-            )
+            cut = [solid.common(model) for solid in swept(move, radius - allowed, allowed)]
+            volume = sum(shape.Volume for shape in _solid(cut))
             if volume > LEAST:
                 found.append((volume, move))
     return found
@@ -182,8 +181,7 @@ def collisions(moves, stock, radius, tolerance, earlier=()):
 
 def _standing(move, stock, radius, cut):
     """mm3 of the stock in the way of a move after what has been cut."""
-    left = [solid.common(stock) for solid in swept(move, radius, TOUCH)]
-    left = [solid for solid in left if solid.Volume > LEAST]
+    left = _solid([solid.common(stock) for solid in swept(move, radius, TOUCH)])
     if not left:
         return 0.0
     box = left[0].BoundBox
@@ -205,9 +203,13 @@ def _standing(move, stock, radius, cut):
         if max(cleared, default=0) == 0:
             return sum(solid.Volume for solid in left)
         for solid in swept(*waiting.pop(cleared.index(max(cleared)))):
-            left = [each.cut(solid) for each in left]
-        left = [solid for solid in left if solid.Volume > LEAST]
+            left = _solid([each.cut(solid) for each in left])
     return 0.0
+
+
+def _solid(shapes):
+    """The shapes but those of which booleans have left nothing, or what rounding leaves."""
+    return [shape for shape in shapes if not shape.isNull() and shape.Volume > LEAST]
 
 
 def _cleared(move, radius, points):

@@ -50,7 +50,7 @@ def test_the_list_of_tool_controllers_makes_new_ones_where_freecad_does(session)
         return
     copied, made = seen["chosen"]
     assert copied[0] and copied[1].startswith(label) and copied[2] == 2
-    # FreeCAD lets the user choose a tool bit in a dock; until then nothing changes.
+    # FreeCAD lets the user choose a tool bit in a dialog, which is cancelled.
     assert made[0] and made[1] == copied[1] and made[2] == 2
 
 

@@ -582,7 +582,10 @@ def test_a_drill_that_does_not_tell_its_point_has_one_of_118_degrees(square):
 
 def test_a_bull_nosed_tool_before_leaves_its_corner(square):
     nosed = _controller(square, 10.0, "bullnose")
-    nosed.Tool.FlatRadius = 4.0
+    if hasattr(nosed.Tool, "CornerRadius"):  # since FreeCAD 1.1
+        nosed.Tool.CornerRadius = 1.0
+    else:
+        nosed.Tool.FlatRadius = 4.0
     assert tool.corner_radius(nosed) == pytest.approx(1.0)
     foreign(square, *CUTS, name="First", controller=nosed)
     found = job_simulation.read(square.done(square.operation()))
