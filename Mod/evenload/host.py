@@ -259,6 +259,7 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
     controller = job.Tools.Group[0] if job.Tools.Group else cam().controller.Create()
     if not job.Tools.Group:
         job.Proxy.addToolController(controller)
+    controller.Label = "TC: Default Tool"  # FreeCAD 1.1 calls it a 5mm Endmill, whatever it holds
     replaced = controller.Tool
     controller.Tool = create_tool("endmill", {"Diameter": tool_diameter, "Flutes": int(flutes)})
     if getattr(replaced, "Document", None) is doc:

@@ -214,7 +214,9 @@ def errors_in(report_view, provoked):
     lines = _without_slips_of_pyside(
         [text for text, red in report_view if red or "Traceback" in text]
     )
-    assert lines and lines[-1].endswith("The session ends."), "errors are not seen: %s" % report_view
+    assert lines and lines[-1].endswith("The session ends."), (
+        "errors are not seen: %s" % report_view
+    )
     assert all(provoked), "an empty sentence would excuse all errors"
     expected = [*provoked, *OF_EVERY_JOB]
     if provoked:
