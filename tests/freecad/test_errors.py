@@ -1,10 +1,13 @@
 """Bad input: one sentence that names the thing and the remedy, an empty path, and nothing lost."""
 
 import re
+import types
+
 import FreeCAD
 import Part
 import pytest
 from conftest import reopened
+from evenload import tool
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle
 from FreeCAD import Vector
 
@@ -112,6 +115,20 @@ def test_tools_that_are_no_end_mills_are_refused(square, shape, word):
     assert word in sentence and "choose a flat or bull-nosed end mill" in sentence
     square.controller.Tool = good
     square.done(op)
+
+
+@pytest.mark.parametrize(
+    "shape, kind, word",
+    [
+        ("taperedballnose", "TaperedBallNose", "a tapered ball end mill"),
+        ("my-ball", "Ballend", "a ball end mill"),
+        ("my-endmill", "Endmill", None),
+        ("my-bull", "Bullnose", None),
+    ],
+)
+def test_tools_of_freecad_1_1_are_known_by_their_types(shape, kind, word):
+    bit = types.SimpleNamespace(ShapeID=shape, ShapeType=kind)
+    assert tool.other_shape(types.SimpleNamespace(Tool=bit)) == word
 
 
 def test_a_bull_nosed_tool_is_taken(square):

@@ -211,9 +211,9 @@ def test_two_floors_that_do_not_meet_stay_two_and_report_names_what_stays(doc):
     # FreeCAD 0.20 and 1.0 number the two faces differently.
     found.sort(key=lambda floor: min(vertex[0] for vertex in floor.outer))
     assert [box_of(floor) for floor in found] == [[3, 0, 28, 20], [30, 0, 57, 20]]
-    for floor in found:
-        (note,) = floor.notes
-        assert note.startswith(floor.name) and note.endswith("what lies further out stays.")
+    for each in found:
+        (note,) = each.notes
+        assert note.startswith(each.name) and note.endswith("what lies further out stays.")
 
 
 def test_a_floor_leaves_others_at_another_height_alone(doc):

@@ -63,8 +63,8 @@ REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random 
 OUTSIDE = "entry outside"  # the code where nothing can begin in a hole
 IN_PASSAGE = "lies in a narrow passage that is skipped"
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
-# mm: less than this may stay on walls: the tool keeps kWallGap off them, and follows lines that were
-# an arc once within kFineShare of the tolerance.
+# mm: less than this may stay on walls: the tool keeps kWallGap off them, and follows lines that
+# were an arc once within kFineShare of the tolerance.
 FILM = 0.003
 TIP = 0.6  # mm of cuts: so much may be made in tips, where fronts on both sides meet
 # Of shapely's offsets: lines in a quarter of a circle, and a kind of join.
