@@ -22,6 +22,7 @@ UNCHECKED = "Not checked against the model: Check is off."
 # the tool, leave uncertain on curves, and the rounding of posts.
 BEYOND_TOLERANCE = 0.01
 RIM = 0.02  # mm of the tool's rim, beyond the tolerance, that may touch what stands
+MOST_RIM = 0.05  # mm of it however coarse the tolerance is
 SPACING = 0.03  # tool diameters between points of edges and sections
 RASTER = 0.25  # tool diameters between points of upper sides
 MOST_PER_SIDE = 400  # of that raster
@@ -75,7 +76,7 @@ def check(operation):
         "stock": stock,
         "gouge_limit": _tolerance(operation) + BEYOND_TOLERANCE,
         # What stands was left by one move, and another passes it: both within the tolerance.
-        "rim": RIM + 2 * _tolerance(operation),
+        "rim": min(RIM + 2 * _tolerance(operation), MOST_RIM),
     }
     found = core.faults_of(path, **options)
     if any(kind != "gouge" for kind, *_ in found):

@@ -12,7 +12,8 @@ import Part
 from FreeCAD import Vector
 
 GOUGE = 0.005  # mm beyond the tolerance
-TOUCH = 0.02  # mm: the rim of a tool may touch what stands
+TOUCH = 0.02  # mm: the rim of a tool may touch what stands, beyond the tolerance
+MOST_TOUCH = 0.05  # mm: however coarse that is
 LEAST = 1e-4  # mm3: less is rounding of the booleans
 HIGH = 1000.0  # mm: tools reach as far up
 FLAT = 1e-6  # mm
@@ -172,7 +173,7 @@ def collisions(moves, stock, radius, tolerance, earlier=()):
     for move in moves:
         plunges = move.length() < FLAT and move.end.z < move.start.z - FLAT
         if (move.is_rapid or plunges) and move.low < stock.BoundBox.ZMax - TOUCH:
-            left = _standing(move, stock, radius - TOUCH - 2 * tolerance, cut)
+            left = _standing(move, stock, radius - min(TOUCH + 2 * tolerance, MOST_TOUCH), cut)
             if left > LEAST:
                 found.append((left, move))
         cut.append((move, radius))

@@ -94,6 +94,20 @@ def test_beyond_an_outline_nothing_may_be_cut(bench):
     assert fault.at[:2] == pytest.approx((15, 5), abs=0.3)
 
 
+def test_a_coarse_tolerance_hides_no_plunge_at_the_edge_of_the_stock(bench):
+    on = bench(block_with(face_of(SQUARE)))
+    op = on.done(on.operation(Tolerance=0.2))
+    x = on.job.Stock.Shape.BoundBox.XMin - 3.0 + 0.1  # the rim of the tool of 6 mm is over it
+    op.Path = Path.Path(
+        [
+            Path.Command("G0", {"X": x, "Y": 15.0, "Z": 5.0}),
+            Path.Command("G1", {"X": x, "Y": 15.0, "Z": -DEPTH, "F": 5.0}),
+        ]
+    )
+    (fault,) = proof.check(op)
+    assert fault.kind == "plunge" and fault.amount == pytest.approx(DEPTH, abs=0.03)
+
+
 def test_both_sides_of_a_slot_are_its_border(bench):
     on = bench(Part.makeBox(100, 60, 10, Vector(0, 0, -10)))
     line = sketch_of(on.doc, [(15, 30, 0), (85, 30, 0)], z=0.0, closed=False)
