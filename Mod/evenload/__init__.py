@@ -5,8 +5,11 @@ costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenlo
 `evenload.simulation` and `evenload.optimise` load them when they are asked for.
 """
 
+from importlib import import_module
+
 
 def __getattr__(name):
+    # Imported here, or all that they need would be loaded with FreeCAD.
     if name == "simulate":
         from evenload.simulation import simulate
 
@@ -16,7 +19,5 @@ def __getattr__(name):
 
         return optimise
     if name == "simulation":
-        from importlib import import_module
-
         return import_module("evenload.simulation")
     raise AttributeError("module 'evenload' has no attribute '%s'" % name)

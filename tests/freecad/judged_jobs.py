@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from evenload import shape
 from evenload import tool as tools
+from evenload.geometry import shape
 from occt_judge import collisions, gouges, moves_of
 
 # How sentences of the check begin. They are exact, but a path that the product makes by itself must

@@ -5,8 +5,9 @@ import math
 import numpy
 import Part
 import pytest
-from evenload import body, compiled
-from evenload.floor import inside
+from evenload import compiled
+from evenload.geometry import body
+from evenload.geometry.floor import inside
 from FreeCAD import Vector
 
 BOX = Part.makeBox(60, 40, 20)

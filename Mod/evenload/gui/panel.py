@@ -5,10 +5,10 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import views
-from evenload.labels import LABELS
-from evenload.operations import settings
+from evenload.gui.base_page import BaseGeometryPage
 from evenload.operations.base import SENTENCES
+from evenload.settings import properties
+from evenload.settings.labels import LABELS
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
@@ -88,49 +88,6 @@ def create(operation):
     doc.commitTransaction()
     obj.ViewObject.Document.setEdit(obj.ViewObject, 0)
     return obj
-
-
-class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
-    """FreeCAD's page for faces and edges, with whole sketches."""
-
-    def setFields(self, obj):
-        self.form.baseList.blockSignals(True)
-        self.form.baseList.clear()
-        for owner, names in obj.Base:
-            for name in names or ("",):
-                text = "%s.%s" % (owner.Label, name) if name else owner.Label
-                item = QtGui.QListWidgetItem(text)
-                item.setData(self.DataObject, owner)
-                item.setData(self.DataObjectSub, name)
-                self.form.baseList.addItem(item)
-        self.form.baseList.blockSignals(False)
-        self.resizeBaseList()
-
-    def selectionSupportedAsBaseGeometry(self, selection, ignoreErrors):
-        found = any(self._names(item) for item in selection)
-        if not found and not ignoreErrors:
-            FreeCAD.Console.PrintWarning(
-                _translate("EvenLoad", "Select level faces, closed edges or sketches.") + "\n"
-            )
-        return found
-
-    def addBaseGeometry(self, selection):
-        for item in selection:
-            for name in self._names(item):
-                self.obj.Proxy.addBase(self.obj, item.Object, name)
-        return bool(selection)
-
-    def updateBase(self):
-        items = [self.form.baseList.item(i) for i in range(self.form.baseList.count())]
-        self.obj.Base = [
-            (item.data(self.DataObject), str(item.data(self.DataObjectSub) or "")) for item in items
-        ]
-
-    @staticmethod
-    def _names(item):
-        if views.is_outline(item.Object):
-            return [""]
-        return [name for name in item.SubElementNames if name.startswith(("Face", "Edge"))]
 
 
 class OperationPage(_gui.op.TaskPanelPage):
@@ -372,7 +329,7 @@ class OperationPage(_gui.op.TaskPanelPage):
             ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
             ("MaximumFeed", obj.FeedControl != "Constant feed"),
             ("LeastLoad", obj.FeedControl != "Constant feed"),
-            ("Material", obj.FeedControl == settings.CONSTANT_FORCE),
+            ("Material", obj.FeedControl == properties.CONSTANT_FORCE),
         ):
             self.widgets[name].setEnabled(enabled)
         if self.kind.fitted:

@@ -1,7 +1,7 @@
 """Adaptive: clears any pocket at constant engagement."""
 
 from evenload.operations import base
-from evenload.operations.settings import REST_MACHINING, SETTINGS
+from evenload.settings.properties import REST_MACHINING, SETTINGS
 
 NAME = "EvenLoad Adaptive"
 

@@ -1,8 +1,8 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
-from evenload.floor import listed
-from evenload.operations.settings import HOLE_ENTRIES, POSITIVE
+from evenload.settings.properties import HOLE_ENTRIES, POSITIVE
+from evenload.words import listed
 
 MOST_LEAST_LOAD = 0.95
 MOST_LEVELS = 5000  # more is a slip of the pen, and would take days

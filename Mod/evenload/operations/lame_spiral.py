@@ -5,7 +5,7 @@ import math
 import FreeCAD
 
 from evenload.operations import base
-from evenload.operations.settings import GROUP, RESULT_SETTINGS, RESULTS, SETTINGS, Setting
+from evenload.settings.properties import GROUP, RESULTS, RESULT_SETTINGS, SETTINGS, Setting
 
 NAME = "EvenLoad Lame Spiral"  # FreeCAD makes names of properties from it
 # Fitted to the pocket unless they are set: property and the core's keyword.

@@ -2,7 +2,7 @@
 
 from evenload import compiled
 from evenload.operations import base
-from evenload.operations.settings import GROUP, RESULT_SETTINGS, RESULTS, SETTINGS, Setting
+from evenload.settings.properties import GROUP, RESULTS, RESULT_SETTINGS, SETTINGS, Setting
 
 NAME = "EvenLoad Trochoid"
 

@@ -13,7 +13,7 @@ import numpy
 import Part
 
 from evenload import compiled
-from evenload.floor import UP, faces_within, points_of
+from evenload.geometry.floor import UP, faces_within, points_of
 
 LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so exactly
 # mm: planes that stand over a strip no wider than this are upright: files round directions.

@@ -1,14 +1,4 @@
-"""Which tool, engagement angle, depth and spindle speed clear a pocket soonest, within limits of
-chip thickness, force, torque and power. Needs no FreeCAD.
-
-    import evenload
-    tool = {"diameter": 6, "teeth": 2, "cutting_length": 18, "max_chip_thickness": 0.04,
-            "surface_speed": (120, 200)}
-    found = evenload.optimise((0, 0, 60, 40), [tool], "Al7075-T6", "linuxcnc_mill", depth=10)
-    print(found.table())
-
-docs/optimisation.md has the method, its inputs and its limits.
-"""
+"""The search: every tool at every angle, depth and speed. Needs no FreeCAD."""
 
 import itertools
 import math
@@ -16,103 +6,11 @@ import queue
 import threading
 from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import dataclass, field
 
-
-from evenload import compiled, optimisation_inputs
-from evenload.scaled_path import Loads, ScaledPath
-
-LIMITS = {  # what refuses a candidate, or holds its feed down, in words
-    "tool size": "the tool's diameter",
-    "cutting length": "the tools' cutting length",
-    "spindle speed": "the spindle speed",
-    "chip thickness": "the tools' chip thickness",
-    "force": "the force",
-    "torque": "the torque",
-    "power": "the power",
-    "machine feed": "the machine's feed",
-    "left area": "the area left",
-}
-
-
-@dataclass
-class Candidate:
-    """A tool at an angle, a depth and a speed, with the largest feed within the limits. Figures are
-    None where the candidate is refused before they are known; a feed that is refused has those of
-    the least feed.
-    """
-
-    tool: str
-    diameter: float  # mm
-    teeth: int
-    engagement_deg: float
-    levels: int
-    axial_depth: float  # mm
-    spindle_speed: float  # rev/min
-    surface_speed: float  # m/min
-    refused: str = ""  # a sentence; empty: within all limits
-    refused_by: str = ""  # one of LIMITS
-    bound_by: str = ""  # one of LIMITS: why the feed is not larger
-    feed_per_tooth: float = None  # mm
-    feed: float = None  # mm/min, at the engagement angle
-    time_s: float = None  # at the programmed feeds
-    machine_time_s: float = None  # None without a machine
-    ratio: float = None  # time_s over the least possible at the nominal removal rate
-    force_peak_n: float = None
-    torque_peak_nm: float = None
-    power_w: float = None  # mean of a revolution, its largest
-    h_max_mm: float = None
-    left_area_mm2: float = None  # that the tool leaves, or cannot reach
-    passes: int = None
-    links: int = None
-    retracts: int = None
-
-    @property
-    def seconds(self):
-        """What candidates are ranked by."""
-        return self.time_s if self.machine_time_s is None else self.machine_time_s
-
-
-@dataclass
-class Optimisation:
-    """All candidates, in the order of tools, angles, levels and speeds; the best is None where
-    none is within the limits, and `why` then says which limit refuses most.
-    """
-
-    candidates: list
-    best: Candidate = None
-    why: str = ""
-    cancelled: bool = False
-    notes: list = field(default_factory=list)
-
-    def ranked(self):
-        """The candidates within the limits, the fastest first."""
-        return sorted((c for c in self.candidates if not c.refused), key=lambda c: c.seconds)
-
-    def table(self, rows=20):
-        """The fastest candidates as text, a line each, and what became of the others."""
-        lines = [
-            "%-16s %6s %6s %7s %7s %8s %8s %7s %7s %7s %7s  %s"
-            % (
-                *("tool", "angle", "levels", "depth", "rev/min", "mm/min", "time s"),
-                *("force N", "Nm", "W", "h_max", "bound by"),
-            )
-        ]
-        for c in self.ranked()[:rows]:
-            lines.append(
-                "%-16s %6g %6d %7.2f %7.0f %8.0f %8.1f %7.1f %7.3f %7.1f %7.4f  %s"
-                % (
-                    *(c.tool, c.engagement_deg, c.levels, c.axial_depth, c.spindle_speed, c.feed),
-                    *(c.seconds, c.force_peak_n, c.torque_peak_nm, c.power_w, c.h_max_mm),
-                    c.bound_by,
-                )
-            )
-        refused = Counter(c.refused_by for c in self.candidates if c.refused)
-        for limit, count in refused.most_common():
-            lines.append("%d refused by %s" % (count, LIMITS[limit]))
-        if self.why:
-            lines.append(self.why)
-        return "\n".join(lines)
+from evenload import compiled
+from evenload.optimisation import inputs
+from evenload.optimisation.result import LIMITS, Candidate, Optimisation
+from evenload.optimisation.scaled_path import Loads, ScaledPath
 
 
 def optimise(
@@ -161,7 +59,7 @@ def optimise(
 
     Raises ValueError with a sentence for what cannot be used and for tools none of which fits.
     """
-    task = optimisation_inputs.checked(compiled.core(), **locals())
+    task = inputs.checked(compiled.core(), **locals())
     count = len(task.tools) * len(task.engagement_deg)
     shares, events, stop = [0.0] * count, queue.Queue(), threading.Event()
 

@@ -9,8 +9,9 @@ from dataclasses import dataclass, replace
 
 import Part
 
-from evenload import body, compiled, covered, open_edges, stock_beyond
-from evenload.floor import (
+from evenload import compiled
+from evenload.geometry import body, covered, open_edges, stock_beyond
+from evenload.geometry.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
     LEAST_OVERLAP,
@@ -18,12 +19,10 @@ from evenload.floor import (
     UP,
     Floor,
     face_of,
-    in_order,
     is_exact,
-    listed,
-    name_of,
     wire_of,
 )
+from evenload.words import in_order, listed, name_of
 
 
 def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True, depth=None):

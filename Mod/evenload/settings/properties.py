@@ -260,3 +260,8 @@ HIDDEN_SETTINGS = (
 
 FOLLOWERS = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius")
 POSITIVE = ("MaximumFeed", "LinkFeed", "HelixDiameter", "RollRadius", "MinimumRadius", "Tolerance")
+
+
+def is_ours(obj):
+    """Whether a document object is one of our operations: all of them have this property."""
+    return hasattr(obj, "FormatVersion") and hasattr(obj.Proxy, "floors")

@@ -11,7 +11,7 @@ import FreeCAD
 import Part
 
 from evenload import compiled
-from evenload.floor import (
+from evenload.geometry.floor import (
     CURVE_SHARE,
     LEAST_OVERLAP,
     Floor,
@@ -22,7 +22,7 @@ from evenload.floor import (
     oriented,
     wire_of,
 )
-from evenload.ground_beside import (
+from evenload.geometry.ground_beside import (
     around,
     beside_bare,
     border_of,

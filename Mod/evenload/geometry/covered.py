@@ -6,8 +6,9 @@ a pin in a pocket.
 
 import Part
 
-from evenload import body, compiled
-from evenload.floor import (
+from evenload import compiled
+from evenload.geometry import body
+from evenload.geometry.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
     LEAST_OVERLAP,

@@ -7,8 +7,9 @@ import math
 import numpy
 import Part
 
-from evenload import body, compiled, stock_beyond
-from evenload.floor import (
+from evenload import compiled
+from evenload.geometry import body, stock_beyond
+from evenload.geometry.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
     SAME_HEIGHT,

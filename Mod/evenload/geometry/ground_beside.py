@@ -10,7 +10,7 @@ import numpy
 import Part
 
 from evenload import compiled
-from evenload.floor import edge_points, faces_within, inside, wire_of
+from evenload.geometry.floor import edge_points, faces_within, inside, wire_of
 from evenload.planar import flattened
 
 SMOOTH = 1e-6  # rad: less is no corner

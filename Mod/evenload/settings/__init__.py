@@ -1,0 +1,1 @@
+"""The settings of operations: what there is, and what the user sees them called."""
