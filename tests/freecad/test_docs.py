@@ -1,4 +1,4 @@
-"""The macros in the pages of the operations, run as they stand there; the tables of properties."""
+"""The macros in the pages of the operations, run as they stand there; the README's table."""
 
 import re
 from pathlib import Path
@@ -6,12 +6,9 @@ from pathlib import Path
 import pytest
 from conftest import freecad
 from evenload.operations.adaptive import Adaptive
-from evenload.operations.lame_spiral import LameSpiral
-from evenload.operations.trochoid import Trochoid
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "adaptive_operation.md"
-KINDS = {"adaptive": Adaptive, "trochoid": Trochoid, "lame_spiral": LameSpiral}
+KINDS = ("adaptive", "trochoid", "lame_spiral")
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -34,12 +31,5 @@ def tabled(page):
     return sorted(name.strip() for row in rows for name in row.split("|")[1].split(","))
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", PAGE], ids=lambda page: page.name)
-def test_the_table_of_properties_has_every_setting_once(page):
-    assert tabled(page) == sorted(setting.name for setting in Adaptive.settings)
-
-
-@pytest.mark.parametrize("kind", ["trochoid", "lame_spiral"])
-def test_the_page_of_an_operation_has_its_own_settings_once(kind):
-    own = {s.name for s in KINDS[kind].settings} - {s.name for s in Adaptive.settings}
-    assert tabled(ROOT / "docs" / (kind + "_operation.md")) == sorted(own)
+def test_the_readmes_table_of_properties_has_every_setting_once():
+    assert tabled(ROOT / "README.md") == sorted(setting.name for setting in Adaptive.settings)

@@ -17,7 +17,7 @@ ARROWS = {
     "pictures": {"ground", "simulation"},
     "optimisation": {"ground", "simulation"},
     "operations": {"ground", "settings", "geometry", "simulation"},
-    "job_files": {"ground", "operations", "simulation", "pictures"},
+    "job_files": {"ground", "settings", "operations", "simulation", "pictures"},
     "gui": {"ground", "settings", "operations"},
 }
 GROUND = {
@@ -37,7 +37,12 @@ LATE = {
     ("simulation.__init__", "evenload.simulation.job"),  # needs FreeCAD
 }
 # Rooms and modules that run without FreeCAD, and what they must not import therefore.
-WITHOUT_FREECAD = {"optimisation", "simulation.run", "simulation.inputs", "simulation.result"}
+WITHOUT_FREECAD = {
+    *("optimisation", "simulation.run", "simulation.inputs", "simulation.result"),
+    *("settings.labels", "settings.own", "settings.pages", "settings.parameters"),
+    *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
+    "settings.table",
+}
 FREECADS = {"FreeCAD", "FreeCADGui", "Part", "Path", "PySide"}
 
 

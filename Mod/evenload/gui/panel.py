@@ -7,47 +7,16 @@ from PySide import QtCore, QtGui
 from evenload import host
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.operations.base import SENTENCES
-from evenload.settings import properties
-from evenload.settings.labels import LABELS
+from evenload.settings.setting import BOOL, CHOICE, INTEGER, NUMBER, NUMBERS, POINT, UNITS
+from evenload.settings.table import boxes_of
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
-# What all operations have.
-GROUPS = (
-    (
-        "Cut",
-        (
-            "EngagementAngle",
-            "SideStep",
-            "CutMode",
-            "StockToLeave",
-            "StockToLeaveAxial",
-            "WallPass",
-            "OrderBy",
-        ),
-    ),
-    ("Feeds", ("FeedControl", "MaximumFeed", "LeastLoad", "Material", "LinkFeed", "LinkLift")),
-    (
-        "Entry",
-        ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
-    ),
-    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs", "Check")),
-)
-FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
-MILLIMETRES = "App::PropertyLength"
-VALUES = "App::PropertyFloatList"
 DECIMALS = 4  # of numbers without a unit
 MOST = 100  # of what is counted
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
-
-
-def with_more(title, names):
-    """GROUPS with more settings at the end of one of them."""
-    return tuple(
-        (other, (*settled, *names) if other == title else settled) for other, settled in GROUPS
-    )
 
 
 def values_in(text):
@@ -99,7 +68,6 @@ class OperationPage(_gui.op.TaskPanelPage):
 
     taskPanelBaseGeometryPage = BaseGeometryPage
     kind = None  # the operation's proxy class
-    groups = GROUPS
 
     def getForm(self):
         self.settings = {setting.name: setting for setting in self.kind.settings}
@@ -121,14 +89,14 @@ class OperationPage(_gui.op.TaskPanelPage):
             grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
             grid.addWidget(widget, row, 1)
         layout.addWidget(head)
-        for title, names in self.groups:
+        for title, settings in boxes_of(self.kind.settings):
             box = QtGui.QGroupBox(_translate("EvenLoad", title))
             rows = QtGui.QFormLayout(box)
-            for name in names:
-                widget = self._widget(name)
-                widget.setToolTip(_translate("EvenLoad", self.settings[name].doc))
-                rows.addRow(_translate("EvenLoad", LABELS[name]), widget)
-                self.widgets[name] = widget
+            for setting in settings:
+                widget = self._widget(setting)
+                widget.setToolTip(_translate("EvenLoad", setting.doc))
+                rows.addRow(_translate("EvenLoad", setting.label), widget)
+                self.widgets[setting.name] = widget
             layout.addWidget(box)
         if self.kind.fitted:
             self.again = QtGui.QPushButton(_translate("EvenLoad", "Fit all again"))
@@ -152,16 +120,16 @@ class OperationPage(_gui.op.TaskPanelPage):
             grid.addWidget(area.editToolController, 0, 2)
         return area
 
-    def _widget(self, name):
-        kind = self.settings[name].type
-        if kind == "App::PropertyEnumeration":
+    def _widget(self, setting):
+        name, kind = setting.name, setting.type
+        if kind == CHOICE:
             widget = self._combo_box()
-            for choice in self.settings[name].value:
+            for choice in setting.value:
                 widget.addItem(_translate("EvenLoad", choice), choice)
             return widget
-        if kind == "App::PropertyBool":
+        if kind == BOOL:
             return QtGui.QCheckBox()
-        if kind == "App::PropertyVectorDistance":
+        if kind == POINT:
             widget = QtGui.QWidget()
             row = QtGui.QHBoxLayout(widget)
             row.setContentsMargins(0, 0, 0, 0)
@@ -170,22 +138,22 @@ class OperationPage(_gui.op.TaskPanelPage):
                 box.setProperty("unit", "mm")
                 row.addWidget(box)
             return widget
-        if name in FINE:
+        if setting.is_fine:
             widget = QtGui.QDoubleSpinBox()
             widget.setDecimals(4)
             widget.setSingleStep(0.001)
             widget.setMaximum(10.0)
             widget.setSuffix(" mm")
             return widget
-        if kind == VALUES:
+        if kind == NUMBERS:
             widget = QtGui.QLineEdit()
             widget.setMinimumWidth(NARROWEST)
             return widget
-        if kind == "App::PropertyInteger":
+        if kind == INTEGER:
             widget = QtGui.QSpinBox()
             widget.setMaximum(MOST)
             return widget
-        if kind == "App::PropertyFloat":
+        if kind == NUMBER:
             widget = QtGui.QDoubleSpinBox()
             widget.setDecimals(DECIMALS)
             widget.setSingleStep(0.05)
@@ -208,13 +176,8 @@ class OperationPage(_gui.op.TaskPanelPage):
 
     def initPage(self, obj):
         for name, widget in self.widgets.items():
-            if name in FINE:
-                continue
-            if self.settings[name].type in (
-                MILLIMETRES,
-                "App::PropertyAngle",
-                "App::PropertySpeed",
-            ):
+            setting = self.settings[name]
+            if setting.type in UNITS and not setting.is_fine:
                 self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
 
     def setFields(self, obj):
@@ -293,7 +256,9 @@ class OperationPage(_gui.op.TaskPanelPage):
             # What is shown of a number is rounded.
             changed = (round(before, DECIMALS) if isinstance(before, float) else before) != value
             if value is None:
-                FreeCAD.Console.PrintError("%s takes numbers, as 0; 0.1; 0.4; 1.\n" % LABELS[name])
+                FreeCAD.Console.PrintError(
+                    "%s takes numbers, as 0; 0.1; 0.4; 1.\n" % self.settings[name].label
+                )
             elif changed:
                 setattr(obj, name, value)
         if changed:
@@ -320,18 +285,10 @@ class OperationPage(_gui.op.TaskPanelPage):
                     widget.setChecked(value)
                 widget.blockSignals(blocked)
         self.shown = {name: self._texts(name) for name in (*self.boxes, *self.points)}
-        hole = obj.Entry in ("Automatic", "Predrilled hole")
-        descent = obj.Entry != "Predrilled hole"
-        for name, enabled in (
-            ("EntryPoint", hole),
-            ("HoleDiameter", hole),
-            ("HelixAngle", descent),
-            ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
-            ("MaximumFeed", obj.FeedControl != "Constant feed"),
-            ("LeastLoad", obj.FeedControl != "Constant feed"),
-            ("Material", obj.FeedControl == properties.CONSTANT_FORCE),
-        ):
-            self.widgets[name].setEnabled(enabled)
+        for setting in self.kind.settings:
+            if setting.when:
+                choice, wanted = setting.when
+                self.widgets[setting.name].setEnabled(getattr(obj, choice) in wanted)
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 

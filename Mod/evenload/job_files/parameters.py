@@ -6,6 +6,7 @@ import FreeCAD
 
 from evenload import host
 from evenload.job_files.keys import NUMBER
+from evenload.settings.setting import BOOL, CHOICE, POINT, SPEED
 
 # FreeCAD's own properties of an operation that a job file may set.
 HOST_PARAMETERS = (
@@ -32,7 +33,7 @@ def set_all(op, parameters, number):
             )
     for name, value in parameters.items():
         kind = op.getTypeIdOfProperty(name)
-        if kind == "App::PropertySpeed" and isinstance(value, NUMBER):
+        if kind == SPEED and isinstance(value, NUMBER):
             value = "%.12g mm/min" % value
         if any(path == name for path, _ in op.ExpressionEngine):
             op.setExpression(name, None)
@@ -49,13 +50,13 @@ def set_all(op, parameters, number):
 
 def _set_one(op, name, kind, value):
     """Sets a property; raises where FreeCAD refuses the value, or would take another for it."""
-    if kind == "App::PropertyBool" and not isinstance(value, bool):
+    if kind == BOOL and not isinstance(value, bool):
         raise ValueError("it must be true or false")
-    if kind != "App::PropertyBool" and isinstance(value, bool):
+    if kind != BOOL and isinstance(value, bool):
         raise ValueError("it is no yes or no")
-    if kind == "App::PropertyEnumeration" and not isinstance(value, str):
+    if kind == CHOICE and not isinstance(value, str):
         raise ValueError("it must be a choice")
-    if kind == "App::PropertyVectorDistance" and isinstance(value, list):
+    if kind == POINT and isinstance(value, list):
         value = FreeCAD.Vector(*value)
     setattr(op, name, value)
     taken = getattr(op, name)

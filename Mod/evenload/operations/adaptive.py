@@ -1,7 +1,7 @@
 """Adaptive: clears any pocket at constant engagement."""
 
 from evenload.operations import base
-from evenload.settings.properties import REST_MACHINING, SETTINGS
+from evenload.settings.table import OF_ADAPTIVE, SETTINGS
 
 NAME = "EvenLoad Adaptive"
 
@@ -12,7 +12,7 @@ class Adaptive(base.Operation):
     """
 
     name = NAME
-    settings = (*SETTINGS, REST_MACHINING)
+    settings = (*SETTINGS, *OF_ADAPTIVE)
 
     def generate(self, obj, core, regions, parameters):
         return core.clear_pocket(regions, **parameters), {}

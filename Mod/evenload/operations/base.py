@@ -13,15 +13,10 @@ from evenload import tool as tools
 from evenload.geometry import body, shape
 from evenload.operations import compute, job_model, rest
 from evenload.operations.refusal import Cancelled, Refusal
+from evenload.settings import properties
 from evenload.settings.labels import told
-from evenload.settings.properties import (
-    FOLLOWERS,
-    GROUP,
-    HIDDEN_SETTINGS,
-    REST_MACHINING,
-    RESULT_SETTINGS,
-    SETTINGS,
-)
+from evenload.settings.results import HIDDEN_SETTINGS, RESULT_SETTINGS
+from evenload.settings.table import REST_MACHINING, SETTINGS
 from evenload.simulation import proof
 
 SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
@@ -44,6 +39,9 @@ class Operation(host.operation_base()):
     _wished_controller = None
     _changing = False
 
+    def __init_subclass__(cls):
+        cls.fitted = tuple(row.name for row in cls.settings if row.fitted)
+
     def __init__(self, obj, name, parentJob=None, toolController=None):
         self._wished_controller = toolController
         super().__init__(obj, self.name or name, parentJob)
@@ -57,32 +55,14 @@ class Operation(host.operation_base()):
 
     def initOperation(self, obj):
         if isinstance(obj, FreeCAD.DocumentObject):
-            for setting in (*self.settings, *self.results, *HIDDEN_SETTINGS):
-                self._add(obj, setting)
+            for row in (*self.settings, *self.results, *HIDDEN_SETTINGS):
+                properties.add(obj, row)
             self._set_editor_modes(obj)
             return
         # FreeCAD's stand-in for an operation, which the SetupSheet asks.
-        for setting in self.settings:
-            if setting.in_setup_sheet():
-                obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
-                setattr(obj, setting.name, setting.in_prototype())
-                if isinstance(setting.value, list):  # so far it only has its choices
-                    setattr(obj, setting.name, setting.value[0])
-
-    def _add(self, obj, setting):
-        if hasattr(obj, setting.name):
-            if isinstance(setting.value, list) and setting.type == "App::PropertyEnumeration":
-                value = getattr(obj, setting.name)
-                # A choice that is no longer there stays, to be refused.
-                known = value in setting.value
-                setattr(obj, setting.name, setting.value if known else [*setting.value, value])
-                setattr(obj, setting.name, value)
-            return
-        # Results are outputs: they change without making the document's other objects out of date.
-        attribute = 0 if setting.group == GROUP else OUTPUT
-        obj.addProperty(setting.type, setting.name, setting.group, setting.doc, attribute)
-        if setting.value is not None:
-            setattr(obj, setting.name, setting.value)
+        for row in self.settings:
+            if row.in_setup_sheet():
+                properties.add_to_prototype(obj, row)
 
     def _set_editor_modes(self, obj):
         for setting in self.results:
@@ -112,7 +92,7 @@ class Operation(host.operation_base()):
     def opOnChanged(self, obj, prop):
         if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
             return
-        if prop in (*FOLLOWERS, *self.fitted) and hasattr(obj, "OwnValues"):
+        if prop in self._own_names() and hasattr(obj, "OwnValues"):
             if prop not in obj.OwnValues:
                 obj.OwnValues = obj.OwnValues + [prop]
         elif prop == "ToolController":
@@ -125,6 +105,10 @@ class Operation(host.operation_base()):
             job = host.parent_job(obj)
             if job is not None:
                 rest.link_all(job)
+
+    def _own_names(self):
+        """The names of settings that follow the tool or the geometry until they are set."""
+        return [row.name for row in self.settings if row.follows or row.fitted]
 
     def follow_tool(self, obj, again=()):
         """Sets what follows the tool and its controller. again: names of settings that shall follow
@@ -139,18 +123,11 @@ class Operation(host.operation_base()):
         if not diameter > 0:
             return
         feed, rapid = controller.HorizFeed.Value, controller.HorizRapid.Value
-        values = {
-            "MaximumFeed": 2 * feed,
-            "LinkFeed": rapid or 2 * feed,
-            "HelixDiameter": 0.9 * diameter,
-            "RollRadius": 0.15 * diameter,
-            "MinimumRadius": 0.15 * diameter,
-        }
         self._changing = True
         try:
-            for name, value in values.items():
-                if name not in obj.OwnValues:
-                    _set(obj, name, value)
+            for row in self.settings:
+                if row.follows and row.name not in obj.OwnValues:
+                    _set(obj, row.name, row.follows(diameter, feed, rapid))
         finally:
             self._changing = False
         # A side step that cannot be stays, to be refused.
@@ -338,7 +315,6 @@ class Operation(host.operation_base()):
             setattr(obj, setting.name, setting.value)
 
 
-OUTPUT = 8  # FreeCAD's property attribute for results
 NOTHING_IS_CUT = "(Cancelled: nothing is cut here)"  # what is posted for a cancelled operation
 
 
@@ -397,7 +373,8 @@ def _set(obj, name, value):
     """Assigns only what differs, so that nothing is touched without need."""
     before = getattr(obj, name)
     before = getattr(before, "Value", before)
-    if isinstance(value, FreeCAD.Vector):
+    if isinstance(before, FreeCAD.Vector):
+        value = FreeCAD.Vector(value)
         differs = (before - value).Length > 1e-9 * max(1.0, value.Length)
     else:
         differs = abs(before - value) > 1e-9 * max(1.0, abs(value))

@@ -2,13 +2,13 @@
 is said of it.
 """
 
-import math
 from dataclasses import dataclass
 
 from evenload import compiled, host, planar
 from evenload import tool as tools
 from evenload.operations import checks, force, rest, stock_checks
 from evenload.operations.refusal import Cancelled
+from evenload.settings import parameters
 from evenload.simulation import earlier
 from evenload.words import name_of
 
@@ -43,7 +43,7 @@ def run(proxy, obj):
     checks.for_geometry(obj)
     floors = proxy.floors(obj, tool)
     stock_checks.refuse_floors_below(obj, floors)
-    levels = checks.settings(obj, tool, data)
+    levels = checks.settings(obj, proxy.settings, tool, data)
     regions = [floor.region() for floor in floors]
     slack = max(floor.slack for floor in floors)
     stock, notes = None, []
@@ -55,11 +55,11 @@ def run(proxy, obj):
             stock, notes = rest.standing(obj, core, tool, regions, levels, slack, watch)
     except earlier.Stopped:
         raise Cancelled(_area_in_reach(obj, core, tool, regions)) from None
-    parameters = _parameters(obj, tool, data, levels, hole, slack)
+    arguments = _parameters(proxy, obj, tool, data, levels, hole, slack)
     if stock is not None:
-        parameters["stock"] = stock
-    parameters["progress"] = watch
-    toolpath, own = proxy.generate(obj, core, regions, parameters)
+        arguments["stock"] = stock
+    arguments["progress"] = watch
+    toolpath, own = proxy.generate(obj, core, regions, arguments)
     if toolpath.report.termination == "cancelled":
         raise Cancelled(_area_in_reach(obj, core, tool, regions))
     _check_entries(tool, toolpath)
@@ -97,37 +97,24 @@ def _floor_notes(floors, final_depth):
     return notes
 
 
-def _parameters(obj, tool, data, levels, hole, slack):
-    """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may
-    be too large by, for which the tool keeps away from the walls.
+def _parameters(proxy, obj, tool, data, levels, hole, slack):
+    """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may be
+    too large by, for which the tool keeps away from the walls.
     """
     return {
+        **parameters.of(obj, proxy.settings),
         "tool_diameter": tool.diameter,
-        "engagement_angle": math.radians(obj.EngagementAngle.Value),
         "cut_mode": _core_cut_mode(obj, data),
-        "feed_control": obj.FeedControl.lower(),
         "feed": data.feed,
         "plunge_feed": data.plunge_feed,
-        "link_feed": 60 * obj.LinkFeed.Value,
         "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
-        "least_load": obj.LeastLoad,
         "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
-        "roll_radius": obj.RollRadius.Value,
-        "minimum_radius": obj.MinimumRadius.Value,
-        "entry": obj.Entry.lower(),
-        "helix_angle": math.radians(obj.HelixAngle.Value),
-        "helix_diameter": obj.HelixDiameter.Value,
         "entry_point": hole[:2] if hole else None,
         "hole_diameter": hole[2] if hole else 0.0,
         "stock_to_leave": obj.StockToLeave.Value + slack,
-        "wall_pass": obj.WallPass,
         "tolerance": obj.Tolerance.Value - 2 * slack,
-        "arcs": obj.Arcs,
-        "link_lift": obj.LinkLift.Value,
         "top": obj.StartDepth.Value,
         "levels": levels,
-        "order_by": obj.OrderBy.lower(),
-        "narrow_passages": obj.NarrowPassages.lower(),
         "safe_height": obj.SafeHeight.Value,
         "clearance_height": obj.ClearanceHeight.Value,
         **force.parameters(obj, tool, data),

@@ -9,7 +9,7 @@ import Path
 
 from evenload import host
 from evenload.geometry.floor import SAME_HEIGHT
-from evenload.settings.properties import REST_MACHINING
+from evenload.settings.table import REST_MACHINING
 from evenload.simulation import rest_resolution
 from evenload.simulation.earlier import stock_before
 

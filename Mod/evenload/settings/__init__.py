@@ -1,1 +1,3 @@
-"""The settings of operations: what there is, and what the user sees them called."""
+"""The settings of operations: one row each, and all that is made from the rows. Needs no FreeCAD
+but for `properties`.
+"""

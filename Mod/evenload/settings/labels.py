@@ -1,4 +1,4 @@
-"""What the user sees a setting called: the one table for panels and messages.
+"""What the user sees a setting called, in panels and in messages.
 
 Code and the core name settings as macros and job files do, by their properties; `told` puts the
 panel's labels into a sentence on its way to the user.
@@ -6,47 +6,9 @@ panel's labels into a sentence on its way to the user.
 
 import re
 
-LABELS = {
-    "EngagementAngle": "Engagement angle",
-    "SideStep": "Side step",
-    "CutMode": "Cut mode",
-    "StockToLeave": "Stock to leave",
-    "StockToLeaveAxial": "Stock at the floor",
-    "WallPass": "Wall pass",
-    "OrderBy": "Order by",
-    "FeedControl": "Feed control",
-    "MaximumFeed": "Maximum feed",
-    "LeastLoad": "Least load",
-    "Material": "Material",
-    "LinkFeed": "Link feed",
-    "LinkLift": "Link lift",
-    "Entry": "Entry",
-    "HelixAngle": "Helix angle",
-    "HelixDiameter": "Helix diameter",
-    "EntryPoint": "Hole at",
-    "HoleDiameter": "Hole diameter",
-    "RollRadius": "Roll radius",
-    "MinimumRadius": "Minimum radius",
-    "NarrowPassages": "Narrow passages",
-    "Tolerance": "Tolerance",
-    "Arcs": "Arcs (G2, G3)",
-    "Check": "Check against the model",
-    "UseRestMachining": "Rest machining",
-    "Pattern": "Pattern",
-    "SlotWidth": "Slot width",
-    "Segments": "Segments",
-    "SemiAxisA": "Semi-axis A",
-    "SemiAxisB": "Semi-axis B",
-    "ExponentStart": "First exponent",
-    "ExponentEnd": "Last exponent",
-    "Rotation": "Rotation",
-    "Pitch": "Pitch",
-    "Centre": "Centre",
-    "SemiAxisACourse": "Course of A",
-    "SemiAxisBCourse": "Course of B",
-    "ExponentCourse": "Course of exponent",
-    "Rest": "Rest",
-}
+from evenload.settings.table import ALL
+
+LABELS = {row.name: row.label for row in ALL}
 # On FreeCAD's own pages of an operation and of its tool controller.
 FREECADS = {
     "StartDepth": "Start Depth",

@@ -4,7 +4,8 @@ of the holes drilled for them, and the stock that they leave.
 
 from evenload import commands, compiled, host, planar
 from evenload import tool as tools
-from evenload.settings.properties import HOLE_ENTRIES, is_ours
+from evenload.settings.properties import is_ours
+from evenload.settings.table import HOLE_ENTRIES
 from evenload.simulation import part
 
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
