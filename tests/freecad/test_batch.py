@@ -13,7 +13,8 @@ import Part
 import pytest
 from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
-from evenload import batch, host
+from evenload import batch
+from evenload.host import posts
 from evenload.job_files import outputs, read, report
 from evenload.simulation import run as simulator_run
 from FreeCAD import Vector
@@ -332,9 +333,9 @@ def breaking(post):
     ],
 )
 def test_what_is_wrong_in_a_job_is_named(folder, monkeypatch, path, value, words):
-    monkeypatch.setattr(host, "post_processors", lambda: ["linuxcnc", "broken"])
+    monkeypatch.setattr(posts, "post_processors", lambda: ["linuxcnc", "broken"])
     for name in ("_post_old", "_post_modern"):
-        monkeypatch.setattr(host, name, breaking(getattr(host, name)))
+        monkeypatch.setattr(posts, name, breaking(getattr(posts, name)))
     (folder / "broken.step").write_text("no model")
     (folder / "broken.FCStd").write_text("no document")
     try:

@@ -10,9 +10,9 @@ from evenload.settings import pages, parameters, ranges
 from evenload.settings.labels import LABELS
 from evenload.settings.results import (
     HIDDEN_SETTINGS,
-    RESULT_SETTINGS,
     RESULTS_OF_LAME_SPIRAL,
     RESULTS_OF_TROCHOID,
+    RESULT_SETTINGS,
 )
 from evenload.settings.setting import CHOICE, POINT, SPEED, Range
 from evenload.settings.table import (

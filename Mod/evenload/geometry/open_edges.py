@@ -9,6 +9,7 @@ import Part
 
 from evenload import compiled
 from evenload.geometry import body, stock_beyond
+from evenload.geometry.body_face import is_upright
 from evenload.geometry.floor import (
     ABOVE_FLOOR,
     CURVE_SHARE,
@@ -46,9 +47,7 @@ def _rises(face, z):
     """Whether a face stands upright on the height z."""
     box = face.BoundBox
     return (
-        body.is_upright(face.Surface)
-        and box.ZMin > z - SAME_HEIGHT
-        and box.ZMax > z + 2 * ABOVE_FLOOR
+        is_upright(face.Surface) and box.ZMin > z - SAME_HEIGHT and box.ZMax > z + 2 * ABOVE_FLOOR
     )
 
 

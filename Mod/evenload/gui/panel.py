@@ -72,32 +72,15 @@ class OperationPage(_gui.op.TaskPanelPage):
     def getForm(self):
         self.settings = {setting.name: setting for setting in self.kind.settings}
         self.result_names = [setting.name for setting in self.kind.results]
-        form = QtGui.QWidget()
-        layout = QtGui.QVBoxLayout(form)
         self.boxes, self.points = {}, {}
         self.shown = {}  # texts of the boxes for quantities
         self.widgets = {}
-        form.toolController = self._combo_box()
-        form.coolantController = self._combo_box()
-        head = QtGui.QWidget()
-        grid = QtGui.QGridLayout(head)  # in which FreeCAD 1.1 shows the tool controller's editor
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setColumnStretch(1, 1)
-        for row, (title, widget) in enumerate(
-            (("Tool controller", form.toolController), ("Coolant", form.coolantController))
-        ):
-            grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
-            grid.addWidget(widget, row, 1)
+        form = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(form)
+        head = self._head(form)
         layout.addWidget(head)
         for title, settings in boxes_of(self.kind.settings):
-            box = QtGui.QGroupBox(_translate("EvenLoad", title))
-            rows = QtGui.QFormLayout(box)
-            for setting in settings:
-                widget = self._widget(setting)
-                widget.setToolTip(_translate("EvenLoad", setting.doc))
-                rows.addRow(_translate("EvenLoad", setting.label), widget)
-                self.widgets[setting.name] = widget
-            layout.addWidget(box)
+            layout.addWidget(self._box(title, settings))
         if self.kind.fitted:
             self.again = QtGui.QPushButton(_translate("EvenLoad", "Fit all again"))
             self.again.setToolTip(
@@ -117,8 +100,34 @@ class OperationPage(_gui.op.TaskPanelPage):
         area.coolantController = form.coolantController
         if host.LIST_MAKES_CONTROLLERS:
             area.editToolController = QtGui.QCheckBox(_translate("EvenLoad", "Edit"))
-            grid.addWidget(area.editToolController, 0, 2)
+            head.layout().addWidget(area.editToolController, 0, 2)
         return area
+
+    def _head(self, form):
+        """The choice of the tool controller and of the coolant, which FreeCAD knows by the form."""
+        form.toolController = self._combo_box()
+        form.coolantController = self._combo_box()
+        head = QtGui.QWidget()
+        grid = QtGui.QGridLayout(head)  # in which FreeCAD 1.1 shows the tool controller's editor
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setColumnStretch(1, 1)
+        for row, (title, widget) in enumerate(
+            (("Tool controller", form.toolController), ("Coolant", form.coolantController))
+        ):
+            grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
+            grid.addWidget(widget, row, 1)
+        return head
+
+    def _box(self, title, settings):
+        """A box with a row for each of some settings."""
+        box = QtGui.QGroupBox(_translate("EvenLoad", title))
+        rows = QtGui.QFormLayout(box)
+        for setting in settings:
+            widget = self._widget(setting)
+            widget.setToolTip(_translate("EvenLoad", setting.doc))
+            rows.addRow(_translate("EvenLoad", setting.label), widget)
+            self.widgets[setting.name] = widget
+        return box
 
     def _widget(self, setting):
         name, kind = setting.name, setting.type

@@ -1,6 +1,6 @@
 """Adaptive: clears any pocket at constant engagement."""
 
-from evenload.operations import base
+from evenload.operations import base, registry
 from evenload.settings.table import OF_ADAPTIVE, SETTINGS
 
 NAME = "EvenLoad Adaptive"
@@ -19,8 +19,8 @@ class Adaptive(base.Operation):
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
-    """A new adaptive operation, as a document object; see base.create for the arguments."""
-    return base.create(Adaptive, name, obj, parentJob, toolController)
+    """A new adaptive operation, as a document object; see registry.create for the arguments."""
+    return registry.create(Adaptive, name, obj, parentJob, toolController)
 
 
-base.register(Adaptive, Create)
+registry.register(Adaptive, Create)

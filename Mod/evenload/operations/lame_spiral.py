@@ -1,6 +1,6 @@
 """Lamé spiral: clears round, square and many-sided pockets, and round islands, by spirals."""
 
-from evenload.operations import base
+from evenload.operations import base, registry
 from evenload.settings import parameters as words
 from evenload.settings.results import RESULTS_OF_LAME_SPIRAL, RESULT_SETTINGS
 from evenload.settings.table import OF_LAME_SPIRAL, SETTINGS
@@ -27,8 +27,8 @@ class LameSpiral(base.Operation):
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
-    """A new Lamé spiral operation, as a document object; see base.create for the arguments."""
-    return base.create(LameSpiral, name, obj, parentJob, toolController)
+    """A new Lamé spiral operation, as a document object; see registry.create for the arguments."""
+    return registry.create(LameSpiral, name, obj, parentJob, toolController)
 
 
-base.register(LameSpiral, Create)
+registry.register(LameSpiral, Create)

@@ -1,7 +1,7 @@
 """Trochoid: cuts slots by trochoids at constant engagement."""
 
 from evenload import compiled
-from evenload.operations import base
+from evenload.operations import base, registry
 from evenload.settings.results import RESULTS_OF_TROCHOID, RESULT_SETTINGS
 from evenload.settings.table import OF_TROCHOID, SETTINGS
 
@@ -54,8 +54,8 @@ class Trochoid(base.Operation):
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
-    """A new trochoid operation, as a document object; see base.create for the arguments."""
-    return base.create(Trochoid, name, obj, parentJob, toolController)
+    """A new trochoid operation, as a document object; see registry.create for the arguments."""
+    return registry.create(Trochoid, name, obj, parentJob, toolController)
 
 
-base.register(Trochoid, Create)
+registry.register(Trochoid, Create)
