@@ -1,8 +1,12 @@
-"""The macros in the pages of the operations, run as they stand there; the README's table."""
+"""The macros in the pages of the operations, run as they stand there, and the names that they use;
+the README's table of properties.
+"""
 
+import importlib
 import re
 from pathlib import Path
 
+import evenload
 import pytest
 from conftest import freecad
 from evenload.operations.adaptive import Adaptive
@@ -21,6 +25,20 @@ def test_the_macro_of_the_documentation_runs_as_written(kind, tmp_path, rs274):
     assert text.exists() and "Traceback" not in output, output[-2000:]
     assert "failed: " not in output
     assert rs274(text.read_text(), tmp_path).count("FEED") > 100
+
+
+@pytest.mark.parametrize(
+    "name, module",
+    [
+        ("proof", "simulation.proof"),
+        ("job_simulation", "simulation.job"),
+        ("simulation_pictures", "pictures.simulation_pictures"),
+    ],
+)
+def test_a_name_for_macros_is_the_module_in_its_room(name, module):
+    found = importlib.import_module("evenload." + name)
+    assert found is importlib.import_module("evenload." + module)
+    assert getattr(evenload, name) is found
 
 
 def tabled(page):

@@ -113,7 +113,7 @@ def read(operation, after_earlier=True):
         else earlier.hole_of(host.operation_under(operation), top)
     )
     must_stay = part.part_of(job, operation, tool, stock, top, bottom, moves, notes)
-    found = (
+    return Setup(
         operation.Label,
         moves,
         lines,
@@ -127,4 +127,3 @@ def read(operation, after_earlier=True):
         cuts,
         notes,
     )
-    return Setup(*found)

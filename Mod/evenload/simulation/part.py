@@ -51,6 +51,10 @@ def stock_of(stock):
 
 
 def part_of(job, operation, tool, stock, top, bottom, moves, notes):
+    """[(Region, top), ...]: columns from the bottom that must stay; None where that is unknown, and
+    `notes` gets a sentence on why. tool: a tool.Tool; stock, top, bottom: as stock_of tells them;
+    moves: of the operation's path.
+    """
     inner = host.operation_under(operation)
     if is_ours(inner):
         return _outside_floors(job, inner, tool, stock, top)
