@@ -4,8 +4,10 @@ import multiprocessing
 import queue
 import resource
 import time
+from functools import partial
 
 MEMORY = 4 << 30  # bytes, of such a process
+LOOK = 5  # s between two looks whether the one that gives the tasks is still there
 
 
 class Failed(Exception):
@@ -24,8 +26,19 @@ def work(begin, tasks, answers):
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     if begin:
         begin()
-    for function, arguments in iter(tasks.get, None):
+    for function, arguments in iter(partial(next_task, tasks), None):
         answers.put(function(*arguments))
+    answers.cancel_join_thread()  # nobody reads on
+
+
+def next_task(tasks):
+    """The next; None where there is none any more, or nobody to give one."""
+    while multiprocessing.parent_process().is_alive():
+        try:
+            return tasks.get(timeout=LOOK)
+        except queue.Empty:
+            pass
+    return None
 
 
 class Worker:

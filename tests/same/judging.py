@@ -22,30 +22,43 @@ def standing_of(case):
     return {"standing": [(piece.outer, piece.islands) for piece in level]}
 
 
-def judged(case, results):
+def judged(case, results, closely):
     """The figures of each of what `clearing.cleared` returned for a case, in order; {} of an error
-    or of no path. Where a mean of one is above its limit all are looked at more closely, so that
-    they stay comparable. A figure that does not apply to one of them is in none.
+    or of no path. A figure that does not apply to one of them is in none.
     """
     import choices
     import figures
-    import fuzz
 
     if not any(result.get("moves") for result in results):
         return [{} for _ in results]
+    resolution = figures.FINEST if closely else figures.resolution_for(case)
+    step = figures.CLOSE_STEP if closely else figures.STEP
+    _, scene = choices.given_and_scene(case, resolution)
+    found = [seen(case, result, scene, step) for result in results]
+    apply = that_apply(case, results, found)
+    return [{name: each[name] for name in apply if name in each} for each in found]
+
+
+def that_apply(case, results, found):
+    """The names of all figures that apply."""
+    import choices
+    import fuzz
+
     limits = fuzz.LIMITS
     for result in results:
         limits = choices.limits_for(case, result.get("notes", ()), limits)
-    _, scene = choices.given_and_scene(case, figures.resolution_for(case))
-    found = [seen(case, result, scene, figures.STEP) for result in results]
-    means = set(figures.MEANS) & set(limits)
-    if any(each and each[name] > limits[name] for each in found for name in means):
-        if "rest_of" in case:
-            _, scene = choices.given_and_scene(case, figures.FINEST)
-        scene = {**scene, "resolution": figures.FINEST}
-        found = [seen(case, result, scene, figures.CLOSE_STEP) for result in results]
     without = set(fuzz.LIMITS) - set(limits)
-    return [{name: each[name] for name in each if name not in without} for each in found]
+    return [name for name in max(found, key=len) if name not in without]
+
+
+def is_unsure(found):
+    """Whether a mean of one is above its limit: then all are looked at closely, as fuzz does, and
+    stay comparable.
+    """
+    import figures
+    import fuzz
+
+    return any(each.get(name, 0.0) > fuzz.LIMITS[name] for each in found for name in figures.MEANS)
 
 
 def seen(case, result, scene, step):

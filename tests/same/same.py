@@ -30,7 +30,7 @@ import table  # noqa: E402
 import worker  # noqa: E402
 
 SECONDS = 180  # of the clock, to clear a case
-PATIENCE = 900  # of the clock, to judge one by both
+PATIENCE = 400  # of the clock, to judge one by both
 EVERY = 50  # cases after which it is told how many are done
 
 
@@ -90,16 +90,23 @@ class Pair:
 
     def _row(self, task, results, equal):
         judged = results[:1] if equal else results  # one verdict will do for both
-        try:
-            found = self._processes[1].call(PATIENCE, judging.judged, task.case, judged)
-        except worker.Failed as error:
-            print("not judged: %s: %s" % (task.name, error), flush=True)
-            found = [{}] * len(judged)
+        found = self._judged(task, judged, False) or [{}] * len(judged)
+        if judging.is_unsure(found):
+            found = self._judged(task, judged, True) or found
         found = [dict(each) for each in (found * 2 if equal else found)]
         for each, result in zip(found, results):
             if "seconds" in result:
                 each["seconds"] = result["seconds"]
         return table.Row(task.name, task.operation, *found)
+
+    def _judged(self, task, results, closely):
+        """The figures; None, which is told, where that crashed or took too long."""
+        try:
+            return self._processes[1].call(PATIENCE, judging.judged, task.case, results, closely)
+        except worker.Failed as error:
+            how = "more closely" if closely else "at all"
+            print("not judged %s: %s: %s" % (how, task.name, error), flush=True)
+            return None
 
     def stop(self):
         for process in self._processes:
