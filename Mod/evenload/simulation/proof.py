@@ -23,8 +23,7 @@ UNCHECKED = "Not checked against the model: Check is off."
 # mm that a gouge may be deeper than the tolerance before it counts: what points, 1 per SPACING of
 # the tool, leave uncertain on curves, and the rounding of posts.
 BEYOND_TOLERANCE = 0.01
-RIM = 0.02  # mm of the tool's rim, beyond the tolerance, that may touch what stands
-MOST_RIM = 0.05  # mm of it however coarse the tolerance is
+RIM = 0.02  # mm of the tool's rim that may touch what stands
 SPACING = 0.03  # tool diameters between points of edges and sections
 RASTER = 0.25  # tool diameters between points of upper sides
 MOST_PER_SIDE = 400  # of that raster
@@ -77,8 +76,7 @@ def check(operation):
         "bodies": points,
         "stock": stock,
         "gouge_limit": _tolerance(operation) + BEYOND_TOLERANCE,
-        # What stands was left by one move, and another passes it: both within the tolerance.
-        "rim": min(RIM + 2 * _tolerance(operation), MOST_RIM),
+        "rim": RIM,
     }
     found = core.faults_of(path, **options)
     if any(kind != "gouge" for kind, *_ in found):
