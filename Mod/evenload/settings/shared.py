@@ -5,6 +5,7 @@ from evenload.settings.setting import (
     ANGLE,
     BOOL,
     CHOICE,
+    INTEGER,
     LENGTH,
     NOT_NEGATIVE,
     NUMBER,
@@ -134,6 +135,21 @@ SETTINGS = (
         page="where the feed is below MaximumFeed, what the feed control holds is at least this "
         "share of its nominal value, 0 to 0.95: [less time, two to three times the "
         "blocks](feed_control.md#4-leastload-even-loads-for-more-blocks)",
+    ),
+    Setting(
+        "MostBlocksPerMetre",
+        INTEGER,
+        0,
+        "Where the feed control would change the feed so often that a program has more blocks per "
+        "metre of path, it changes it less often, for up to 4 % more time: for controllers that "
+        "take few blocks; 0: no limit",
+        label="Most blocks per metre",
+        box="Feeds",
+        keyword="most_blocks_per_metre",
+        range=NOT_NEGATIVE,
+        when=("FeedControl", FEED_CONTROLS[1:]),
+        page="blocks per metre of path that the controller takes, 0: no limit: [changes of feed are "
+        "dearer, for up to 4 % more time](feed_control.md#2-set_constant_load-feeds-by-dynamic-programming)",
     ),
     Setting(
         "Material",
