@@ -20,7 +20,6 @@
 #include "strategy/move_ends.h"
 #include "strategy/narrow_passages.h"
 #include "strategy/pass_choice.h"
-#include "strategy/pass_ends.h"
 #include "strategy/steering.h"
 #include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
@@ -29,11 +28,15 @@
 namespace evenload {
 namespace {
 
-// No stage turns more tightly than this share of the tool's radius, but along the exact border,
-// which clears narrower rooms sooner, bit by bit.
-constexpr double kTightestTurn = 0.004;
-// mm: nor than this. A posted program holds no arcs of 0.008 mm and less, to which
-// half turns shrink where such a room narrows.
+// mm: no stage turns more tightly than this: a steered pass turns in pieces of a fifth of a radian
+// and more, and those of tighter turns would be posted as lines with corners between them. Small
+// tools turn down to a share of their radius. The exact border clears narrower rooms, bit by bit.
+constexpr double kTightestTurn = 0.16;
+constexpr double kTightestShare = 0.055;
+// Of the widest room's radius: in narrow rooms turns are tighter than that.
+constexpr double kTightestInRoom = 0.5;
+// mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
+// room narrows.
 constexpr double kTightestPosted = 0.012;
 // The same for turns that the walls do not need.
 constexpr double kSpareTurn = 0.03;
@@ -130,13 +133,13 @@ class RegionClearing {
 
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
-    const double tightest = std::max(kTightestTurn * radius_, kTightestPosted);
-    return {std::max(wish, tightest),
-            tightest,
+    const double tightest = std::max(
+        kTightestPosted,
+        std::min({kTightestTurn, kTightestShare * radius_, kTightestInRoom * widest().radius}));
+    return {std::max(wish, tightest), tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
             std::max(kSpareTurn * radius_, tightest),
-            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius(),
-            params_.engagement_angle};
+            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
@@ -344,14 +347,14 @@ class RegionClearing {
     return take(std::move(pass), turn_radius);
   }
 
-  // Widens the turns of the newest pass, here and in the ground. Returns the way to be posted; what
-  // that leaves is too little to come back for.
+  // Joins the moves of the newest pass, here and in the ground. Returns the way to be posted, with
+  // wider turns; what these leave is too little to come back for.
   std::vector<Segment> smooth(Pass& pass) {
     take_back(ground_, pass);
-    WidenedPass widened = with_wide_turns(joined(pass.moves), exact_, around_, ground_,
-                                          params_.engagement_angle, params_.tolerance);
-    pass.moves = std::move(widened.cut);
-    std::vector<Segment> way = std::move(widened.posted);
+    pass.moves = joined(pass.moves);
+    const double most = most_widening(params_.engagement_angle, radius_, params_.tolerance);
+    std::vector<Segment> way =
+        without_tight_turns(pass.moves, {exact_, around_}, ground_, params_.engagement_angle, most);
     // What the wider turns left is met by the next turn of a pass that comes back to them.
     if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);
     for (const Segment& move : pass.moves) ground_.add(move);
@@ -366,8 +369,6 @@ class RegionClearing {
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
-    for (std::vector<Segment>* moves : {&shorter, &way})
-      begin_earlier(*moves, {ground_, before}, exact_);
     const Pose nearest = start_of(shorter), start = start_of(way);
     const bool is_bit = turn_radius <= 0;  // of the exact border
     if (link_to(nearest, before) || (is_bit && back_to(nearest))) {
@@ -414,7 +415,6 @@ class RegionClearing {
     look_again(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
-    end_later(pass.moves, {ground_, ground_.size()}, exact_);
     add_moves(MoveKind::kCut, pass.moves);
     if (task_.follow && !task_.is_part && !is_opened()) task_.follow(result_.runs);
     if (turn_radius > 0 && turn_radius < std::min(tightest_, limits().widest * (1 - 1e-9)))
