@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "strategy/constant_engagement.h"
+#include "strategy/task/clearing_params.h"
 #include "support/progress.h"
 
 namespace evenload {

@@ -22,8 +22,8 @@
 #include "python/proof_module.h"
 #include "python/simulate_module.h"
 #include "python/trochoid_module.h"
-#include "strategy/constant_engagement.h"
-#include "strategy/rest_levels.h"
+#include "strategy/pocket/constant_engagement.h"
+#include "strategy/pocket/rest_levels.h"
 #include "support/errors.h"
 
 namespace py = pybind11;

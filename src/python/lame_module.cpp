@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "python/clearing_params.h"
-#include "strategy/lame_clearing.h"
+#include "strategy/lame/lame_clearing.h"
 
 namespace py = pybind11;
 

@@ -11,10 +11,10 @@
 #include <utility>
 #include <vector>
 
+#include "geometry/slot_around.h"
 #include "python/clearing_params.h"
-#include "strategy/slot_around.h"
-#include "strategy/trochoid.h"
-#include "strategy/trochoid_pattern.h"
+#include "strategy/pocket/trochoid.h"
+#include "strategy/trochoid/trochoid_pattern.h"
 
 namespace py = pybind11;
 

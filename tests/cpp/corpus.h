@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "geometry/region.h"
-#include "strategy/constant_engagement.h"
+#include "strategy/task/clearing_params.h"
 
 namespace evenload::corpus {
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <utility>
 
+#include "strategy/pocket/constant_engagement.h"
 #include "support/progress.h"
 
 namespace evenload::corpus {

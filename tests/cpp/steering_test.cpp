@@ -1,4 +1,4 @@
-#include "strategy/steering.h"
+#include "strategy/steer/steering.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 
 #include "geometry_shapes.h"
 #include "path_check.h"
-#include "strategy/stage.h"
+#include "strategy/steer/stage.h"
 
 namespace evenload {
 namespace {
@@ -368,32 +368,6 @@ TEST(Stages, TurnMoreAndMoreTightlyUpToTheExactBorder) {
       }
     }
   }
-}
-
-// The largest step between two stages whose turns are posted as arcs only where one leads all round
-// a corner: the least of their ratios, which spare stages do not count to.
-double widest_step(const std::vector<Vec2>& corners, double engagement) {
-  constexpr double kSteered = 0.16, kSpare = 0.6;
-  StageLimits limits;
-  limits.engagement = engagement;
-  double least = 1;
-  for (const Region& centres : offset({make_region(shapes::polygon(corners))}, -kRadius)) {
-    const std::vector<Stage> stages = make_stages(centres, limits);
-    for (std::size_t k = 1; k + 1 < stages.size(); ++k) {
-      const double ratio = stages[k].turn_radius / stages[k - 1].turn_radius;
-      if (stages[k].turn_radius < kSteered && ratio > kSpare) least = std::min(least, ratio);
-    }
-  }
-  return least;
-}
-
-TEST(Stages, FollowEachOtherAsAcuteCornersDemandBesideOnesThatAreTooSharpForAny) {
-  const double theta = 22 * kDegree;
-  const Vec2 foot{0, 0}, top = 60 * unit(43 * kDegree), needle{200, 10};
-  const std::vector<Vec2> alone = {foot, {50, 0}, top};
-  const std::vector<Vec2> with_needle = {foot, {50, 0}, needle, {50, 21}, top};  // one of 8 degrees
-  EXPECT_GT(widest_step(alone, theta), 0.93);
-  EXPECT_NEAR(widest_step(with_needle, theta), widest_step(alone, theta), 2e-3);
 }
 
 }  // namespace

@@ -8,8 +8,8 @@
 
 #include "geometry_shapes.h"
 #include "path_check.h"
-#include "strategy/allowed_ground.h"
-#include "strategy/constant_engagement.h"
+#include "strategy/places/allowed_ground.h"
+#include "strategy/pocket/constant_engagement.h"
 
 namespace evenload {
 namespace {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "strategy/border_bits.h"
+#include "strategy/reach/border_bits.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {

@@ -11,7 +11,7 @@
 
 #include "corpus_laws.h"
 #include "path_check.h"
-#include "strategy/constant_engagement.h"
+#include "strategy/pocket/constant_engagement.h"
 #include "support/errors.h"
 
 namespace evenload {

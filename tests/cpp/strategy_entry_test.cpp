@@ -7,8 +7,8 @@
 
 #include "corpus.h"
 #include "geometry_shapes.h"
-#include "strategy/constant_engagement.h"
-#include "strategy/entry.h"
+#include "strategy/pocket/constant_engagement.h"
+#include "strategy/reach/entry.h"
 #include "toolpath/helix.h"
 #include "toolpath/ramp.h"
 

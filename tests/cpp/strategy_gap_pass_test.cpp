@@ -6,9 +6,10 @@
 #include <vector>
 
 #include "geometry_shapes.h"
-#include "strategy/gap_pass.h"
-#include "strategy/links.h"
-#include "strategy/move_checks.h"
+#include "strategy/moves/move_checks.h"
+#include "strategy/moves/move_ends.h"
+#include "strategy/reach/links.h"
+#include "strategy/steer/gap_pass.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {

@@ -11,9 +11,9 @@
 #include "geometry/lame_curve.h"
 #include "geometry_shapes.h"
 #include "judged.h"
-#include "strategy/lame_clearing.h"
-#include "strategy/lame_opening.h"
-#include "strategy/lame_shapes.h"
+#include "strategy/lame/lame_clearing.h"
+#include "strategy/lame/lame_opening.h"
+#include "strategy/lame/lame_shapes.h"
 #include "support/errors.h"
 
 namespace evenload {

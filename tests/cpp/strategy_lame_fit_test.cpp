@@ -10,7 +10,7 @@
 #include "geometry/boundary_index.h"
 #include "geometry/region.h"
 #include "geometry_shapes.h"
-#include "strategy/lame_fit.h"
+#include "strategy/lame/lame_fit.h"
 
 namespace evenload {
 namespace {

@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "cutting/engagement.h"
-#include "strategy/lame_pitch.h"
-#include "strategy/lame_spiral.h"
-#include "strategy/lame_turns.h"
+#include "strategy/lame/lame_pitch.h"
+#include "strategy/lame/lame_spiral.h"
+#include "strategy/lame/lame_turns.h"
 
 namespace evenload {
 namespace {

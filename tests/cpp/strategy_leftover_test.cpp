@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "geometry_shapes.h"
-#include "strategy/leftover.h"
+#include "strategy/choose/leftover.h"
 
 namespace evenload {
 namespace {

@@ -5,7 +5,8 @@
 #include <random>
 
 #include "geometry_shapes.h"
-#include "strategy/links.h"
+#include "strategy/moves/move_ends.h"
+#include "strategy/reach/links.h"
 
 namespace evenload {
 namespace {

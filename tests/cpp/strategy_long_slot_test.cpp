@@ -6,11 +6,11 @@
 #include <vector>
 
 #include "cutting/engagement.h"
+#include "geometry/slot_around.h"
 #include "geometry_shapes.h"
 #include "path_check.h"
-#include "strategy/allowed_ground.h"
-#include "strategy/slot_around.h"
-#include "strategy/trochoid.h"
+#include "strategy/places/allowed_ground.h"
+#include "strategy/pocket/trochoid.h"
 
 namespace evenload {
 namespace {

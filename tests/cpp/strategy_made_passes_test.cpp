@@ -1,6 +1,6 @@
 #include <gtest/gtest.h>
 
-#include "strategy/made_passes.h"
+#include "strategy/choose/made_passes.h"
 
 namespace evenload {
 namespace {

@@ -5,7 +5,7 @@
 #include <random>
 
 #include "geometry_shapes.h"
-#include "strategy/move_checks.h"
+#include "strategy/moves/move_checks.h"
 
 namespace evenload {
 namespace {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "strategy/move_ends.h"
+#include "strategy/moves/move_ends.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {

@@ -4,8 +4,8 @@
 
 #include "corpus.h"
 #include "geometry_shapes.h"
-#include "strategy/area.h"
-#include "strategy/narrow_passages.h"
+#include "strategy/places/area.h"
+#include "strategy/places/narrow_passages.h"
 
 namespace evenload {
 namespace {

@@ -6,7 +6,7 @@
 
 #include "geometry_shapes.h"
 #include "narrow_pockets.h"
-#include "strategy/constant_engagement.h"
+#include "strategy/task/clearing_params.h"
 #include "support/errors.h"
 
 namespace evenload {

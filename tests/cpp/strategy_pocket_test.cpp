@@ -11,9 +11,9 @@
 #include "corpus.h"
 #include "geometry_shapes.h"
 #include "judged.h"
-#include "strategy/constant_engagement.h"
-#include "strategy/pocket.h"
-#include "strategy/region_clearing.h"
+#include "strategy/choose/region_clearing.h"
+#include "strategy/pocket/constant_engagement.h"
+#include "strategy/pocket/pocket.h"
 #include "support/errors.h"
 #include "toolpath/small_arc.h"
 

@@ -11,8 +11,8 @@
 #include "feed/feed_limit.h"
 #include "feed/load_profile.h"
 #include "narrow_pockets.h"
-#include "strategy/passage_clearing.h"
-#include "strategy/passage_report.h"
+#include "strategy/passage/passage_clearing.h"
+#include "strategy/passage/passage_report.h"
 
 namespace evenload {
 namespace {

@@ -9,8 +9,8 @@
 #include "geometry_shapes.h"
 #include "simulate/simulate.h"
 #include "simulate/standing.h"
-#include "strategy/free_place.h"
-#include "strategy/rest_levels.h"
+#include "strategy/reach/free_place.h"
+#include "strategy/pocket/rest_levels.h"
 #include "support/errors.h"
 
 namespace evenload {

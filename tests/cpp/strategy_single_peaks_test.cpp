@@ -7,8 +7,8 @@
 #include "corpus.h"
 #include "cutting/cleared_ground.h"
 #include "geometry/box_tree.h"
-#include "strategy/constant_engagement.h"
-#include "strategy/move_checks.h"
+#include "strategy/moves/move_checks.h"
+#include "strategy/pocket/constant_engagement.h"
 
 namespace evenload {
 namespace {

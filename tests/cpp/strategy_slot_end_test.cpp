@@ -9,8 +9,8 @@
 
 #include "geometry/box_tree.h"
 #include "geometry_shapes.h"
-#include "strategy/pattern_cache.h"
-#include "strategy/slot_end.h"
+#include "strategy/slots/slot_end.h"
+#include "strategy/trochoid/pattern_cache.h"
 
 namespace evenload {
 namespace {

@@ -6,10 +6,10 @@
 #include <string>
 #include <vector>
 
+#include "geometry/slot_around.h"
 #include "geometry_shapes.h"
-#include "strategy/slot.h"
-#include "strategy/slot_around.h"
-#include "strategy/slot_rooms.h"
+#include "strategy/slots/slot_rooms.h"
+#include "strategy/trochoid/slot.h"
 #include "support/errors.h"
 
 namespace evenload {

@@ -8,10 +8,10 @@
 #include <utility>
 
 #include "geometry_shapes.h"
-#include "strategy/move_checks.h"
-#include "strategy/tight_turns.h"
-#include "strategy/turn_demands.h"
-#include "strategy/wider_bi_arc.h"
+#include "strategy/moves/move_checks.h"
+#include "strategy/moves/tight_turns.h"
+#include "strategy/moves/turn_demands.h"
+#include "strategy/moves/wider_bi_arc.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {

@@ -8,10 +8,11 @@
 #include <vector>
 
 #include "cutting/engagement.h"
-#include "strategy/circular_trochoid.h"
-#include "strategy/links.h"
-#include "strategy/slot_pattern.h"
-#include "strategy/trochoid_pattern.h"
+#include "strategy/moves/move_ends.h"
+#include "strategy/reach/links.h"
+#include "strategy/trochoid/circular_trochoid.h"
+#include "strategy/trochoid/slot_pattern.h"
+#include "strategy/trochoid/trochoid_pattern.h"
 
 namespace evenload {
 namespace {

@@ -7,11 +7,11 @@
 #include <vector>
 
 #include "cutting/engagement.h"
+#include "geometry/slot_around.h"
 #include "geometry_shapes.h"
 #include "path_check.h"
-#include "strategy/slot_around.h"
-#include "strategy/trochoid.h"
-#include "strategy/trochoid_pattern.h"
+#include "strategy/pocket/trochoid.h"
+#include "strategy/trochoid/trochoid_pattern.h"
 #include "support/errors.h"
 #include "toolpath/helix.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "geometry_shapes.h"
-#include "strategy/wall_samples.h"
+#include "strategy/steer/wall_samples.h"
 
 namespace evenload {
 namespace {

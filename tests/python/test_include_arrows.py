@@ -21,6 +21,21 @@ ARROWS = {
     "occt": {"support", "geometry"},
     "python": {"support", "geometry", "cutting", "toolpath", "strategy", "feed", "simulate"},
 }
+# The rooms of src/strategy, each of which may include those above it.
+STRATEGY = (
+    "places",
+    "moves",
+    "task",
+    "steer",
+    "reach",
+    "choose",
+    "trochoid",
+    "slots",
+    "passage",
+    "pocket",
+    "lame",
+)
+MOST_UNITS = 10  # in a room
 # Plain values that any folder may include, support/errors.h among them: of the standard library's
 # kind, they include nothing of ours.
 PLAIN_VALUES = {"geometry/vec2.h"}
@@ -50,6 +65,22 @@ def test_includes_follow_the_arrows(path):
         assert (
             include in PLAIN_VALUES or include.split("/")[0] in allowed
         ), "%s may not include %s" % (folder, include)
+
+
+@pytest.mark.parametrize("room", STRATEGY)
+def test_rooms_of_the_strategy_include_those_above_them(room):
+    above = STRATEGY[: STRATEGY.index(room) + 1]
+    for path in sorted((SOURCE / "strategy" / room).iterdir()):
+        for include in own_includes(path):
+            if include.startswith("strategy/"):
+                assert include.split("/")[1] in above, "%s: %s" % (path.name, include)
+
+
+def test_rooms_of_the_strategy_are_small_and_all_of_it():
+    folders = sorted((SOURCE / "strategy").iterdir())
+    assert sorted(STRATEGY) == [folder.name for folder in folders]
+    for folder in folders:
+        assert len({path.stem for path in folder.iterdir()}) <= MOST_UNITS, folder.name
 
 
 @pytest.mark.parametrize("header", sorted(PLAIN_VALUES))

@@ -1,0 +1,359 @@
+#include "strategy/passage/passage_clearing.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+#include "geometry/arc_fit.h"
+#include "geometry/box_tree.h"
+#include "strategy/choose/leftover.h"
+#include "strategy/moves/move_checks.h"
+#include "strategy/passage/passage_path.h"
+#include "strategy/passage/passage_walls.h"
+#include "strategy/reach/entry.h"
+
+namespace evenload {
+namespace {
+
+// mm: by which arcs in place of the middle's points leave them.
+constexpr double kFit = kAxisTolerance;
+// rad: the way from a hole to the middle turns by no more.
+constexpr double kMostTurn = 0.9 * kPi;
+constexpr std::size_t kNone = ~std::size_t{0};
+
+// The widest place of a passage's middle; an end, from which one way leads on, where that is as
+// wide.
+std::size_t widest_point(const PassageAxis& axis) {
+  const auto is_end = [&](std::size_t i) { return axis.points[i].next.size() == 1; };
+  std::size_t best = 0;
+  for (std::size_t i = 1; i < axis.points.size(); ++i) {
+    const double wider = axis.points[i].radius - axis.points[best].radius;
+    if (wider > kFit || (wider > -kFit && is_end(i) && !is_end(best))) best = i;
+  }
+  return best;
+}
+
+class PassageClearing {
+ public:
+  PassageClearing(const RegionTask& task, const NarrowPlaces& places,
+                  const std::vector<PassageAxis>& axes, int first_number,
+                  const ClearingParams& params, Progress& progress)
+      : task_(task),
+        places_(places),
+        axes_(axes),
+        first_number_(first_number),
+        params_(params),
+        progress_(progress),
+        path_(task, params, progress),
+        room_done_(places.rooms.size(), 0),
+        passage_done_(places.passages.size(), 0) {}
+
+  RegionResult run() {
+    try {
+      begin();
+      while (!progress_.cancelled()) {
+        const std::size_t passage = next_passage();
+        if (passage == kNone) break;
+        cut_passage(passage);
+      }
+    } catch (const Cancelled&) {  // what is made is kept
+    }
+    result_.passes += path_.passes();
+    result_.links += path_.links();
+    result_.runs = path_.take_runs();
+    return std::move(result_);
+  }
+
+ private:
+  // ---- order ----
+
+  void begin() {
+    if (places_.rooms.empty()) return;
+    std::size_t first = kNone;
+    for (std::size_t i = 0; i < places_.rooms.size(); ++i) {
+      const Region& room = places_.rooms[i];
+      if (task_.hole) {
+        if (room.contains(*task_.hole)) first = i;
+      } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic &&
+                 start_outside(Area({room}), task_.material, path_.ground())) {
+        first = i;
+        break;
+      }
+    }
+    if (first == kNone && task_.hole) return;  // the hole is in a passage
+    if (first == kNone)
+      for (std::size_t i = 0; i < places_.rooms.size(); ++i)
+        if (first == kNone || places_.rooms[i].area() > places_.rooms[first].area()) first = i;
+    clear_room(first);
+  }
+
+  // A passage that opens into a room that is done; the first of all at the beginning.
+  std::size_t next_passage() const {
+    const bool at_start = path_.runs().empty();
+    for (std::size_t k = 0; k < passage_done_.size(); ++k) {
+      if (passage_done_[k]) continue;
+      const std::vector<std::size_t>& rooms = places_.passages[k].rooms;
+      if (at_start ? !task_.hole || places_.passages[k].centres.contains(*task_.hole)
+                   : std::any_of(rooms.begin(), rooms.end(),
+                                 [&](std::size_t room) { return room_done_[room]; }))
+        return k;
+    }
+    return kNone;
+  }
+
+  void clear_room(std::size_t index) {
+    const Region& room = places_.rooms[index];
+    RegionTask task = task_;
+    task.centres = room;
+    if (task.hole && !room.contains(*task.hole)) task.hole.reset();
+    task.around = {task_.centres};
+    task.round_helix = !places_.passages.empty() && places_.passages.front().by_ramp;
+    task.before = path_.runs();
+    task.follow = nullptr;  // what it is told of begins with the first room
+    const double done = share_done(), all = task_.centres.area();
+    room_done_[index] = 1;
+    Progress share([&](double part) {
+      return progress_.report(done + part * std::min(1 - done, room.area() / all));
+    });
+    RegionResult cleared = clear_region(task, params_, share);
+    for (PlanarRun& run : cleared.runs) {
+      run.new_region = path_.runs().empty();
+      path_.append(std::move(run));
+    }
+    result_.uncut_area += cleared.uncut_area;
+    result_.passes += cleared.passes;
+    result_.links += cleared.links;
+    result_.tight_turns.add(cleared.tight_turns);
+    for (std::string& note : cleared.notes) result_.notes.push_back(std::move(note));
+  }
+
+  double share_done() const {
+    double area = 0;
+    for (std::size_t i = 0; i < room_done_.size(); ++i)
+      if (room_done_[i]) area += places_.rooms[i].area();
+    for (std::size_t k = 0; k < passage_done_.size(); ++k)
+      if (passage_done_[k]) area += places_.passages[k].centres.area();
+    return std::min(1.0, area / task_.centres.area());
+  }
+
+  // ---- one passage ----
+
+  // The middle, then the rooms behind it, which leave its mouths clear, then the walls. Rooms that
+  // are begun from their mouths need the walls' cut first.
+  void cut_passage(std::size_t k) {
+    const int number = first_number_ + static_cast<int>(k);
+    const PassageAxis& axis = axes_[k];
+    passage_done_[k] = 1;
+    if (places_.passages[k].by_ramp) {
+      clear_rooms_beside(k);
+      if (!progress_.cancelled()) ramp_through(places_.passages[k]);
+      return;
+    }
+    const std::size_t root = axis.points.empty() ? kNone : come_to(axis, k);
+    if (root != kNone) follow_middle(axis, root, number);
+    const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
+    if (!walls_first) clear_rooms_beside(k);
+    if (root != kNone && !progress_.cancelled())
+      follow_walls(places_.passages[k], axis, number, params_, path_);
+    if (walls_first) clear_rooms_beside(k);
+  }
+
+  // Between rooms that are clear; the way round the border leaves nothing.
+  void ramp_through(const Passage& neck) {
+    Descent ramp = ramp_along(neck.centres.outer, params_);
+    if (ramp.ramp_by.empty()) return;  // some 0.0001 mm: no more than passes leave in corners
+    Leftover left;
+    left.prepare(Area({neck.centres}),
+                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
+    ramp.new_area = left.area(path_.ground());
+    path_.begin(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}, path_.runs().empty());
+  }
+
+  void clear_rooms_beside(std::size_t k) {
+    progress_.report(share_done());
+    for (const std::size_t room : places_.passages[k].rooms)
+      if (!room_done_[room] && !progress_.cancelled()) clear_room(room);
+  }
+
+  // Brings the tool to a point of the middle where it may begin.
+  std::size_t come_to(const PassageAxis& axis, std::size_t k) {
+    const bool is_new = path_.runs().empty();
+    if (!is_new) {
+      const std::size_t mouth = nearest_mouth(axis);
+      if (mouth != kNone) {
+        path_.reach(pose_at(axis, mouth, axis.points[mouth].next.front()));
+        return mouth;
+      }
+    }
+    if (task_.hole && places_.passages[k].centres.contains(*task_.hole)) {
+      path_.begin({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false}, {*task_.hole, 0}, is_new);
+      return go_from_hole(axis, first_number_ + static_cast<int>(k));
+    }
+    if (const std::size_t outside = place_outside(axis);
+        outside != kNone && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
+      const Vec2 at = axis.points[outside].p;
+      path_.begin({DescentKind::kPlunge, at, {}, 0, {}, false}, {at, 0}, is_new);
+      return outside;
+    }
+    if (params_.entry == EntryKind::kPredrilledHole) return kNone;
+    return descend(axis, is_new);
+  }
+
+  // A ramp along the passage: a helix as narrow as this would be a plunge.
+  std::size_t descend(const PassageAxis& axis, bool is_new) {
+    const std::size_t widest = widest_point(axis);
+    ClearingParams params = params_;
+    params.entry = EntryKind::kRamp;
+    const Vec2 at = axis.points[widest].p;
+    const std::optional<Entry> entry =
+        descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
+    if (!entry) return kNone;
+    path_.begin(entry->descent, entry->start, is_new);
+    const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
+    return is_done ? kNone : widest;
+  }
+
+  // At a point of the middle, on the way to its neighbour.
+  static Pose pose_at(const PassageAxis& axis, std::size_t point, std::size_t neighbour) {
+    return {axis.points[point].p, angle_of(axis.points[neighbour].p - axis.points[point].p)};
+  }
+
+  std::size_t nearest_mouth(const PassageAxis& axis) const {
+    std::size_t best = kNone;
+    double nearest = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 0; i < axis.points.size(); ++i) {
+      const double d = distance(axis.points[i].p, path_.here().p);
+      if (!axis.points[i].is_mouth || d >= nearest || !path_.is_clear(axis.points[i].p)) continue;
+      best = i;
+      nearest = d;
+    }
+    return best;
+  }
+
+  // The last place of the middle before the material; any clear one where there is no such place.
+  std::size_t place_outside(const PassageAxis& axis) const {
+    std::size_t any = kNone;
+    for (std::size_t i = 0; i < axis.points.size(); ++i) {
+      if (!path_.is_clear(axis.points[i].p)) continue;
+      any = i;
+      for (const std::size_t next : axis.points[i].next)
+        if (!path_.is_clear(axis.points[next].p)) return i;
+    }
+    return any;
+  }
+
+  // From a hole's centre by one arc that ends along the middle; straight where none has room.
+  std::size_t go_from_hole(const PassageAxis& axis, int number) {
+    const Vec2 hole = path_.here().p;
+    std::size_t best = kNone, nearest = 0;
+    Segment way;
+    for (std::size_t i = 0; i < axis.points.size(); ++i) {
+      const Vec2 to = axis.points[i].p - hole;
+      if (norm(to) < norm(axis.points[nearest].p - hole)) nearest = i;
+      for (const std::size_t next : axis.points[i].next) {
+        const double turn =
+            2 * wrap_signed(pose_at(axis, i, next).heading - (norm(to) > 0 ? angle_of(to) : 0));
+        const Segment arc = Segment::from_bulge(hole, axis.points[i].p, std::tan(turn / 4));
+        if (norm(to) < kZeroLength || std::abs(turn) > kMostTurn || !stays_inside(arc)) continue;
+        if (best != kNone && arc.length() >= way.length()) continue;
+        best = i;
+        way = arc;
+      }
+    }
+    if (norm(axis.points[nearest].p - hole) < kZeroLength) return nearest;
+    if (best == kNone) {
+      way = Segment::line(hole, axis.points[nearest].p);
+      if (!stays_inside(way)) return kNone;
+      best = nearest;
+    }
+    path_.follow({way}, number);
+    return best;
+  }
+
+  bool stays_inside(const Segment& move) const {
+    return is_inside(move, path_.centres(), kZeroLength);
+  }
+
+  // ---- the middle ----
+
+  using Used = std::vector<std::vector<char>>;  // which ways out of a point are cut
+
+  // Cuts every branch once, from forks that are reached already.
+  void follow_middle(const PassageAxis& axis, std::size_t root, int number) {
+    Used used(axis.points.size());
+    for (std::size_t i = 0; i < axis.points.size(); ++i)
+      used[i].assign(axis.points[i].next.size(), 0);
+    std::vector<std::size_t> reached{root};  // points with ways out, the newest last
+    while (!reached.empty() && !progress_.cancelled()) {
+      const std::size_t at = reached.back(), out = next_way(axis, at, used);
+      if (out == kNone) {
+        reached.pop_back();
+        continue;
+      }
+      std::size_t end = at;
+      path_.follow(chain(axis, &end, out, root, used), number);
+      reached.push_back(end);
+    }
+  }
+
+  // Straight on where the tool stands there, else the first that is not cut.
+  std::size_t next_way(const PassageAxis& axis, std::size_t at, const Used& used) const {
+    std::size_t best = kNone;
+    double least = std::numeric_limits<double>::infinity();
+    const bool stands_there = distance(path_.here().p, axis.points[at].p) < kFit;
+    for (std::size_t i = 0; i < used[at].size(); ++i) {
+      if (used[at][i]) continue;
+      const double heading = pose_at(axis, at, axis.points[at].next[i]).heading;
+      const double turn = stands_there ? std::abs(wrap_signed(heading - path_.here().heading)) : 0;
+      if (turn >= least) continue;
+      best = i;
+      least = turn;
+    }
+    return best;
+  }
+
+  // The stretch of the middle from `*at` on to the next fork, end, or the root; `*at`: that point.
+  static std::vector<Segment> chain(const PassageAxis& axis, std::size_t* at, std::size_t out,
+                                    std::size_t root, Used& used) {
+    std::vector<Vec2> points{axis.points[*at].p};
+    for (;;) {
+      const std::size_t next = axis.points[*at].next[out];
+      used[*at][out] = 1;
+      const std::vector<std::size_t>& neighbours = axis.points[next].next;
+      for (std::size_t i = 0; i < neighbours.size(); ++i)
+        if (neighbours[i] == *at && !used[next][i]) {
+          used[next][i] = 1;
+          break;
+        }
+      points.push_back(axis.points[next].p);
+      *at = next;
+      if (neighbours.size() != 2 || *at == root) break;
+      const auto free = std::find(used[*at].begin(), used[*at].end(), 0);
+      if (free == used[*at].end()) break;
+      out = static_cast<std::size_t>(free - used[*at].begin());
+    }
+    return fit_arcs(points, kFit).segments();
+  }
+
+  const RegionTask& task_;
+  const NarrowPlaces& places_;
+  const std::vector<PassageAxis>& axes_;
+  int first_number_;
+  const ClearingParams& params_;
+  Progress& progress_;
+  PassagePath path_;
+  std::vector<char> room_done_, passage_done_;
+  RegionResult result_;
+};
+
+}  // namespace
+
+RegionResult clear_with_passages(const RegionTask& task, const NarrowPlaces& places,
+                                 const std::vector<PassageAxis>& axes, int first_number,
+                                 const ClearingParams& params, Progress& progress) {
+  return PassageClearing(task, places, axes, first_number, params, progress).run();
+}
+
+}  // namespace evenload
