@@ -70,17 +70,17 @@ void transform(std::vector<Complex>& values) {
   for (std::size_t length = 2; length <= count; length *= 2) {
     const double angle = 2 * M_PI / static_cast<double>(length);
     const Complex root(std::cos(angle), std::sin(angle));
-    for (std::size_t start = 0; start < count; start += length) {
-      Complex turn = 1;
-      for (std::size_t k = 0; k < length / 2; ++k) {
-        const Complex a = values[start + k], b = values[start + k + length / 2];
+    Complex turn = 1;
+    for (std::size_t k = 0; k < length / 2; ++k) {
+      for (std::size_t i = k; i < count; i += length) {
+        const Complex a = values[i], b = values[i + length / 2];
         const Complex turned(b.real() * turn.real() - b.imag() * turn.imag(),
                              b.real() * turn.imag() + b.imag() * turn.real());
-        values[start + k] = a + turned;
-        values[start + k + length / 2] = a - turned;
-        turn = Complex(turn.real() * root.real() - turn.imag() * root.imag(),
-                       turn.real() * root.imag() + turn.imag() * root.real());
+        values[i] = a + turned;
+        values[i + length / 2] = a - turned;
       }
+      turn = Complex(turn.real() * root.real() - turn.imag() * root.imag(),
+                     turn.real() * root.imag() + turn.imag() * root.real());
     }
   }
 }

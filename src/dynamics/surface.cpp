@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <tuple>
 
 #include "support/parallel.h"
 
@@ -11,9 +12,9 @@ namespace evenload {
 namespace {
 
 constexpr std::size_t kSamples = 512;  // of a period with kForcedHarmonics
-constexpr double kReach = 0.6;         // rad from the wall's normal within which a crest lies
+constexpr double kReach = 0.6;         // rad from the wall's normal within which crests are sought
 constexpr int kHeights = 48;           // of a period of the wall along the axis
-constexpr int kGolden = 30;            // steps of a search for an extreme
+constexpr int kGolden = 20;            // steps of a search for an extreme
 constexpr int kNewton = 30;
 constexpr int kNeighbours = 3;  // passes on either side that may leave the wall
 constexpr int kCuspSteps = 400;
@@ -42,20 +43,29 @@ double least(const Function& f, double low, double high) {
   return std::min(at_a, at_b);
 }
 
-// The least of f over 0 to `height`: looked for at even steps, then between the neighbours.
+// The least and the largest of f over 0 to `height`: looked for at even steps, then between the
+// neighbours.
 template <typename Function>
-double least_over(const Function& f, double height, int steps) {
-  double best = f(0.0);
-  int at = 0;
+std::pair<double, double> extremes(const Function& f, double height, int steps) {
+  int lowest = 0, highest = 0;
+  double low = f(0.0), high = low;
   for (int i = 1; i <= steps; ++i) {
     const double value = f(height * i / steps);
-    if (value < best) {
-      best = value;
-      at = i;
+    if (value < low) {
+      low = value;
+      lowest = i;
+    }
+    if (value > high) {
+      high = value;
+      highest = i;
     }
   }
-  return std::min(best, least(f, height * std::max(0, at - 1) / steps,
-                              height * std::min(steps, at + 1) / steps));
+  const auto between = [&](const auto& g, int at) {
+    return least(g, height * std::max(0, at - 1) / steps, height * std::min(steps, at + 1) / steps);
+  };
+  low = std::min(low, between(f, lowest));
+  high = std::max(high, -between([&](double at) { return -f(at); }, highest));
+  return {low, high};
 }
 
 std::size_t sample_count(const ForcedMotion& motion) {
@@ -80,6 +90,9 @@ Surface::Surface(const Milling& milling, const Receptance& receptance, double sp
   if (!(feed_per_tooth > 0) || !std::isfinite(feed_per_tooth))
     throw std::invalid_argument("The feed per tooth must be above 0 mm.");
   for (double& sample : samples_) sample *= side_;
+  // Farther away the circle has fallen by more than the vibration's whole width.
+  const auto [low, high] = std::minmax_element(samples_.begin(), samples_.end());
+  reach_ = std::min(kReach, std::acos(std::max(0.0, 1 - (*high - *low) / milling.radius)));
 }
 
 // The outermost place of a pass whose normal points to the wall at the spindle angle `angle`: the
@@ -87,8 +100,8 @@ Surface::Surface(const Milling& milling, const Receptance& receptance, double sp
 Surface::Crest Surface::crest_of(int tooth, double angle) const {
   const auto count = static_cast<std::ptrdiff_t>(samples_.size());
   const double step = 2 * M_PI / motion_.order / static_cast<double>(count);
-  const auto first = static_cast<std::ptrdiff_t>(std::ceil((angle - kReach) / step));
-  const auto last = static_cast<std::ptrdiff_t>(std::floor((angle + kReach) / step));
+  const auto first = static_cast<std::ptrdiff_t>(std::floor((angle - reach_) / step));
+  const auto last = static_cast<std::ptrdiff_t>(std::ceil((angle + reach_) / step));
   const auto offset = [&](std::ptrdiff_t i) {
     const std::ptrdiff_t rest = i % count;
     const double alpha = static_cast<double>(i) * step - angle, square = alpha * alpha;
@@ -159,7 +172,7 @@ double Surface::cusp(double z) const {
   const double turn = feed_ * milling_.teeth;
   const double start = place(top.tooth, z, top.alpha).x;
   const auto wall = [&](double way) { return offset(z, start + way); };
-  return top.offset - least_over(wall, turn, kCuspSteps);
+  return top.offset - extremes(wall, turn, kCuspSteps).first;
 }
 
 double Surface::offset(double z, double x) const {
@@ -197,8 +210,8 @@ SurfaceFigures Surface::location() const {
   if (z == 0) {
     result.least = result.most = location_error(0);
   } else {
-    result.least = least_over([&](double at) { return location_error(at); }, z, kHeights);
-    result.most = -least_over([&](double at) { return -location_error(at); }, z, kHeights);
+    std::tie(result.least, result.most) =
+        extremes([&](double at) { return location_error(at); }, z, kHeights);
   }
   result.waviness = result.most - result.least;
   result.location_error =
@@ -210,7 +223,7 @@ SurfaceFigures Surface::figures() const {
   SurfaceFigures result = location();
   const double z = height();
   result.roughness =
-      z == 0 ? cusp(0) : -least_over([&](double at) { return -cusp(at); }, z, kHeights);
+      z == 0 ? cusp(0) : extremes([&](double at) { return cusp(at); }, z, kHeights).second;
   return result;
 }
 

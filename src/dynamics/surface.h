@@ -59,6 +59,7 @@ class Surface {
   Milling milling_;
   double depth_, feed_;
   double wall_, side_;  // phi of the wall's normal; +1 or -1
+  double reach_;        // rad from the wall's normal within which a crest lies
   ForcedMotion motion_;
   std::vector<double> samples_;  // of side * y over a period
   std::vector<double> positions_;
