@@ -67,7 +67,12 @@ class Follower {
 
   BranchPoint point(const Place& place) const {
     const Orbit found = orbit(place);
-    return {found.depth, found.amplitude(), solver_.multipliers(found, kAccuracy, kMultipliers)};
+    return {found.depth,
+            found.amplitude(),
+            solver_.multipliers(found, kAccuracy, kMultipliers),
+            false,
+            false,
+            found};
   }
 
   // Where f changes its sign between `from` and `distance` along the branch.

@@ -19,6 +19,7 @@ struct BranchPoint {
   std::vector<std::complex<double>> multipliers;  // the largest first
   bool is_fold = false;
   bool is_wanted = false;  // at a depth that was asked for
+  Orbit orbit;
   double radius() const { return std::abs(multipliers.front()); }
 };
 

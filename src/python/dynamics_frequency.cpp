@@ -28,10 +28,10 @@ MdbmAxis axis_of(const Axis& axis) {
 }
 
 // Receptances at angular frequencies: rows of (xx, xy, yx, yy).
-Values values_at(const Receptance& receptance, const std::vector<double>& frequencies) {
+Values values_at(const SharedReceptance& receptance, const std::vector<double>& frequencies) {
   Values result;
   for (const double frequency : frequencies) {
-    const Eigen::Matrix2cd value = receptance(frequency);
+    const Eigen::Matrix2cd value = receptance.of(frequency);
     result.insert(result.end(), {value(0, 0), value(0, 1), value(1, 0), value(1, 1)});
   }
   return result;
@@ -40,23 +40,25 @@ Values values_at(const Receptance& receptance, const std::vector<double>& freque
 }  // namespace
 
 void bind_frequency(py::module_& m) {
-  py::class_<Receptance>(m, "Receptance")
+  py::class_<SharedReceptance>(m, "Receptance")
       .def_static(
           "of_modes",
           [](const std::vector<Mode>& modes) {
             check_modes(modes);
-            return Receptance([modes](double w) { return receptance(modes, w); });
+            return SharedReceptance{[modes](double w) { return receptance(modes, w); }};
           },
           py::arg("modes"))
       .def_static(
           "of_lines",
           [](const std::vector<double>& frequencies, const Values& xx, const Values& yy,
-             const Values& xy) { return Receptance(Frf(frequencies, xx, yy, xy)); },
+             const Values& xy) { return SharedReceptance{Frf(frequencies, xx, yy, xy)}; },
           py::arg("frequencies"), py::arg("xx"), py::arg("yy"), py::arg("xy"))
       .def("at", &values_at, py::arg("frequencies"));
   py::class_<FrequencyDomain>(m, "FrequencyDomain")
-      .def(py::init<const Milling&, const Receptance&, int>(), py::arg("milling"),
-           py::arg("receptance"), py::arg("harmonics"))
+      .def(py::init([](const Milling& milling, const SharedReceptance& receptance, int harmonics) {
+             return FrequencyDomain(milling, receptance.of, harmonics);
+           }),
+           py::arg("milling"), py::arg("receptance"), py::arg("harmonics"))
       .def("determinant", &FrequencyDomain::determinant, py::arg("speed"), py::arg("depth"),
            py::arg("frequency"))
       .def(
@@ -100,19 +102,19 @@ void bind_frequency(py::module_& m) {
           "efficiency", [](const FrequencyChart& chart) { return efficiency(chart.mdbm(), 1); });
   m.def(
       "zeroth_order",
-      [](const Milling& milling, const Receptance& receptance, double frequency) {
+      [](const Milling& milling, const SharedReceptance& receptance, double frequency) {
         check(milling);
         std::vector<std::tuple<double, double>> result;
-        for (const ZerothOrder& limit : zeroth_order(milling, receptance, frequency))
+        for (const ZerothOrder& limit : zeroth_order(milling, receptance.of, frequency))
           result.emplace_back(limit.depth, limit.phase);
         return result;
       },
       py::arg("milling"), py::arg("receptance"), py::arg("frequency"));
   m.def(
       "zeroth_order_lobes",
-      [](const Milling& milling, const Receptance& receptance, const Axis& speeds,
+      [](const Milling& milling, const SharedReceptance& receptance, const Axis& speeds,
          const Axis& depths, double lowest, double highest, int count) {
-        return zeroth_order_lobes(milling, receptance, axis_of(speeds), axis_of(depths), lowest,
+        return zeroth_order_lobes(milling, receptance.of, axis_of(speeds), axis_of(depths), lowest,
                                   highest, count);
       },
       py::arg("milling"), py::arg("receptance"), py::arg("speeds"), py::arg("depths"),

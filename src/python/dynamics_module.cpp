@@ -154,6 +154,7 @@ void bind_dynamics(py::module_& module) {
   bind_chart(m);
   bind_bisection(m);
   bind_frequency(m);
+  bind_motion(m);
 }
 
 }  // namespace evenload
