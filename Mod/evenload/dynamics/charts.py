@@ -9,7 +9,7 @@ from evenload.dynamics.modes import core, rpm
 
 KINDS = ("Hopf", "flip", "fold")
 METHODS = ("semi-discretisation", "multi-frequency", "zeroth-order")
-FIRST_CELLS = 32  # of an axis, by default
+FIRST_CELLS = 64, 32  # of speeds and depths, by default
 FREQUENCY_CELLS = (20, 12, 8)  # speed, depth and frequency, of the multi-frequency solution
 HARMONICS = 8
 LOBE_POINTS = 4000
@@ -67,7 +67,7 @@ def chart(milling, speeds, depths, method, tolerance, harmonics=None, threads=0,
 def levels(milling, speeds, depths, tolerance, threads, progress):
     """See Milling.chart_levels()."""
     milling._demand_modes("A chart by multipliers")
-    speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths")
+    speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths", FIRST_CELLS[1])
     halvings = _halvings(speeds[2], tolerance)
     start = time.perf_counter()
     work = core().StabilityChart(milling.in_si(), *_in_si(speeds, depths), threads)
@@ -112,7 +112,7 @@ def _multi_frequency(milling, speeds, depths, tolerance, harmonics, threads, pro
 
 
 def _zeroth_order(milling, speeds, depths):
-    speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths")
+    speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths", FIRST_CELLS[1])
     start = time.perf_counter()
     found = Chart(milling, speeds, depths, "zeroth-order", 0)
     highest = HIGHEST_SHARE * _highest(milling)
@@ -181,7 +181,7 @@ def critical_depth(milling, speed, largest, harmonics=HARMONICS):
     return math.inf
 
 
-def axis_of(given, what, cells=FIRST_CELLS):
+def axis_of(given, what, cells=FIRST_CELLS[0]):
     """(low, high, cells) of what the user gave."""
     numbers = [float(number) for number in numpy.ravel(given)]
     if len(numbers) == 2:
