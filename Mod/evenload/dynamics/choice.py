@@ -66,7 +66,7 @@ def _best_of(milling, speeds, depths, margin, surface_limit, feed):
 def _is_straight(milling, speed, depth, feed, limit):
     if limit is None:
         return True
-    return abs(milling.surface(speed, depth, feed).surface_location_error) <= limit
+    return abs(milling.surface_map([speed], [depth], feed)[0, 0]) <= limit
 
 
 def _deepened(milling, speed, depth, most, margin, limit, feed):
@@ -88,5 +88,5 @@ def _row(milling, speed, depth, feed):
         milling.cut_mode,
         milling.removal_rate(speed, depth, feed),
         milling.spectral_radius(speed, depth),
-        milling.surface(speed, depth, feed).surface_location_error,
+        float(milling.surface_map([speed], [depth], feed)[0, 0]),
     )

@@ -193,7 +193,10 @@ def _draw_errors(axes, found, feed):
     if found.method == "semi-discretisation":
         radii = found.milling.spectral_radius(*numpy.meshgrid(n, a), accuracy=1e-2)
         errors = numpy.ma.masked_where(radii >= 1, errors)
-    lines = axes.contour(n, a, errors, levels=LEVELS_UM, colors=[GREY], linewidths=0.7, zorder=2)
+    levels = [level for level in LEVELS_UM if errors.min() < level < errors.max()]
+    if not levels:
+        return
+    lines = axes.contour(n, a, errors, levels=levels, colors=[GREY], linewidths=0.7, zorder=2)
     axes.clabel(lines, fmt="%d", fontsize=7)
     handle = Line2D([], [], color=GREY, lw=0.7, label="surface location error, \u00b5m")
     axes.add_line(handle)
