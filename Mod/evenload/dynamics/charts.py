@@ -56,15 +56,15 @@ def chart(milling, speeds, depths, method, tolerance, harmonics=None, threads=0,
     if not 0 < tolerance < 1:
         raise ValueError("The tolerance of a chart must lie between 0 and 1.")
     if method == "semi-discretisation":
-        for found in levels(milling, speeds, depths, tolerance, threads, progress):
-            pass
-        return found
+        return list(levels(milling, speeds, depths, tolerance, threads, progress, only_last=True))[
+            0
+        ]
     if method == "zeroth-order":
         return _zeroth_order(milling, speeds, depths)
     return _multi_frequency(milling, speeds, depths, tolerance, harmonics, threads, progress)
 
 
-def levels(milling, speeds, depths, tolerance, threads, progress):
+def levels(milling, speeds, depths, tolerance, threads, progress, only_last=False):
     """See Milling.chart_levels()."""
     milling._demand_modes("A chart by multipliers")
     speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths", FIRST_CELLS[1])
@@ -76,8 +76,9 @@ def levels(milling, speeds, depths, tolerance, threads, progress):
             work.begin(progress)
         else:
             work.halve(progress)
+        if only_last and level < halvings:
+            continue
         found = Chart(milling, speeds, depths, "semi-discretisation")
-        # Each level is a picture; kinds and frequencies are told for all.
         for n, a, kinds, frequencies in work.curves(progress):
             found.curves.append(numpy.column_stack([numpy.array(n) / rpm(1), 1e3 * numpy.array(a)]))
             found.kind.append([KINDS[kind] for kind in kinds])
@@ -182,13 +183,15 @@ def critical_depth(milling, speed, largest, harmonics=HARMONICS):
 
 
 def axis_of(given, what, cells=FIRST_CELLS[0]):
-    """(low, high, cells) of what the user gave."""
+    """(low, high, cells) of what the user gave: a tuple of two or three, or a rising grid."""
     numbers = [float(number) for number in numpy.ravel(given)]
-    if len(numbers) == 2:
+    rises = all(a < b for a, b in zip(numbers, numbers[1:]))
+    if len(numbers) == 2 and rises:
         return numbers[0], numbers[1], cells
-    if len(numbers) == 3 and numbers[2] == int(numbers[2]) and not numbers[1] < numbers[2]:
-        return numbers[0], numbers[1], int(numbers[2])
-    if len(numbers) < 2 or any(b <= a for a, b in zip(numbers, numbers[1:])):
+    if len(numbers) == 3 and numbers[0] < numbers[1] and (isinstance(given, tuple) or not rises):
+        if numbers[2] == int(numbers[2]) >= 1:
+            return numbers[0], numbers[1], int(numbers[2])
+    if len(numbers) < 3 or not rises:
         raise ValueError(
             "The %s of a chart are (low, high), (low, high, cells) or a rising grid." % what
         )

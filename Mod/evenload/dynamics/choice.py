@@ -4,11 +4,11 @@ from collections import namedtuple
 
 import numpy
 
-from evenload.dynamics import charts
+from evenload.dynamics import charts, motions
 
-SPEEDS, DEPTHS = 81, 60  # of the grid that is looked through
+SPEEDS, DEPTHS = 61, 50  # of the grid that is looked through
 CHUNK = 200
-CLOSER = 24  # steps by which a depth is raised to its limit
+CLOSER = 16  # steps by which a depth is raised to its limit
 
 Best = namedtuple(
     "Best", "speed depth cut_mode removal_rate spectral_radius surface_location_error"
@@ -54,19 +54,22 @@ def _best_of(milling, speeds, depths, margin, surface_limit, feed):
     step = depths[0]
     for start in range(0, len(order), CHUNK):
         chunk = order[start : start + CHUNK]
-        radii = milling.spectral_radius(n[chunk], a[chunk])
-        for i in chunk[radii <= 1 - margin]:
-            if _is_straight(milling, n[i], a[i], feed, surface_limit):
-                most = min(a[i] + step, depths[-1])
-                depth = _deepened(milling, n[i], a[i], most, margin, surface_limit, feed)
-                return _row(milling, float(n[i]), float(depth), feed)
+        good = chunk[_will_do(milling, n[chunk], a[chunk], margin, surface_limit, feed)]
+        if len(good):
+            speed, depth = float(n[good[0]]), float(a[good[0]])
+            most = min(depth + step, depths[-1])
+            depth = _deepened(milling, speed, depth, most, margin, surface_limit, feed)
+            return _row(milling, speed, depth, feed)
     return None
 
 
-def _is_straight(milling, speed, depth, feed, limit):
-    if limit is None:
-        return True
-    return abs(milling.surface_map([speed], [depth], feed)[0, 0]) <= limit
+def _will_do(milling, speeds, depths, margin, limit, feed):
+    """Whether each cut is stable with its margin, and straight; an array."""
+    good = milling.spectral_radius(speeds, depths) <= 1 - margin
+    if limit is not None and good.any():
+        errors = motions.location_errors(milling, speeds[good], depths[good], feed)
+        good[good] = abs(errors) <= limit
+    return good
 
 
 def _deepened(milling, speed, depth, most, margin, limit, feed):
@@ -74,9 +77,8 @@ def _deepened(milling, speed, depth, most, margin, limit, feed):
     good, bad = depth, most
     for _ in range(CLOSER):
         middle = 0.5 * (good + bad)
-        is_good = milling.spectral_radius(speed, middle) <= 1 - margin and _is_straight(
-            milling, speed, middle, feed, limit
-        )
+        pair = numpy.array([speed]), numpy.array([middle])
+        is_good = _will_do(milling, *pair, margin, limit, feed)[0]
         good, bad = (middle, bad) if is_good else (good, middle)
     return good
 
@@ -88,5 +90,5 @@ def _row(milling, speed, depth, feed):
         milling.cut_mode,
         milling.removal_rate(speed, depth, feed),
         milling.spectral_radius(speed, depth),
-        float(milling.surface_map([speed], [depth], feed)[0, 0]),
+        float(motions.location_errors(milling, [speed], [depth], feed)[0]),
     )

@@ -57,16 +57,22 @@ def surface(milling, speed, depth, feed_per_tooth, cut):
 def surface_map(milling, speeds, depths, feed_per_tooth, threads, progress):
     """See Milling.surface_map()."""
     n, a = numpy.meshgrid(numpy.asarray(speeds, float), numpy.asarray(depths, float))
+    errors = location_errors(milling, n.ravel(), a.ravel(), feed_per_tooth, threads, progress)
+    return errors.reshape(n.shape)
+
+
+def location_errors(milling, speeds, depths, feed_per_tooth, threads=0, progress=None):
+    """Surface location errors in mm of pairs of speed and depth, in rev/min and mm."""
     found = core().location_errors(
         milling.in_si(),
         milling.receptance(),
-        rpm(n).ravel().tolist(),
-        (1e-3 * a).ravel().tolist(),
+        rpm(numpy.asarray(speeds, float)).tolist(),
+        (1e-3 * numpy.asarray(depths, float)).tolist(),
         1e-3 * feed_per_tooth,
         threads,
         progress,
     )
-    return 1e3 * numpy.array(found).reshape(-1, 3)[:, 0].reshape(n.shape)
+    return 1e3 * numpy.array(found).reshape(-1, 3)[:, 0]
 
 
 @dataclass

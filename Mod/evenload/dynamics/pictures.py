@@ -10,8 +10,8 @@ from evenload import report
 
 COLOURS = {"Hopf": "#1a73e8", "flip": "#d93025", "fold": "#188038"}
 UNSTABLE, TRIVIAL, OTHER, GREY, POINT = "#fce8e6", "#188038", "#e8710a", "#9aa0a6", "#202124"
-GRID = 160, 110  # speeds and depths at which the ground is coloured
-MAP = 90, 50  # those of surface errors
+GRID = 120, 80  # speeds and depths at which the ground is coloured
+MAP = 60, 36  # those of surface errors
 RESONANCES = 8  # that are named, the fastest first
 LEVELS_UM = (-100, -50, -20, -10, 10, 20, 50, 100)
 
