@@ -66,13 +66,13 @@ OrbitSolver::OrbitSolver(const EdgeForces& forces)
   fastest_ = std::max(fastest_, 4 * forces.speed());
 }
 
-std::vector<Piece> OrbitSolver::pieces(double depth, const std::vector<double>& more) const {
+std::vector<PeriodPiece> OrbitSolver::pieces(double depth, const std::vector<double>& more) const {
   std::vector<double> instants = more;
   for (const double angle : switching_angles(forces_.milling(), depth))
     for (const double position : forces_.milling().positions())
       instants.push_back((angle - position) / forces_.speed());
-  std::vector<Piece> result;
-  for (const Piece& piece : pieces_between(instants, period_)) {
+  std::vector<PeriodPiece> result;
+  for (const PeriodPiece& piece : pieces_between(instants, period_)) {
     const double length = piece.end - piece.start;
     const int count = std::max(1, static_cast<int>(std::ceil(length * fastest_ / kElement)));
     for (int i = 0; i < count; ++i)
@@ -83,7 +83,7 @@ std::vector<Piece> OrbitSolver::pieces(double depth, const std::vector<double>& 
 }
 
 // One element: the forces at its nodes by Newton's method.
-void OrbitSolver::pass(const Piece& piece, Orbit& orbit, End& end) const {
+void OrbitSolver::pass(const PeriodPiece& piece, Orbit& orbit, End& end) const {
   const int width = components_.width, forces = kStages * width;
   const double length = piece.end - piece.start;
   const ElementResponse response(components_.modes, width, length);
@@ -138,7 +138,7 @@ OrbitSolver::End OrbitSolver::run(Orbit& orbit, const std::vector<double>& switc
   orbit.values.clear();
   orbit.speeds.clear();
   End end{orbit.start, Eigen::MatrixXd::Identity(states(), states())};
-  for (const Piece& piece : pieces(orbit.depth, switches)) pass(piece, orbit, end);
+  for (const PeriodPiece& piece : pieces(orbit.depth, switches)) pass(piece, orbit, end);
   return end;
 }
 
@@ -202,7 +202,7 @@ std::vector<std::complex<double>> OrbitSolver::multipliers(const Orbit& orbit, d
   system.fastest =
       std::max(fastest_, milling_system(forces_.milling(), forces_.speed(), orbit.depth).fastest);
   std::vector<double> instants = switches(orbit);
-  for (const Piece& piece : pieces(orbit.depth, instants)) system.pieces.push_back(piece);
+  for (const PeriodPiece& piece : pieces(orbit.depth, instants)) system.pieces.push_back(piece);
   system.coefficients = [&](double time, Coefficients& c) {
     const EdgeForce found = forces_.at(time, orbit.speed(time), orbit.depth, orbit.correction);
     c.stiffness = components_.basis.transpose() * found.stiffness * components_.basis;

@@ -59,8 +59,8 @@ class OrbitSolver {
   std::vector<double> switches(const Orbit& orbit) const;
 
  private:
-  std::vector<Piece> pieces(double depth, const std::vector<double>& more) const;
-  void pass(const Piece& piece, Orbit& orbit, End& end) const;
+  std::vector<PeriodPiece> pieces(double depth, const std::vector<double>& more) const;
+  void pass(const PeriodPiece& piece, Orbit& orbit, End& end) const;
 
   EdgeForces forces_;
   Components components_;

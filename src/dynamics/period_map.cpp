@@ -30,7 +30,7 @@ PeriodMap::PeriodMap(const PeriodicSystem& system, double accuracy, int refineme
   // What is looked at lies in an earlier element.
   if (!looks_straight_back_)
     longest = std::min(longest, *std::min_element(system.delays.begin(), system.delays.end()));
-  for (const Piece& piece : system.pieces) {
+  for (const PeriodPiece& piece : system.pieces) {
     const double length = piece.end - piece.start;
     if (!piece.active) {
       starts_.push_back(piece.start);

@@ -84,10 +84,10 @@ Components components_of(const std::vector<Mode>& modes) {
   return result;
 }
 
-std::vector<Piece> pieces_between(std::vector<double> instants, double period) {
+std::vector<PeriodPiece> pieces_between(std::vector<double> instants, double period) {
   for (double& instant : instants) instant -= period * std::floor(instant / period);
   std::sort(instants.begin(), instants.end());
-  std::vector<Piece> pieces;
+  std::vector<PeriodPiece> pieces;
   double start = 0;
   for (const double instant : instants) {
     if (instant - start < kOneInstant * period || period - instant < kOneInstant * period) continue;
@@ -116,7 +116,8 @@ PeriodicSystem milling_system(const Milling& milling, double speed, double depth
       instants.push_back((angle - position) / speed);
   const ToothForces forces(milling, speed, depth, components.basis);
   system.pieces = pieces_between(instants, system.period);
-  for (Piece& piece : system.pieces) piece.active = forces.active(0.5 * (piece.start + piece.end));
+  for (PeriodPiece& piece : system.pieces)
+    piece.active = forces.active(0.5 * (piece.start + piece.end));
   system.coefficients = forces;
   return system;
 }

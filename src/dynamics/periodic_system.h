@@ -28,7 +28,7 @@ struct Coefficients {
 };
 
 // A part of the period in which the coefficients are smooth.
-struct Piece {
+struct PeriodPiece {
   double start, end;
   bool active;  // else all coefficients are 0
 };
@@ -37,8 +37,8 @@ struct PeriodicSystem {
   std::vector<Oscillator> modes;
   int width = 2;  // components of q: 1 where all modes share a direction
   double period = 0;
-  std::vector<Piece> pieces;   // from 0 to the period
-  std::vector<double> delays;  // above 0, at most the period
+  std::vector<PeriodPiece> pieces;  // from 0 to the period
+  std::vector<double> delays;       // above 0, at most the period
   std::function<void(double, Coefficients&)> coefficients;
   // rad/s of the fastest vibration to be followed: the modes', raised by the force's stiffness.
   double fastest = 0;
@@ -57,6 +57,6 @@ struct Components {
 Components components_of(const std::vector<Mode>& modes);
 
 // The pieces of a period between sorted or unsorted instants, which may lie in other periods.
-std::vector<Piece> pieces_between(std::vector<double> instants, double period);
+std::vector<PeriodPiece> pieces_between(std::vector<double> instants, double period);
 
 }  // namespace evenload

@@ -125,7 +125,7 @@ BoundaryKind kind_of(const std::complex<double>& multiplier) {
 
 Vibration strongest_vibration(const PeriodicSystem& system, double accuracy) {
   PeriodicSystem followed = system;  // in its idle pieces, too
-  for (Piece& piece : followed.pieces) piece.active = true;
+  for (PeriodPiece& piece : followed.pieces) piece.active = true;
   const PeriodMap map(followed, accuracy);
   const Eigenpair pair =
       largest_eigenpair([&](const double* before, double* after) { map.apply(before, after); },

@@ -22,7 +22,8 @@ void demand(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
 }
 
-// A over y at one frequency.
+}  // namespace
+
 Complex flank_area(const TurningCut& cut, double speed, double w, FlankOrder order) {
   const double v = 0.5 * cut.diameter * speed, length = cut.flank_length;
   switch (order) {
@@ -38,8 +39,6 @@ Complex flank_area(const TurningCut& cut, double speed, double w, FlankOrder ord
   const double time = length / v;
   return v * (time - (1.0 - std::exp(-kI * w * time)) / (kI * w));
 }
-
-}  // namespace
 
 std::vector<double> interrupted_turning_speeds(double slot, double frequency, double damping_ratio,
                                                double enter, double exit, int count) {

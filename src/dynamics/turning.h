@@ -12,6 +12,7 @@
 // Source: [Bachrathy 2013, theses 1 and 6].
 #pragma once
 
+#include <complex>
 #include <vector>
 
 #include "dynamics/modes.h"
@@ -32,6 +33,11 @@ struct TurningCut {
   double flank_length = 0;         // m
   double diameter = 0;             // m
 };
+// A over y at a frequency in rad/s, m: the flank's area by the displacement, at a speed of the work
+// in rad/s.
+std::complex<double> flank_area(const TurningCut& cut, double speed, double frequency,
+                                FlankOrder order);
+
 struct TurningLimit {
   double width;      // m: the least at which the cut is unstable; infinite where there is none
   double frequency;  // rad/s

@@ -131,6 +131,46 @@ TEST(Stability, TellsChatterFromPeriodDoubling) {
   EXPECT_NEAR(at(unequal_helix(), 7000, 0.4732818).frequency / (2 * M_PI), 1312.763, 1e-2);
 }
 
+// How much a free vibration grows in a period, by small steps of Heun's method in time.
+double simulated_growth(const Milling& m, double speed, double depth, int periods, int steps) {
+  const double h = m.period_angle() / speed / steps;
+  const Mode mode = m.modes[0];
+  double q = 1e-6, v = 0, first = 0;
+  std::vector<double> before(static_cast<std::size_t>(steps) + 1, 0), now = before;
+  const auto acceleration = [&](int step, double at, double velocity, double was) {
+    double force = 0;
+    for (const double position : m.positions())
+      force += force_matrix(m.tangential, m.normal,
+                            engaged_depth(m, speed * h * (step + 1e-9) + position, depth))(0, 0);
+    return -force / mode.mass * (at - was) - 2 * mode.damping_ratio * mode.frequency * velocity -
+           mode.frequency * mode.frequency * at;
+  };
+  for (int n = 0; n < periods; ++n) {
+    now[0] = q;
+    double size = 0;
+    for (int i = 0; i < steps; ++i) {
+      const auto k = static_cast<std::size_t>(i);
+      const double a = acceleration(i, q, v, before[k]);
+      const double b = acceleration(i + 1, q + h * v, v + h * a, before[k + 1]);
+      q += h * v + 0.5 * h * h * a;
+      v += 0.5 * h * (a + b);
+      now[k + 1] = q;
+      size += q * q;
+    }
+    std::swap(before, now);
+    if (n == periods / 2) first = size;
+    if (n + 1 == periods) return std::pow(size / first, 0.5 / (periods - 1 - periods / 2));
+  }
+  return 0;
+}
+
+TEST(Stability, IsTheGrowthOfASimulationInTime) {
+  for (const double depth : {0.2, 0.7}) {
+    const double growth = simulated_growth(slot(), rpm(5000), 1e-3 * depth, 120, 4000);
+    EXPECT_NEAR(growth, rho(slot(), 5000, depth), 4e-3);
+  }
+}
+
 // ---- laws ----
 
 class RandomMilling {
