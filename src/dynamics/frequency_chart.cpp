@@ -20,8 +20,9 @@ FrequencyChart::FrequencyChart(const FrequencyDomain& domain, MdbmAxis speeds, M
              [domain, centre](const double* at, double* values) {
                const std::complex<double> value =
                    domain.determinant(at[0], at[1], centre + at[2] * domain.base(at[0]));
-               values[0] = value.real();
-               values[1] = value.imag();
+               // Deep in unstable ground it is huge: planes through a cell's corners would miss.
+               values[0] = value.real() / (1 + std::abs(value));
+               values[1] = value.imag() / (1 + std::abs(value));
              },
              thread_count(threads)}) {
   check_speed_and_depth(speeds.low, depths.low);

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <map>
 #include <numeric>
+#include <set>
 #include <stdexcept>
 
 namespace evenload {
@@ -150,13 +151,38 @@ std::vector<std::vector<double>> Crossings::polylines() {
   return result;
 }
 
+bool is_known(const Mdbm& mdbm, const Index& cell) {
+  for (int number = 0; number < 1 << mdbm.axes(); ++number) {
+    Index node = cell;
+    for (int a = 0; a < mdbm.axes(); ++a)
+      if (number >> a & 1) node[a] += mdbm.stride();
+    if (!mdbm.values(node)) return false;
+  }
+  return true;
+}
+
+// The kept cells, and with several equations the neighbours that were looked at: the foot of the
+// least-squares planes may have left out one that a bent curve passes through.
+std::set<Index> with_neighbours(const Mdbm& mdbm) {
+  std::set<Index> result(mdbm.cells().begin(), mdbm.cells().end());
+  if (mdbm.problem().equations == 1) return result;
+  for (const Index& cell : mdbm.cells())
+    for (int a = 0; a < mdbm.axes(); ++a)
+      for (const int side : {-1, 1}) {
+        Index neighbour = cell;
+        neighbour[a] += side * mdbm.stride();
+        if (is_known(mdbm, neighbour)) result.insert(neighbour);
+      }
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::vector<double>> curves(const Mdbm& mdbm) {
   if (mdbm.problem().equations != mdbm.axes() - 1)
     throw std::invalid_argument("Curves need one equation fewer than there are axes.");
   Crossings crossings(mdbm);
-  for (const Index& cell : mdbm.cells()) crossings.add_cell(cell);
+  for (const Index& cell : with_neighbours(mdbm)) crossings.add_cell(cell);
   return crossings.polylines();
 }
 

@@ -3,6 +3,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <functional>
 #include <tuple>
 #include <vector>
@@ -72,10 +73,19 @@ void bind_bisection(py::module_& m) {
                 "The function must give the same number of values everywhere.");
           std::copy(result.begin(), result.end(), values);
         };
-        Progress asked = progress_of(progress);
         Mdbm mdbm(problem);
-        mdbm.begin(asked);
-        for (int i = 0; i < iterations; ++i) mdbm.halve(asked);
+        double most = 0;
+        for (int level = 0; level <= iterations; ++level) {
+          // What is told never turns back, though a level looks at its cells in several rounds.
+          Progress asked([&](double share) {
+            most = std::max(most, (level + share) / (iterations + 1));
+            return !progress || progress(most);
+          });
+          if (level == 0)
+            mdbm.begin(asked);
+          else
+            mdbm.halve(asked);
+        }
         return found(mdbm, dimension);
       },
       py::arg("function"), py::arg("equations"), py::arg("has_constraint"), py::arg("axes"),

@@ -100,6 +100,17 @@ def test_levels_come_one_by_one_and_can_be_cancelled():
         case("half_down").chart((5000, 25000), (0.1, 4), progress=lambda done: False)
 
 
+def test_progress_is_told_and_never_turns_back():
+    shares = []
+    case("half_down").chart(
+        (5000, 25000, 16),
+        (0.1, 4, 8),
+        tolerance=1 / 64,
+        progress=lambda done: shares.append(done) or True,
+    )
+    assert shares == sorted(shares) and 0.5 < shares[-1] <= 1
+
+
 def test_the_worst_feed_direction_is_that_of_all_directions():
     milling = case("asym_helix")
     worst, direction = milling.worst_spectral_radius(7000, 2)
@@ -360,3 +371,7 @@ def test_cuts_that_cannot_be_are_refused():
         milling.surface(5000, 1, 0)
     with pytest.raises(ValueError, match="chip is"):
         milling.forced_orbits(5000, [1], 0.1, chip="other")
+    short = case("slot", flute_length=5)
+    with pytest.raises(ValueError, match="beyond the tool's flutes, 5 mm"):
+        short.spectral_radius(5000, [1, 6])
+    assert short.spectral_radius(5000, 0.2) == milling.spectral_radius(5000, 0.2)

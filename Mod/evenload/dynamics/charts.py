@@ -32,6 +32,12 @@ class Chart:
         self.curves, self.kind, self.chatter_frequency = [], [], []
         self.evaluations, self.efficiency, self.seconds = 0, math.nan, 0.0
 
+    def picture(self, file, **options):
+        """Draws it into a PNG or SVG file, see pictures.chart(); returns the figure."""
+        from evenload.dynamics import pictures
+
+        return pictures.chart(self, file, **options)
+
     def is_stable(self, speed, depth):
         """Whether a cut is stable; rev/min and mm, numbers or arrays that broadcast."""
         if self.method == "semi-discretisation":
@@ -68,24 +74,39 @@ def levels(milling, speeds, depths, tolerance, threads, progress, only_last=Fals
     """See Milling.chart_levels()."""
     milling._demand_modes("A chart by multipliers")
     speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths", FIRST_CELLS[1])
+    milling.check_depth(depths[1])
     halvings = _halvings(speeds[2], tolerance)
     start = time.perf_counter()
     work = core().StabilityChart(milling.in_si(), *_in_si(speeds, depths), threads)
+    told = _Told(progress, halvings + 2)
     for level in range(halvings + 1):
+        told.part = level
         if level == 0:
-            work.begin(progress)
+            work.begin(told.callback)
         else:
-            work.halve(progress)
+            work.halve(told.callback)
         if only_last and level < halvings:
             continue
         found = Chart(milling, speeds, depths, "semi-discretisation")
-        for n, a, kinds, frequencies in work.curves(progress):
+        for n, a, kinds, frequencies in work.curves(told.callback):
             found.curves.append(numpy.column_stack([numpy.array(n) / rpm(1), 1e3 * numpy.array(a)]))
             found.kind.append([KINDS[kind] for kind in kinds])
             found.chatter_frequency.append(numpy.array(frequencies) / (2 * math.pi))
         found.evaluations, found.efficiency = work.evaluations, work.efficiency
         found.seconds = time.perf_counter() - start
         yield found
+
+
+class _Told:
+    """The share done of work in parts, which never turns back."""
+
+    def __init__(self, progress, parts):
+        self.progress, self.parts, self.part, self.share = progress, parts, 0, 0.0
+        self.callback = self._tell if progress else None
+
+    def _tell(self, share):
+        self.share = max(self.share, (self.part + share) / self.parts)
+        return self.progress(self.share)
 
 
 def _multi_frequency(milling, speeds, depths, tolerance, harmonics, threads, progress):
@@ -103,9 +124,11 @@ def _multi_frequency(milling, speeds, depths, tolerance, harmonics, threads, pro
         FREQUENCY_CELLS[2],
         threads,
     )
-    work.begin(progress)
-    for _ in range(_halvings(speeds[2], tolerance)):
-        work.halve(progress)
+    halvings = _halvings(speeds[2], tolerance)
+    told = _Told(progress, halvings + 1)
+    work.begin(told.callback)
+    for told.part in range(1, halvings + 1):
+        work.halve(told.callback)
     _take_lines(found, work.curves(), milling, harmonics)
     found.evaluations, found.efficiency = work.evaluations, work.efficiency
     found.seconds = time.perf_counter() - start

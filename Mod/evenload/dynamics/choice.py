@@ -36,7 +36,7 @@ def best(
         raise ValueError("The margin must lie from 0 to below 1.")
     speeds, depths = (chart.speeds, chart.depths) if hasattr(chart, "curves") else chart
     speeds, depths = charts.axis_of(speeds, "speeds"), charts.axis_of(depths, "depths")
-    deepest = min(depths[1], depth_limit or depths[1])
+    deepest = min(d for d in (depths[1], depth_limit, milling.flute_length) if d)
     n = numpy.linspace(speeds[0], speeds[1], SPEEDS)
     a = deepest * numpy.arange(1, DEPTHS + 1) / DEPTHS
     found = [

@@ -25,8 +25,8 @@ class Milling:
     helix_pitch: lead of the helix, mm, None = straight; or helix_angle, degrees. tooth_angles:
     pitch angles to the tooth ahead, degrees, sum 360, None = even. feed_direction: degrees from
     machine X. process_damping: C of the flank, N/m, some 1e5 for steel and aluminium.
-    flank_friction: ratio. Raises ValueError, in a sentence, for numbers that cannot be. Sources:
-    [Bachrathy 2013].
+    flank_friction: ratio. flute_length: mm, None = long enough; deeper cuts are refused. Raises
+    ValueError, in a sentence, for numbers that cannot be. Sources: [Bachrathy 2013].
     """
 
     def __init__(
@@ -46,6 +46,7 @@ class Milling:
         *,
         engagement_angle=None,
         helix_angle=None,
+        flute_length=None,
     ):
         if cut_mode not in CUT_MODES:
             raise ValueError('cut_mode is "climb" or "conventional", not %r.' % (cut_mode,))
@@ -69,7 +70,7 @@ class Milling:
         self.teeth, self.tangential, self.normal = teeth, tangential, normal
         self.cut_mode, self.engagement_angle, self.diameter = cut_mode, engagement_angle, diameter
         self.helix_pitch, self.tooth_angles = helix_pitch, tooth_angles
-        self.feed_direction = feed_direction
+        self.feed_direction, self.flute_length = feed_direction, flute_length
         self.process_damping, self.flank_friction = process_damping, flank_friction
         self.in_si()
 
@@ -77,7 +78,7 @@ class Milling:
         """The same process with other values for some of the arguments."""
         words = (
             "teeth tangential normal cut_mode engagement_angle diameter helix_pitch tooth_angles"
-            " feed_direction process_damping flank_friction"
+            " feed_direction process_damping flank_friction flute_length"
         )
         arguments = {word: getattr(self, word) for word in words.split()}
         arguments["modes"] = self.frf or self.modes
@@ -106,6 +107,7 @@ class Milling:
         tooth, or with tooth_angles a revolution. Raises ValueError for what cannot be.
         """
         self._demand_modes("The spectral radius")
+        self.check_depth(depth)
         speeds, depths = numpy.broadcast_arrays(
             numpy.asarray(speed, dtype=float), numpy.asarray(depth, dtype=float)
         )
@@ -139,11 +141,13 @@ class Milling:
         `count` of them are accurate where there are so many; more may follow that are rough.
         """
         self._demand_modes("The multipliers")
+        self.check_depth(depth)
         found = core().multipliers(self.in_si(), rpm(speed), 1e-3 * depth, ACCURATE, int(count))
         return numpy.array(found)[:count]
 
     def critical_depth(self, speed, largest):
         """The least depth in mm, up to `largest`, at which the cut is unstable; inf if none is."""
+        self.check_depth(largest)
         if self.frf:
             return charts.critical_depth(self, speed, largest)
         return 1e3 * core().critical_depth(self.in_si(), rpm(speed), 1e-3 * largest, ACCURATE)
@@ -154,6 +158,7 @@ class Milling:
         kind: "Hopf", "flip" or "fold"; the frequency of its strongest part at the tip.
         """
         self._demand_modes("The chatter frequency")
+        self.check_depth(depth)
         _, frequency, kind = core().strongest_vibration(self.in_si(), rpm(speed), 1e-3 * depth)
         return charts.KINDS[kind], frequency / (2 * math.pi)
 
@@ -179,6 +184,7 @@ class Milling:
 
         feed_per_tooth: mean over the teeth, mm. cut: "finish wall" is the only one there is.
         """
+        self.check_depth(depth)
         return motions.surface(self, speed, depth, feed_per_tooth, cut)
 
     def surface_map(self, speeds, depths, feed_per_tooth, threads=0, progress=None):
@@ -240,6 +246,15 @@ class Milling:
         if self.frf:
             return self.frf.receptance()
         return core().Receptance.of_modes([mode.in_si() for mode in self.modes])
+
+    def check_depth(self, depth):
+        """Raises ValueError for a depth in mm, or an array of them, beyond the flutes."""
+        deepest = float(numpy.max(depth))
+        if self.flute_length is not None and deepest > self.flute_length:
+            raise ValueError(
+                "The depth of %g mm is beyond the tool's flutes, %g mm."
+                % (deepest, self.flute_length)
+            )
 
     def _demand_modes(self, what):
         if self.frf:
