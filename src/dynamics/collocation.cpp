@@ -1,6 +1,7 @@
 #include "dynamics/collocation.h"
 
 #include <cmath>
+#include <utility>
 
 namespace evenload {
 

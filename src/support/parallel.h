@@ -36,7 +36,7 @@ void parallel_for(std::size_t count, int threads, const Work& work, Progress& pr
   };
   std::vector<std::thread> others;
   const auto wanted = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads)));
-  for (std::size_t i = 1; i < wanted; ++i) others.emplace_back(take);
+  for (std::size_t i = 1; i < wanted; ++i) others.emplace_back(take, false);
   take(true);
   for (std::thread& other : others) other.join();
   if (error) std::rethrow_exception(error);
