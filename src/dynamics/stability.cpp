@@ -16,6 +16,7 @@ constexpr int kDepthSteps = 200;           // of the search for the least unstab
 constexpr double kNearlyUnstable = 0.9;    // rho: peaks from here on are looked at closely
 constexpr double kDepthTolerance = 1e-6;   // relative
 constexpr double kReal = 1e-3;             // rad: nearer to 0 or pi a multiplier is real
+constexpr double kFew = 60;                // rad of the fastest vibration in a period
 constexpr double kEigenvalueShare = 0.05;  // of the accuracy, for the eigenvalue itself
 
 using Radius = std::function<double(double)>;
@@ -68,6 +69,13 @@ double peak(const Radius& radius, double low, double high) {
   return at_a > at_b ? a : b;
 }
 
+// Of the eigenvalue's residual. With many vibrations to a period far smaller ones belong to values
+// that are none: what grows before it decays looks like an eigenvalue.
+double eigenvalue_tolerance(const PeriodicSystem& system, double accuracy) {
+  const double vibrations = std::max(1.0, system.fastest * system.period / kFew);
+  return kEigenvalueShare * accuracy / (vibrations * vibrations * vibrations * vibrations);
+}
+
 void demand_accuracy(double accuracy) {
   if (!(accuracy > 0 && accuracy < 1))
     throw std::invalid_argument("The accuracy must lie between 0 and 1.");
@@ -79,7 +87,7 @@ std::vector<std::complex<double>> multipliers(const PeriodicSystem& system, doub
                                               int wanted, int refinement) {
   const PeriodMap map(system, accuracy, refinement);
   return largest_eigenvalues([&](const double* before, double* after) { map.apply(before, after); },
-                             map.size(), kEigenvalueShare * accuracy, wanted);
+                             map.size(), eigenvalue_tolerance(system, accuracy), wanted);
 }
 
 std::vector<std::complex<double>> multipliers(const Milling& milling, double speed, double depth,

@@ -17,7 +17,7 @@ constexpr int kHeights = 48;           // of a period of the wall along the axis
 constexpr int kGolden = 20;            // steps of a search for an extreme
 constexpr int kNewton = 30;
 constexpr int kNeighbours = 3;  // passes on either side that may leave the wall
-constexpr int kCuspSteps = 400;
+constexpr int kCuspSteps = 100;
 
 // The least of f between two places, one of them within holding it.
 template <typename Function>

@@ -82,6 +82,15 @@ TEST(Stability, ConvergesWithAHighOrder) {
   EXPECT_LT(errors[0], 0.02);
 }
 
+TEST(Stability, IsAccurateWhereManyVibrationsGoToAPeriod) {
+  for (const double speed : {100.0, 300.0, 1000.0}) {
+    const double expected = rho(half(true), speed, 0.3, 1e-8);
+    EXPECT_NEAR(rho(half(true), speed, 0.3, 1e-3), expected, 1e-3);
+    // At 100 rev/min some hundred multipliers are of nearly one size.
+    EXPECT_NEAR(rho(half(true), speed, 0.3, kAccurate), expected, speed < 200 ? 5e-4 : kAccurate);
+  }
+}
+
 TEST(Stability, HasTheCriticalDepthsOfTheReference) {
   const struct {
     Milling m;
