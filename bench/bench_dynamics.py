@@ -13,7 +13,7 @@ from timing import best_time
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "python"))
 import dynamics_cases  # noqa: E402
 import semi_discretisation  # noqa: E402
-from dynamics_cases import REFERENCE, case  # noqa: E402
+from dynamics_cases import REFERENCE, case, helical  # noqa: E402
 
 ACCURATE, CHART = 1e-6, 1e-3
 FULL = 512  # nodes per side that a chart equals
@@ -53,12 +53,6 @@ def stability():
         for found, a in zip(charts.zeroth_order(case(r["case"]), r["chatter_Hz"]), r["ap_mm"])
     ]
     yield "dynamics.zeroth_order.error", max(errors), ""
-
-
-def helical(cut):
-    word = {"up": "conventional", "down": "climb"}[cut]
-    modes = dynamics_cases.modes("iso_down")
-    return dynamics.Milling(modes, 2, 600, 200, word, 0.1, diameter=8, helix_angle=45)
 
 
 def surfaces():

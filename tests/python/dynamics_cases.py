@@ -37,3 +37,18 @@ def case(name, **changes):
             **changes,
         }
     )
+
+
+def helical(cut, immersion=0.1):
+    """The tool of 8 mm with a helix of 45 degrees that surfaces are told for."""
+    mode = modes("iso_down")
+    return Milling(
+        mode,
+        2,
+        600,
+        200,
+        {"up": "conventional", "down": "climb"}[cut],
+        immersion,
+        diameter=8,
+        helix_angle=45,
+    )
