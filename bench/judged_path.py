@@ -65,7 +65,6 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
     cuts = (run.kind == CUT) & (run.length > 0)
     middle = 0.5 * (run.engagement_deg + numpy.roll(run.engagement_deg, 1))
     near = cuts & (abs(middle - case["engagement_deg"]) <= BAND)
-    blocks = sum(1 for move in moves if move[0] != RAPID)
     kinks = path_laws.kinks(run, moves)
     least, held = held_rates(run, nominal, case["max_feed"])
     return {
@@ -83,5 +82,5 @@ def judged(case, moves, ideal_time=None, infer_kinds=True):
         "climb": (1 - path_laws.wrong_side(run, False), ""),
         "entry": (path_laws.entry_share(run, case), ""),
         "plunge": (path_laws.beyond_rounding(run.plunge_in_material_mm), "mm"),
-        "blocks_per_metre": (1000 * blocks / (run.cut_mm + run.link_mm), "1/m"),
+        "blocks_per_metre": (path_laws.blocks_per_metre(run, moves), "1/m"),
     }

@@ -4,7 +4,7 @@ import math
 
 import numpy
 
-ENTRY, CUT = 2, 3  # kinds of moves
+RAPID, ENTRY, CUT = 0, 2, 3  # kinds of moves
 IN_MATERIAL = 1.0  # degrees of engagement
 KINK = math.radians(1)
 OUTLIERS = 0.02  # mm of path: rapids and plunges shorter than this touch by rounding
@@ -50,6 +50,11 @@ def kinks(run, moves):
         if before is not None and after is not None and abs(_wrapped(after - before)) > KINK:
             count += 1
     return count
+
+
+def blocks_per_metre(run, moves):
+    """Of cuts and links; rapids do not count."""
+    return 1000 * sum(move[0] != RAPID for move in moves) / (run.cut_mm + run.link_mm)
 
 
 def level_entries(moves, top, floor):

@@ -46,9 +46,9 @@ def draw_islands(core):
 
 def draw_bisection(core):
     """Nodes that are evaluated around a circle, level by level."""
-    from evenload import report
+    from evenload.pictures.figure import new_figure
 
-    figure = report.new_figure(9, 3.2, layout="constrained")
+    figure = new_figure(9, 3.2, layout="constrained")
     for axes, halvings in zip(figure.subplots(1, 3), (0, 1, 3)):
         looks = []
 

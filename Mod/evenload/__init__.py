@@ -6,8 +6,11 @@ costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenlo
 for.
 """
 
+from importlib import import_module
+
 
 def __getattr__(name):
+    # Imported here, or all that they need would be loaded with FreeCAD.
     if name == "simulate":
         from evenload.simulation import simulate
 
@@ -17,7 +20,5 @@ def __getattr__(name):
 
         return optimise
     if name in ("simulation", "dynamics"):
-        from importlib import import_module
-
         return import_module("evenload." + name)
     raise AttributeError("module 'evenload' has no attribute '%s'" % name)

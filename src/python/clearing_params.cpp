@@ -14,9 +14,9 @@ const char* const kClearingArguments =
     "Keyword arguments; mm, rad, mm/min, rev/min. Required: tool_diameter, engagement_angle, feed, "
     "plunge_feed, link_feed, maximum_feed, levels, safe_height, clearance_height. Others: cut_mode "
     "('climb', 'conventional'), feed_control ('constant feed', 'constant removal rate', 'constant "
-    "chip thickness', 'constant force'), least_load, rapid_feed, roll_radius, minimum_radius, "
-    "entry "
-    "('automatic', 'helix', 'ramp', 'predrilled hole'), helix_angle, helix_diameter, entry_point "
+    "chip thickness', 'constant force'), least_load, most_blocks_per_metre, rapid_feed, "
+    "roll_radius, minimum_radius, entry ('automatic', 'helix', 'ramp', 'predrilled hole'), "
+    "helix_angle, helix_diameter, entry_point "
     "(x, y), hole_diameter, stock_to_leave, wall_pass, tolerance, arcs, link_lift, top, order_by "
     "('region', 'depth'), narrow_passages ('trochoid with smaller radius', 'cut at reduced feed', "
     "'skip and report'), force_coefficients, teeth, tool_helix_angle, spindle_speed, progress: "
@@ -55,6 +55,7 @@ ClearingCall clearing_call(Keywords& keywords) {
   keywords.required("link_feed", p.link_feed);
   keywords.required("maximum_feed", p.maximum_feed);
   keywords.optional("least_load", p.least_load);
+  keywords.optional("most_blocks_per_metre", p.most_blocks_per_metre);
   keywords.optional("rapid_feed", p.rapid_feed);
   keywords.optional("roll_radius", p.roll_radius);
   keywords.optional("minimum_radius", p.minimum_radius);

@@ -32,13 +32,14 @@ struct ClearingParams {
   double engagement_angle = kPi / 3;  // rad, 0 < angle < pi: target and limit
   CutMode cut_mode = CutMode::kClimb;
   FeedControl feed_control = FeedControl::kConstantFeed;
-  double feed = 255;            // mm/min, > 0: feed at the engagement angle
-  double plunge_feed = 255;     // mm/min, > 0: entries descend with it
-  double link_feed = 1500;      // mm/min, > 0
-  double maximum_feed = 510;    // mm/min, >= feed: cap of the feed control
-  double least_load = 0;        // 0 to kMostLeastLoad, of the nominal, where slower than the cap
-  double rapid_feed = 5000;     // mm/min, > 0: only for the report's times
-  FeedSteps feed_steps;         // of the feed control
+  double feed = 255;          // mm/min, > 0: feed at the engagement angle
+  double plunge_feed = 255;   // mm/min, > 0: entries descend with it
+  double link_feed = 1500;    // mm/min, > 0
+  double maximum_feed = 510;  // mm/min, >= feed: cap of the feed control
+  double least_load = 0;      // 0 to kMostLeastLoad, of the nominal, where slower than the cap
+  double most_blocks_per_metre = 0;  // of path, that the controller takes; 0: any number
+  double rapid_feed = 5000;          // mm/min, > 0: only for the report's times
+  FeedSteps feed_steps;              // of the feed control
   double move_price = 0.025;    // s: what one move more must save, and one less may cost; the fewer
                                 // there are, the more changes of feed a program has room for
   double roll_radius = 0.9;     // mm, > 0: a wish

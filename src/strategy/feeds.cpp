@@ -21,10 +21,10 @@ namespace {
 // better.
 constexpr double kThickChip = 1.02;
 
-// Blocks per mm of path, which controllers digest at the feeds in use, less what rounding takes;
-// and what a program has where the tool comes down, beside the half turns of a helix.
-constexpr double kManyBlocks = 0.692;
+// What a program has where the tool comes down, beside the half turns of a helix.
 constexpr double kBlocksPerRun = 3;
+// Of the blocks that a controller takes, what rounding may add.
+constexpr double kRoundedBlocks = 0.012;
 // s: the dearest price of a block that is tried; how often the feeds are divided in search of the
 // least price that leaves few; the share of the blocks that may stay unused; and the part of an
 // interval of prices, in logarithms, that the next one keeps off its ends.
@@ -86,7 +86,7 @@ std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sampl
 bool repeats(const std::vector<PlanarRun>& runs) {
   return std::any_of(runs.begin(), runs.end(), [](const PlanarRun& run) {
     return std::any_of(run.moves.begin(), run.moves.end(),
-                       [](const PlanarMove& move) { return move.period >= 0; });
+                       [](const PlanarMove& move) { return move.in_pattern; });
   });
 }
 
@@ -107,14 +107,14 @@ double blocks_down(const Descent& descent, const ClearingParams& params) {
   return kBlocksPerRun + std::ceil(depth / per_half_turn);
 }
 
-// Blocks per mm of a program, over kManyBlocks.
+// Blocks per mm of a program, over those that the controller takes.
 double share_of_blocks(const std::vector<PlanarRun>& runs, const ClearingParams& params) {
   double length = 0, blocks = 0;
   for (const PlanarRun& run : runs) {
     blocks += blocks_down(run.descent, params) + static_cast<double>(run.moves.size());
     for (const PlanarMove& move : run.moves) length += move.segment.length();
   }
-  return blocks / (kManyBlocks * length);
+  return 1000 * blocks / ((1 - kRoundedBlocks) * params.most_blocks_per_metre * length);
 }
 
 // A region with its feeds at one price of a block.
@@ -125,8 +125,9 @@ struct Priced {
   double blocks = 0;  // as share_of_blocks() has them
 };
 
-// A constant load; where there are many blocks they are dearer, as little as makes them few, if
-// that can be without much more time and no least load asks for them. Condition: they have a price.
+// A constant load; where there are more blocks than the controller takes they are dearer, as little
+// as makes them few, if that can be without much more time and no least load asks for them.
+// Condition: they have a price.
 std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<LoadSample>& samples,
                              const FeedParams& params, const ClearingParams& clearing,
                              Progress& progress) {
@@ -136,6 +137,11 @@ std::vector<double> set_load(std::vector<PlanarRun>& region, const std::vector<L
     const double blocks = share_of_blocks(found.runs, clearing);
     return Priced{std::move(found.runs), std::move(found.feeds), std::log(price), blocks};
   };
+  if (clearing.most_blocks_per_metre <= 0) {
+    FeedsAlong found = load.at(params.steps.price);
+    region = std::move(found.runs);
+    return std::move(found.feeds);
+  }
   Priced many = at(params.steps.price);
   const auto taken = [&](Priced& priced) {
     region = std::move(priced.region);

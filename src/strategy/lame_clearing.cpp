@@ -172,9 +172,7 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
     RegionTask further = task;
     further.opening = std::move(opening.result);
     Progress half([&](double done) { return watch.report(kFirstHalf + (1 - kFirstHalf) * done); });
-    const ClearingParams beside = beside_spiral(checked);
-    further.overload += checked.engagement_angle - beside.engagement_angle;
-    return clear_region(further, beside, half);
+    return clear_region(further, beside_spiral(checked), half);
   };
   ClearingParams finer = clearing;
   finer.feed_steps = kSpiralFeedSteps;

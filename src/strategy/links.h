@@ -7,16 +7,14 @@
 #include "cutting/cleared_ground.h"
 #include "strategy/area.h"
 #include "strategy/constant_engagement.h"
-#include "strategy/left_behind.h"
 #include "strategy/steering.h"
 
 namespace evenload {
 
-// The ground as it was before the move numbered `last`, and what passes left in it.
+// The ground as it was before the move numbered `last`.
 struct GroundBefore {
   const ClearedGround& ground;
   std::size_t last;
-  const LeftBehind* slivers = nullptr;
 };
 
 // How near a link may come to what is not cleared, but at its ends.

@@ -40,22 +40,6 @@ std::vector<Segment> joined(const std::vector<Segment>& moves) {
   return result;
 }
 
-Segment begun_before(const Segment& move, double length) {
-  if (!move.is_arc()) return Segment::line(move.a - length * move.tangent(0), move.b);
-  const double turn = std::copysign(length / move.radius, move.sweep);
-  return Segment::arc(move.centre, move.radius, move.start_angle - turn, move.sweep + turn);
-}
-
-Segment ended_after(const Segment& move, double length) {
-  return begun_before(move.reversed(), length).reversed();
-}
-
-double lacking_length(const Segment& move) {
-  if (!is_tight(move)) return 0;
-  const double sweep = least_arc_sweep(move.radius);
-  return std::isfinite(sweep) ? std::max(0.0, sweep * move.radius - move.length()) : 0;
-}
-
 void drop_first(std::vector<Segment>& moves, double length) {
   std::size_t whole = 0;
   for (; whole + 1 < moves.size() && moves[whole].length() <= length; ++whole)

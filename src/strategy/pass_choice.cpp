@@ -6,7 +6,6 @@
 
 #include "cutting/engagement.h"
 #include "feed/load_profile.h"
-#include "strategy/corner_wall.h"
 #include "strategy/gap_pass.h"
 #include "strategy/links.h"
 #include "toolpath/small_arc.h"
@@ -221,17 +220,6 @@ Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   return best;
 }
 
-// Where the stage's own wall cannot be followed within the limit by turns that posts can write: as
-// far towards it as one that leads round the corner by one arc gets.
-Pass PassChoice::between_stages(const PassStart& start, double* turn_radius) {
-  if (stages_[start.stage].turn_radius <= 0) return {};
-  const std::optional<CornerWall> wall =
-      corner_wall(stages_[start.stage], start.place, ground_, params_.engagement_angle);
-  if (!wall) return {};
-  *turn_radius = wall->stage.turn_radius;
-  return steering_on(wall->stage).along_wall(wall->start);
-}
-
 // The last place of the exact border before the nearest one to `p` where the tool is clear.
 std::optional<Pose> PassChoice::clear_before(Vec2 p) const {
   const Area& exact = stages_.back().centres;
@@ -264,8 +252,7 @@ Pass PassChoice::across_gap(const PassStart& start, double* turn_radius) {
 
 Pass PassChoice::from_wall(const PassStart& start, double* turn_radius) {
   if (stages_[start.stage].turn_radius < tightest_in_corner(params_.engagement_angle)) {
-    Pass pass = between_stages(start, turn_radius);
-    if (pass.empty()) pass = across_gap(start, turn_radius);
+    Pass pass = across_gap(start, turn_radius);
     if (!pass.empty()) return pass;
   }
   if (start.corner) {

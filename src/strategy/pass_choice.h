@@ -55,7 +55,6 @@ class PassChoice {
   double worth(const Pass& pass) const;
   Pass best_corner_pass(const PassStart& start, double* turn_radius);
   Pass latest_wall_pass(const PassStart& start, double* turn_radius);
-  Pass between_stages(const PassStart& start, double* turn_radius);
   std::optional<Pose> clear_before(Vec2 p) const;
   Pass across_gap(const PassStart& start, double* turn_radius);
 

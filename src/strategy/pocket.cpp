@@ -42,10 +42,11 @@ void require(bool condition, const char* sentence) {
 void check(const ClearingParams& p) {
   // Comparisons written so that NaN fails them.
   for (const double number :
-       {p.tool_diameter, p.engagement_angle, p.feed, p.plunge_feed, p.link_feed, p.maximum_feed,
-        p.rapid_feed, p.roll_radius, p.minimum_radius, p.helix_angle, p.helix_diameter,
-        p.hole_diameter, p.stock_to_leave, p.tolerance, p.link_lift, p.top, p.safe_height,
-        p.clearance_height, p.spindle_speed})
+       {p.tool_diameter,  p.engagement_angle, p.feed,           p.plunge_feed,
+        p.link_feed,      p.maximum_feed,     p.rapid_feed,     p.roll_radius,
+        p.minimum_radius, p.helix_angle,      p.helix_diameter, p.hole_diameter,
+        p.stock_to_leave, p.tolerance,        p.link_lift,      p.top,
+        p.safe_height,    p.clearance_height, p.spindle_speed,  p.most_blocks_per_metre})
     require(std::isfinite(number), "Every parameter must be a finite number.");
   for (const double level : p.levels)
     require(std::isfinite(level), "Every level must be a finite number.");
@@ -63,6 +64,7 @@ void check(const ClearingParams& p) {
   require(p.maximum_feed >= p.feed, "The maximum feed must not be below the feed.");
   require(p.least_load >= 0 && p.least_load <= kMostLeastLoad,
           "The least load must lie between 0 and 0.95 of the nominal one.");
+  require(p.most_blocks_per_metre >= 0, "The most blocks per metre must not be negative.");
   require(p.roll_radius > 0, "The roll radius must be positive.");
   require(p.minimum_radius > 0, "The minimum radius must be positive.");
   require(p.helix_angle > 0 && p.helix_angle < kPi / 2,
@@ -166,18 +168,13 @@ std::optional<Vec2> hole_place(const std::vector<Part>& parts, Vec2 hole, std::s
   return std::nullopt;
 }
 
-// `work`: mirrored for conventional milling. `abridged`: where that is its regions'; then nothing
-// where no path of the whole can be made from that of this work.
-std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
-                              const Abridged* abridged, Progress& progress) {
+// `work`: mirrored for conventional milling.
+Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progress) {
   const std::vector<Region>& regions = work.regions;
   ClearingParams params = work.params;
   const bool mirror = params.cut_mode == CutMode::kConventional;
   const LoadShare share_of_nominal = load_share(params, mirror);  // refuses before the work
-  const auto shown = [&](Vec2 p) {
-    if (abridged) p = abridged->whole_place(p);
-    return mirror ? mirrored(p) : p;
-  };
+  const auto shown = [mirror](Vec2 p) { return mirror ? mirrored(p) : p; };
 
   const double radius = 0.5 * params.tool_diameter;
   Toolpath path;
@@ -206,7 +203,6 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   }
   std::vector<PassageReport> passages;
   const std::vector<Part> parts = parts_of(centres, params, passages, progress);
-  if (abridged && !(passages.empty() && path.report.notes.empty())) return std::nullopt;
   std::size_t hole_region = parts.size();
   std::optional<Vec2> hole;
   if (!rest && (params.entry == EntryKind::kPredrilledHole ||
@@ -266,7 +262,6 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
     task.rest = rest;
     if (i == hole_region) task.hole = hole;
     task.mirrored = mirror;
-    if (abridged) task.whole_place = abridged->whole_place;
     task.follow = [&following, first = runs.size()](const std::vector<PlanarRun>& made) {
       following.follow(made, first);
     };
@@ -281,7 +276,6 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
     for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
   }
-  if (abridged && path.report.uncut_area > 0) return std::nullopt;
 
   if (const std::optional<std::string> note =
           tight_turns_note(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
@@ -296,12 +290,7 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   if (progress.cancelled()) following.stop();
   path.report.max_engagement = worst_engagement(runs, profile, kMeanLength);
   double removed = 0;
-  RemovedByPeriod removed_by_period;
-  for (const LoadSample& sample : profile) {
-    const double area = sample.width * sample.length;
-    removed += area;
-    removed_by_period[runs[sample.run].moves[sample.move].period] += area;
-  }
+  for (const LoadSample& sample : profile) removed += sample.width * sample.length;
 
   const double width = side_step(params.engagement_angle, radius);
   // Constant removal rate keeps the limits of passages by itself, and more finely.
@@ -318,14 +307,6 @@ std::optional<Toolpath> clear(const RegionClearer& clearer, const Work& work,
   if (!progress.cancelled()) tell(passages, ground, mirror, path.report);
   if (const std::optional<std::string> note = helix_note(runs, params))
     path.report.notes.push_back(*note);
-
-  if (abridged) {
-    const std::optional<Unabridged> added = abridged->unabridge(runs, removed_by_period);
-    if (!added) return std::nullopt;
-    path.report.passes += added->passes * levels;
-    path.report.links += added->links * levels;
-    removed += added->area;
-  }
 
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
@@ -394,30 +375,7 @@ std::vector<Region> reachable_ground(const std::vector<Region>& regions, double 
 
 Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& regions,
                   const ClearingParams& params, Progress& progress) {
-  return *clear(clearer, work_of(regions, params), nullptr, progress);
-}
-
-std::optional<Toolpath> clear_abridged_by(const RegionClearer& clearer, const Abridge& abridge,
-                                          const std::vector<Region>& regions,
-                                          const ClearingParams& params, Progress& progress) {
-  Work work = work_of(regions, params);
-  if (params.stock || !params.wall_pass) return std::nullopt;
-  std::vector<std::string> notes;
-  const auto as_it_is = [](Vec2 p) { return p; };
-  const std::vector<Region> allowed =
-      allowed_ground(work.regions, params.tool_diameter, as_it_is, notes);
-  try {
-    const std::optional<Abridged> abridged =
-        abridge(work.regions, places_of_tool(allowed, params), work.params);
-    if (!abridged) return std::nullopt;
-    work.regions = abridged->regions;
-    work.params.entry_point = abridged->entry_point;
-    return clear(clearer, work, &*abridged, progress);
-  } catch (const GeometryError&) {
-    return std::nullopt;  // the whole says what is wrong, if it is
-  } catch (const Cancelled&) {
-    return std::nullopt;  // while a pattern was sought: nothing is made
-  }
+  return clear(clearer, work_of(regions, params), progress);
 }
 
 }  // namespace evenload

@@ -3,11 +3,9 @@
 #pragma once
 
 #include <functional>
-#include <optional>
 #include <vector>
 
 #include "geometry/region.h"
-#include "strategy/abridged.h"
 #include "strategy/constant_engagement.h"
 #include "strategy/region_clearing.h"
 #include "support/progress.h"
@@ -25,12 +23,5 @@ using RegionClearer =
 // clear_pocket.
 Toolpath clear_by(const RegionClearer& clearer, const std::vector<Region>& regions,
                   const ClearingParams& params, Progress& progress);
-
-// The same path by way of what `abridge` leaves of the work, with the same errors. Nothing where it
-// leaves all of it, or where no path of the whole can be made from that of the rest, as where that
-// is not cleared completely.
-std::optional<Toolpath> clear_abridged_by(const RegionClearer& clearer, const Abridge& abridge,
-                                          const std::vector<Region>& regions,
-                                          const ClearingParams& params, Progress& progress);
 
 }  // namespace evenload

@@ -12,7 +12,6 @@
 #include "geometry/medial_axis.h"
 #include "strategy/border_bits.h"
 #include "strategy/entry.h"
-#include "strategy/fewer_moves.h"
 #include "strategy/free_place.h"
 #include "strategy/leftover.h"
 #include "strategy/links.h"
@@ -21,8 +20,6 @@
 #include "strategy/move_ends.h"
 #include "strategy/narrow_passages.h"
 #include "strategy/pass_choice.h"
-#include "strategy/pass_ends.h"
-#include "strategy/short_moves.h"
 #include "strategy/steering.h"
 #include "strategy/tight_turns.h"
 #include "strategy/wall_samples.h"
@@ -31,11 +28,15 @@
 namespace evenload {
 namespace {
 
-// No stage turns more tightly than this share of the tool's radius, but along the exact border,
-// which clears narrower rooms sooner, bit by bit.
-constexpr double kTightestTurn = 0.004;
-// mm: nor than this. A posted program holds no arcs of 0.008 mm and less, to which
-// half turns shrink where such a room narrows.
+// mm: no stage turns more tightly than this: a steered pass turns in pieces of a fifth of a radian
+// and more, and those of tighter turns would be posted as lines with corners between them. Small
+// tools turn down to a share of their radius. The exact border clears narrower rooms, bit by bit.
+constexpr double kTightestTurn = 0.16;
+constexpr double kTightestShare = 0.055;
+// Of the widest room's radius: in narrow rooms turns are tighter than that.
+constexpr double kTightestInRoom = 0.5;
+// mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
+// room narrows.
 constexpr double kTightestPosted = 0.012;
 // The same for turns that the walls do not need.
 constexpr double kSpareTurn = 0.03;
@@ -72,7 +73,6 @@ class RegionClearing {
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
         ground_(ground_of(task, radius_, progress)),
-        slivers_(radius_),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, limits().tightest}),
         samples_(stages_, ground_, most_passes()) {
@@ -133,13 +133,13 @@ class RegionClearing {
 
   StageLimits limits() const {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
-    const double tightest = std::max(kTightestTurn * radius_, kTightestPosted);
-    return {std::max(wish, tightest),
-            tightest,
+    const double tightest = std::max(
+        kTightestPosted,
+        std::min({kTightestTurn, kTightestShare * radius_, kTightestInRoom * widest().radius}));
+    return {std::max(wish, tightest), tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
             std::max(kSpareTurn * radius_, tightest),
-            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius(),
-            params_.engagement_angle};
+            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
@@ -347,20 +347,14 @@ class RegionClearing {
     return take(std::move(pass), turn_radius);
   }
 
-  // Rids the newest pass of its tiny moves, here and in the ground. Returns the way to be posted,
-  // which has no tight turns either; what that leaves is too little to come back for.
+  // Joins the moves of the newest pass, here and in the ground. Returns the way to be posted, with
+  // wider turns; what these leave is too little to come back for.
   std::vector<Segment> smooth(Pass& pass) {
     take_back(ground_, pass);
-    pass.moves = without_short_moves(joined(pass.moves), exact_, around_,
-                                     std::min(kSmoothing, params_.tolerance));
-    pass.moves =
-        with_fewer_moves(pass.moves, {pass.idle_before, length_of(pass.moves) - pass.idle_after},
-                         exact_, ground_, params_, task_.overload, task_.rows);
-    WidenedPass widened = with_wide_turns(pass.moves, exact_, around_, ground_,
-                                          params_.engagement_angle, params_.tolerance);
-    pass.moves = std::move(widened.cut);
-    std::vector<Segment> way = std::move(widened.posted);
-    slivers_.expect(pass.moves, way, ground_);
+    pass.moves = joined(pass.moves);
+    const double most = most_widening(params_.engagement_angle, radius_, params_.tolerance);
+    std::vector<Segment> way =
+        without_tight_turns(pass.moves, {exact_, around_}, ground_, params_.engagement_angle, most);
     // What the wider turns left is met by the next turn of a pass that comes back to them.
     if (first_left_behind(way) > 0) pass.idle_after = idle_end_of(way, pass.idle_after, ground_);
     for (const Segment& move : pass.moves) ground_.add(move);
@@ -375,8 +369,6 @@ class RegionClearing {
     // Nearest to the material, or where nothing is near.
     std::vector<Segment> shorter = way;
     drop_first(shorter, pass.idle_before - kKeptIdle * radius_);
-    for (std::vector<Segment>* moves : {&shorter, &way})
-      begin_earlier(*moves, {ground_, before, &slivers_}, exact_);
     const Pose nearest = start_of(shorter), start = start_of(way);
     const bool is_bit = turn_radius <= 0;  // of the exact border
     if (link_to(nearest, before) || (is_bit && back_to(nearest))) {
@@ -423,8 +415,6 @@ class RegionClearing {
     look_again(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
-    end_later(pass.moves, {ground_, ground_.size()}, exact_);
-    slivers_.cut(pass.moves);
     add_moves(MoveKind::kCut, pass.moves);
     if (task_.follow && !task_.is_part && !is_opened()) task_.follow(result_.runs);
     if (turn_radius > 0 && turn_radius < std::min(tightest_, limits().widest * (1 - 1e-9)))
@@ -443,7 +433,7 @@ class RegionClearing {
     if (distance(here_.p, to.p) < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6)
       return true;
     const std::vector<Segment> link =
-        quicker_link({ground_, before, &slivers_}, around_, here_, to, link_turn(), params_);
+        quicker_link({ground_, before}, around_, here_, to, link_turn(), params_);
     if (link.empty()) return false;
     add_moves(MoveKind::kLink, link);
     ++result_.links;
@@ -458,7 +448,7 @@ class RegionClearing {
     const WayBack back = way_back(result_.runs.back().moves, to, longest);
     if (!back.found) return false;
     const auto free = [&](const std::vector<Segment>& way) {
-      return is_free({ground_, ground_.size(), &slivers_}, exact_, way, length_of(way));
+      return is_free({ground_, ground_.size()}, exact_, way, length_of(way));
     };
     add_moves(MoveKind::kLink, beside_cuts(back.moves, params_.arcs, free));
     here_ = to;
@@ -466,19 +456,15 @@ class RegionClearing {
     return true;
   }
 
-  // Up, and down where the ground is clear. False when the tool cannot come down there.
+  // Up, and down where the ground is clear. Between what earlier operations left the tool comes
+  // down off the wall, where there is such a place, so that no edge brushes it. False when it
+  // cannot come down there.
   bool come_down_at(const Pose& to) {
-    if (task_.rest) return come_down_beside(to);
-    begin_run({DescentKind::kPlunge, to.p, {}, 0, {}, true});
-    here_ = to;
-    return true;
-  }
-
-  // Between what earlier cuts left.
-  bool come_down_beside(const Pose& to) {
-    const std::optional<Segment> way =
-        way_from_beside(ground_, task_.material, exact_, to, link_turn());
-    if (!way && !is_free_disc(ground_, task_.material, to.p)) return false;
+    const bool is_free = is_free_disc(ground_, task_.material, to.p);
+    std::optional<Segment> way;
+    if (task_.rest || !is_free)
+      way = way_from_beside(ground_, task_.material, exact_, to, link_turn());
+    if (!way && !is_free) return false;
     begin_run({DescentKind::kPlunge, way ? way->a : to.p, {}, 0, {}, true});
     if (way) add_moves(MoveKind::kLink, {*way});
     here_ = to;
@@ -581,7 +567,7 @@ class RegionClearing {
     std::vector<Candidate> candidates;
     for (const PassStart& start : starts) {
       const bool same_front = last_start && distance(*last_start, start.pose.p) < radius_;
-      const double extra = (same_front ? 0 : kLeavingPrice * radius_) + left_out(start.pose.p);
+      const double extra = same_front ? 0 : kLeavingPrice * radius_;
       candidates.push_back({&start, extra, distance(here_.p, start.pose.p) + extra});
     }
     std::sort(candidates.begin(), candidates.end(),
@@ -592,22 +578,14 @@ class RegionClearing {
     for (const Candidate& candidate : candidates) {
       if (candidate.least >= least) break;
       double cost = 0;
-      quicker_link({ground_, ground_.size(), &slivers_}, around_, here_, candidate.start->pose,
-                   link_turn(), params_, &cost);
+      quicker_link({ground_, ground_.size()}, around_, here_, candidate.start->pose, link_turn(),
+                   params_, &cost);
       cost += candidate.extra;
       if (cost >= least) continue;
       least = cost;
       best = candidate.start;
     }
     return *best;
-  }
-
-  // mm at link feed: what the way to `to` takes longer in the whole.
-  double left_out(Vec2 to) const {
-    if (!task_.whole_place) return 0;
-    const double whole = distance(task_.whole_place(here_.p), task_.whole_place(to));
-    return std::max(0.0, whole - distance(here_.p, to)) *
-           std::min(1.0, params_.link_feed / params_.rapid_feed);
   }
 
   void prepare_leftover() {
@@ -646,7 +624,6 @@ class RegionClearing {
   mutable std::optional<Circle> widest_;
   ClearedGround ground_;
   std::size_t settled_ = 0;  // moves of the ground that stay
-  LeftBehind slivers_;
   std::vector<Stage> stages_;
   PassChoice choice_;
   WallSamples samples_;
@@ -664,10 +641,7 @@ class RegionClearing {
 
 }  // namespace
 
-Vec2 shown_place(const RegionTask& task, Vec2 p) {
-  if (task.whole_place) p = task.whole_place(p);
-  return {task.mirrored ? -p.x : p.x, p.y};
-}
+Vec2 shown_place(const RegionTask& task, Vec2 p) { return {task.mirrored ? -p.x : p.x, p.y}; }
 
 RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
                           Progress& progress) {

@@ -10,8 +10,6 @@
 #include "cutting/cleared_ground.h"
 #include "geometry/region.h"
 #include "strategy/constant_engagement.h"
-#include "strategy/fewer_moves.h"
-#include "strategy/move_checks.h"
 #include "strategy/turn_report.h"
 #include "support/progress.h"
 #include "toolpath/planar.h"
@@ -39,13 +37,6 @@ struct RegionTask {
   bool round_helix = false;  // not stretched at all: other entries clear enough
   bool is_part = false;      // more is cleared later: what is left is neither measured nor noted
   bool mirrored = false;     // places named in notes and errors are to be mirrored back
-  // rad: what passes with fewer moves may exceed the engagement angle by. Trochoids and spirals are
-  // held to one degree.
-  double overload = 0.8 * kSmoothOverload;
-  Rows rows = Rows::kFitted;  // of those passes
-  // Where places of the task are in the whole, before they are mirrored; empty: where they are
-  // here.
-  std::function<Vec2(Vec2)> whole_place;
   // Where links may go: a superset of `centres` whose border are the walls; empty: `centres`.
   std::vector<Region> around;
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.

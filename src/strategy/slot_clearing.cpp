@@ -49,18 +49,16 @@ class SlotClearing {
  public:
   // `passes`: where no pattern is repeated.
   SlotClearing(const RegionTask& task, const ClearingParams& params, const ClearingParams& passes,
-               PatternCache& patterns, SlotsDone& done, Progress& progress)
+               PatternCache& patterns, TrochoidReport& report, Progress& progress)
       : task_(task),
         params_(params),
         passes_(passes),
         patterns_(patterns),
-        cuts_(done.cuts),
-        repeated_(done.repeated),
-        report_(done.report),
+        report_(report),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
-        length_before_(done.report.length),
+        length_before_(report.length),
         centres_({task.centres}),
         ground_(grown(bounds_of({task.centres}), radius_), radius_,
                 task.has_open_edges ? &task.material : nullptr) {
@@ -145,7 +143,7 @@ class SlotClearing {
 
   // The longest first, of those as long the widest, so that a turned slot is cut the same.
   static bool comes_first(const Way& a, const Way& b) {
-    if (std::abs(a.whole() - b.whole()) > kSameWall) return a.whole() > b.whole();
+    if (std::abs(a.length() - b.length()) > kSameWall) return a.length() > b.length();
     return a.stretch.half_room > b.stretch.half_room + kSameWidth;
   }
 
@@ -155,21 +153,12 @@ class SlotClearing {
     if (use == Use::kPockets &&
         (has_corners(*pattern) || stretch.half_room < kLeastCircle * radius_))
       return;
-    const Way way{*pattern, stretch, evenload::taken_out(cuts_, stretch)};
+    const Way way{*pattern, stretch};
     if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
       is_too_short_ = true;
       return;
     }
     ways_.push_back(way);
-  }
-
-  // mm, between two places of the way.
-  double taken_out(const Way& way, double from, double to) const {
-    const double whole = way.stretch.middle.length(), first = std::clamp(from / whole, 0.0, 1.0),
-                 last = std::clamp(to / whole, 0.0, 1.0);
-    if (first >= last) return 0;
-    return evenload::taken_out(cuts_,
-                               {way.stretch.middle.part(first, last), way.stretch.half_room});
   }
 
   // ---- the start ----
@@ -192,8 +181,8 @@ class SlotClearing {
   // Of the longest ways that have one.
   bool clear_first_room(Place place) {
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
-      const double length = ways_[first].whole();
-      while (last < ways_.size() && ways_[last].whole() > length - kSameWall) ++last;
+      const double length = ways_[first].length();
+      while (last < ways_.size() && ways_[last].length() > length - kSameWall) ++last;
       if (clear_smallest_end(first, last, place)) return true;
     }
     return false;
@@ -269,9 +258,8 @@ class SlotClearing {
       const Segment& middle = way.stretch.middle;
       if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
       const double at = middle.nearest(*task_.hole) * middle.length();
-      const double before = taken_out(way, 0, at);
       // The way back has it nearer.
-      if (at + before > 0.5 * way.whole() + kSameWall) continue;
+      if (at > 0.5 * way.length() + kSameWall) continue;
       const std::optional<StartRoom> start = start_room_of(way, std::max(first_place(way), at));
       return start && start->room.contains(*task_.hole) && clear_room(start->room);
     }
@@ -385,10 +373,7 @@ class SlotClearing {
 
   // Repeats the pattern from the period `first` on; returns the last one.
   int follow(const Way& way, int first) {
-    const double step = way.pattern.step, begin = place_of(way, first);
-    const int before = repeated_.empty() ? 0 : repeated_.back().first + repeated_.back().count;
-    repeated_.push_back(
-        {way.stretch, way.reach, way.stretch.half_room - way.beside, step, begin, before, 0});
+    const double begin = place_of(way, first);
     int period = first;
     for (; period >= 0 && !progress_.cancelled(); --period) {
       const double s = place_of(way, period);
@@ -401,13 +386,12 @@ class SlotClearing {
       else
         link_back(placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))),
                   is_sure, {cut.front().a, angle_of(cut.front().tangent(0))});
-      add(MoveKind::kCut, cut, period_number());
-      ++repeated_.back().count;
+      add(MoveKind::kCut, cut, true);
       ++opening_.passes;
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
     const double end = place_of(way, period);
-    note(way, end - begin + taken_out(way, begin, end));
+    note(way, end - begin);
     note_turns(cut_at(way, begin));
     return period + 1;
   }
@@ -417,12 +401,9 @@ class SlotClearing {
       go_to(to);
       return;
     }
-    add(MoveKind::kLink, link, period_number());
+    add(MoveKind::kLink, link, true);
     ++opening_.links;
   }
-
-  // Of the period that is being made, among all that are repeated.
-  int period_number() const { return repeated_.back().first + repeated_.back().count; }
 
   void go_to(const Pose& to) {
     if (opening_.runs.empty()) {
@@ -468,12 +449,12 @@ class SlotClearing {
     opening_.runs.push_back(std::move(run));
   }
 
-  void add(MoveKind kind, const std::vector<Segment>& moves, int period = -1) {
+  void add(MoveKind kind, const std::vector<Segment>& moves, bool in_pattern = false) {
     for (const Segment& move : moves) {
       PlanarMove planar;
       planar.kind = kind;
       planar.segment = move;
-      planar.period = period;
+      planar.in_pattern = in_pattern;
       opening_.runs.back().moves.push_back(planar);
       ground_.add(move);
     }
@@ -520,8 +501,6 @@ class SlotClearing {
   const ClearingParams& params_;
   ClearingParams passes_;
   PatternCache& patterns_;
-  const std::vector<SlotCut>& cuts_;
-  std::vector<RepeatedPeriods>& repeated_;
   TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;
@@ -540,15 +519,15 @@ class SlotClearing {
 }  // namespace
 
 RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,
-                            PatternCache& patterns, SlotsDone& done, Progress& progress) {
-  return SlotClearing(task, params, for_passes(params), patterns, done, progress).run();
+                            PatternCache& patterns, TrochoidReport& report, Progress& progress) {
+  return SlotClearing(task, params, for_passes(params), patterns, report, progress).run();
 }
 
 std::optional<RegionResult> clear_where_patterns_serve(const RegionTask& task,
                                                        const ClearingParams& params,
-                                                       PatternCache& patterns, SlotsDone& done,
-                                                       Progress& progress) {
-  return SlotClearing(task, params, params, patterns, done, progress).run_where_patterns_serve();
+                                                       PatternCache& patterns,
+                                                       TrochoidReport& report, Progress& progress) {
+  return SlotClearing(task, params, params, patterns, report, progress).run_where_patterns_serve();
 }
 
 }  // namespace evenload

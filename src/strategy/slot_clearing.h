@@ -8,8 +8,6 @@
 #include "strategy/constant_engagement.h"
 #include "strategy/pattern_cache.h"
 #include "strategy/region_clearing.h"
-#include "strategy/slot_abridging.h"
-#include "strategy/slot_unabridging.h"
 #include "support/progress.h"
 
 namespace evenload {
@@ -29,23 +27,16 @@ struct TrochoidReport {
 // Slots wider than this many tool diameters are pockets: they are cleared pass by pass.
 inline constexpr double kWidestSlot = 4;
 
-// What all regions of one call share.
-struct SlotsDone {
-  std::vector<SlotCut> cuts;  // made before
-  std::vector<RepeatedPeriods> repeated;
-  TrochoidReport report;
-};
-
-// Conditions as for clear_region.
+// Conditions as for clear_region. `report`: of all regions of one call; this one is added.
 RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,
-                            PatternCache& patterns, SlotsDone& done, Progress& progress);
+                            PatternCache& patterns, TrochoidReport& report, Progress& progress);
 
 // The same for pockets, some of which are slots in part: nothing where no pattern is repeated, for
 // such as posts would write with corners are not, nor are those in hardly any room. What patterns
 // leave is cleared as in any pocket.
 std::optional<RegionResult> clear_where_patterns_serve(const RegionTask& task,
                                                        const ClearingParams& params,
-                                                       PatternCache& patterns, SlotsDone& done,
-                                                       Progress& progress);
+                                                       PatternCache& patterns,
+                                                       TrochoidReport& report, Progress& progress);
 
 }  // namespace evenload

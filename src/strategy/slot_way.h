@@ -15,9 +15,8 @@ namespace evenload {
 // A stretch with the pattern that fits it, in the direction of its middle.
 struct Way : SlotPattern {
   SlotStretch stretch;
-  double taken_out = 0;  // mm, of the stretch
   bool has_next_room = false;
-  double whole() const { return stretch.middle.length() + taken_out; }
+  double length() const { return stretch.middle.length(); }
   // The last place of a period.
   double last() const { return stretch.middle.length() - circle_ahead; }
 };

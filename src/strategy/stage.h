@@ -27,17 +27,11 @@ struct StageLimits {
   double rest = 0.02;       // mm: few further stages once the corners that are left are shorter,
   double spare = 0.09;      // mm: down to this turn radius
   double first_turn = 1e9;  // mm: the first pass must be able to turn as tightly as this
-  double engagement = kPi / 3;  // rad: of passes along the walls of acute corners
 };
 
 // The walls of a stage are opened by this much more than the turn radius, so that a pass in the
 // narrowest channel of its stage still has room between its roll-in and its roll-out.
 inline constexpr double kOpeningRatio = 1.25;
-
-// How far apart the radii of two arcs that round a corner of twice `half` rad may be, as a ratio
-// below 1, for a pass along the tighter one to keep a little below `engagement` rad after one along
-// the other.
-double held_ratio(double half, double engagement);
 
 // The stages of one connected region of tool centres, from the widest turn radius to the exact
 // border. Stages in which nothing could be turned in are left out. Each is a step of `progress`.

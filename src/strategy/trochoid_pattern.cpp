@@ -10,7 +10,6 @@
 #include "geometry/intersect.h"
 #include "strategy/links.h"
 #include "strategy/move_ends.h"
-#include "strategy/short_moves.h"
 #include "strategy/stage.h"
 #include "support/both.h"
 
@@ -77,7 +76,7 @@ class Passes {
     Pass pass = steering_.from_wall({hit.curve, hit.segment, hit.t});
     if (pass.empty()) return {};
     note_wall(pass.moves);
-    std::vector<Segment> moves = without_short_moves(pass.moves, stage_.centres, kSmoothing);
+    std::vector<Segment> moves = joined(pass.moves);
     drop_first(moves, pass.idle_before);
     drop_last(moves, pass.idle_after);
     return moves;

@@ -63,10 +63,7 @@ bool can_stay(const Segment& move, double from, double to) {
 }
 
 bool may_give_way(const Segment& move, const TurnDemands& demands) {
-  return move.is_arc() && std::abs(move.sweep) >= demands.least_turn &&
-         !follows_border(move, demands.exact) &&
-         (demands.clearance <= 0 ||
-          demands.exact.signed_distance(move.point(0.5)) > demands.clearance + move.length());
+  return move.is_arc() && !follows_border(move, demands.exact);
 }
 
 std::vector<Segment> parts_between(const std::vector<Segment>& moves, const MoveCut& from,
@@ -108,8 +105,7 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
 
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
                     const TurnDemands& demands) {
-  if (!demands.ground) return false;
-  ClearedGround& ground = *demands.ground;
+  ClearedGround& ground = demands.ground;
   std::vector<Look> looks;
   double until_way = length_of(before);  // mm
   for (const Segment& move : before) {

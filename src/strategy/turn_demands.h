@@ -15,10 +15,8 @@ struct TurnDemands {
   const Area& exact;      // turns along whose border they must not replace
   double widening;        // mm: how far the old moves may be to the right of them
   double deepening;       // mm: and to the left
-  double least_turn;      // rad: of the turns that are replaced
-  ClearedGround* ground;  // before the moves; null where nothing is cut
+  ClearedGround& ground;  // before the moves
   double engagement;      // rad, the most that is met
-  double clearance = 0;   // mm: turns nearer to the border of `exact` must not be replaced either
 };
 
 // A place of a row of moves, as the share `t` of one of them.
@@ -34,8 +32,7 @@ inline constexpr double kSmoothJoint = 6e-3;
 // What stays of a move is long enough to be posted as it is, and no tight turn itself.
 bool can_stay(const Segment& move, double from, double to);
 
-// True for an arc that turns by `least_turn` or more, lies off the border of `exact`, and no nearer
-// to it than `clearance`.
+// True for an arc off the border of `exact`.
 bool may_give_way(const Segment& move, const TurnDemands& demands);
 
 // The moves from one place to the other, the first and the last as parts.
@@ -52,7 +49,7 @@ bool is_near(const std::vector<Segment>& way, const std::vector<Segment>& old,
 
 // True where a mean over kMeanLength mm that ends on `way`, which is made after `before`, is above
 // the limit, or over a shorter `way` alone: what follows may be met as well. The ground is left as
-// it was; without one nothing is met.
+// it was.
 bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segment>& way,
                     const TurnDemands& demands);
 

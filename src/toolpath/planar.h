@@ -18,7 +18,7 @@ struct PlanarMove {
   // The ground that it meets has no cusps, as where a smooth curve was cut before: the load changes
   // evenly, and few looks tell it.
   bool smooth_front = false;
-  int period = -1;  // number of the period that it belongs to, of a pattern that repeats itself
+  bool in_pattern = false;  // of a trochoid that repeats itself
 
   bool operator==(const PlanarMove&) const = default;
 };

@@ -1,16 +1,14 @@
-// Long slots that are computed as short ones, beside what they are in full.
+// Long slots: of every kind, beside open ends, holes and rooms, judged.
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "cutting/engagement.h"
 #include "geometry_shapes.h"
 #include "path_check.h"
 #include "strategy/allowed_ground.h"
-#include "strategy/pattern_cache.h"
 #include "strategy/slot_around.h"
 #include "strategy/trochoid.h"
 
@@ -73,10 +71,11 @@ struct LongSlot {
   int levels = 1;
   double degrees = 60;
   std::optional<Vec2> hole = {};
+  double least_repeated = 15;  // mm of slot along which a pattern is repeated
 };
 
-// The slot as it is abridged, beside what it is in full: figures and what is left.
-void expect_abridged_as_in_full(const LongSlot& c) {
+// The slot's path by the judge, beside what its report says.
+void expect_cleared_within_the_limits(const LongSlot& c) {
   ClearingParams params = usual_params();
   params.engagement_angle = c.degrees * kDegree;
   params.feed_control = c.control;
@@ -90,33 +89,20 @@ void expect_abridged_as_in_full(const LongSlot& c) {
     params.hole_diameter = 7;
   }
   Progress progress;
-  PatternCache patterns(c.kind, params);
-  const std::optional<TrochoidalPath> path =
-      clear_abridged_slots({c.region}, patterns, clear_slots_of, params, progress);
-  ASSERT_TRUE(path);
-  const TrochoidalPath whole = clear_whole_slots({c.region}, patterns, params, progress);
-  const Report &ours = path->path.report, &theirs = whole.path.report;
-  EXPECT_EQ(ours.termination, theirs.termination);
-  EXPECT_NEAR(path->report.step, whole.report.step, 1e-9);
-  EXPECT_NEAR(path->report.length, whole.report.length, 1.5 * whole.report.step);
-  EXPECT_NEAR(ours.removed_volume, theirs.removed_volume, 1e-3 * theirs.removed_volume);
-  EXPECT_NEAR(ours.ideal_time, theirs.ideal_time, 1e-3 * theirs.ideal_time);
-  // Where walls are sampled, and so how ends are cut, differs a little.
-  EXPECT_NEAR(ours.cutting_time, theirs.cutting_time, 0.02 * theirs.cutting_time);
-  EXPECT_NEAR(ours.cut_length, theirs.cut_length, 0.02 * theirs.cut_length);
-  EXPECT_NEAR(ours.passes, theirs.passes, 0.02 * theirs.passes + 3);
-  EXPECT_NEAR(ours.links, theirs.links, 0.02 * theirs.links + 3);
-
-  EXPECT_LT(ours.max_engagement, params.engagement_angle + kDegree);
-  EXPECT_EQ(ours.uncut_area, 0);
+  const TrochoidalPath made = clear_slot({c.region}, c.kind, params, progress);
+  const Report& report = made.path.report;
+  EXPECT_EQ(report.termination, Termination::kComplete);
+  EXPECT_GT(made.report.length, c.least_repeated);
+  EXPECT_LT(report.max_engagement, params.engagement_angle + kDegree);
+  EXPECT_EQ(report.uncut_area, 0);
   if (has_open_edges({c.region})) return;  // walls beside open ends are beyond the judge
   path_check::Stock stock;
   stock.regions = {c.region};
   stock.hole = c.hole;
   if (c.hole) stock.hole_radius = 0.5 * params.hole_diameter;
-  const path_check::Findings found = path_check::check_path(stock, 3, path->path.moves);
+  const path_check::Findings found = path_check::check_path(stock, 3, made.path.moves);
   EXPECT_LT(found.cut_engagement, params.engagement_angle + kDegree);
-  EXPECT_NEAR(found.cut_engagement, ours.max_engagement, kDegree);
+  EXPECT_NEAR(found.cut_engagement, report.max_engagement, kDegree);
   EXPECT_LT(found.link_engagement, kDegree);
   EXPECT_LT(found.gouge, 0.005);
   EXPECT_LT(found.left_share, 5e-4);
@@ -128,7 +114,7 @@ void expect_abridged_as_in_full(const LongSlot& c) {
   }
 }
 
-TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
+TEST(ClearSlot, ClearsLongSlotsOfEveryKind) {
   const std::vector<LongSlot> cases = {
       {"narrow", slot_around(line(90), 7.5, SlotEnds::kRound)},
       {"walls by themselves", slot_around(line(100), 10, SlotEnds::kSquare)},
@@ -148,11 +134,11 @@ TEST(ClearSlot, PutsBackWhatItTookOutOfALongSlot) {
        FeedControl::kConstantRemovalRate, CutMode::kClimb, 1, 75}};
   for (const LongSlot& c : cases) {
     SCOPED_TRACE(c.name);
-    expect_abridged_as_in_full(c);
+    expect_cleared_within_the_limits(c);
   }
 }
 
-TEST(ClearSlot, PutsBackWhatItTookOutBesideOpenEndsHolesAndRooms) {
+TEST(ClearSlot, ClearsLongSlotsBesideOpenEndsHolesAndRooms) {
   const std::vector<LongSlot> cases = {
       {"open ends", slot_around(line(120), 9, SlotEnds::kOpen)},
       {"open ends, wide", slot_around(line(120), 14, SlotEnds::kOpen)},
@@ -163,28 +149,27 @@ TEST(ClearSlot, PutsBackWhatItTookOutBesideOpenEndsHolesAndRooms) {
       {"rooms and an island", slot_with_rooms(180)}};
   for (const LongSlot& c : cases) {
     SCOPED_TRACE(c.name);
-    expect_abridged_as_in_full(c);
+    expect_cleared_within_the_limits(c);
   }
 }
 
-TEST(ClearSlot, PutsBackWhatItTookOutUnderEveryFeedControl) {
+TEST(ClearSlot, ClearsLongSlotsUnderEveryFeedControl) {
   for (const FeedControl control :
        {FeedControl::kConstantChipThickness, FeedControl::kConstantForce})
     for (const double width : {9.0, 12.0}) {
       SCOPED_TRACE(width);
-      expect_abridged_as_in_full(
+      expect_cleared_within_the_limits(
           {"", slot_around(line(110), width, SlotEnds::kSquare), kOurs, control});
     }
 }
 
-TEST(ClearSlot, PutsBackPassesBesideDeepScallopsAndLiftsOverLongWaysBack) {
-  // Beside scallops the feed changes along the walls within a period; from one end of 500 mm to the
-  // other a retract is quicker than a link.
-  for (const double length : {150.0, 500.0}) {
+TEST(ClearSlot, ClearsLongSlotsBesideDeepScallops) {
+  // The feed changes along the walls within a period.
+  for (const double length : {110.0, 200.0}) {
     SCOPED_TRACE(length);
     LongSlot slot{"", slot_around(line(length), 12, SlotEnds::kSquare)};
     slot.degrees = 90;
-    expect_abridged_as_in_full(slot);
+    expect_cleared_within_the_limits(slot);
   }
 }
 
@@ -202,7 +187,7 @@ TEST(ClearSlot, MakesTheSamePathOfALongSlotEveryTime) {
 }
 
 TEST(ClearSlot, RepeatsEveryPeriodOfALongSlotOneStepOn) {
-  const Region region = slot_around(line(2000), 9, SlotEnds::kRound);
+  const Region region = slot_around(line(400), 9, SlotEnds::kRound);
   Progress progress;
   const TrochoidalPath result = clear_slot({region}, kOurs, usual_params(), progress);
   // Where cuts begin after a link.
@@ -210,25 +195,13 @@ TEST(ClearSlot, RepeatsEveryPeriodOfALongSlotOneStepOn) {
   const std::vector<Move>& moves = result.path.moves;
   for (std::size_t i = 2; i < moves.size(); ++i)
     if (moves[i].kind == MoveKind::kCut && moves[i - 1].kind == MoveKind::kLink &&
-        moves[i - 1].x > 30 && moves[i - 1].x < 1970)
+        moves[i - 1].x > 30 && moves[i - 1].x < 370)
       begins.push_back(moves[i - 1].x);
-  ASSERT_GT(begins.size(), 2800u);
+  ASSERT_GT(begins.size(), 500u);
   int others = 0;
   for (std::size_t i = 1; i < begins.size(); ++i)
     others += std::abs(std::abs(begins[i] - begins[i - 1]) - result.report.step) > 1e-9;
   EXPECT_LE(others, 2);
-}
-
-TEST(ClearSlot, NamesPlacesBeyondWhatItTookOut) {
-  // One end is round, the other a wedge, in which the tool turns more tightly than anywhere.
-  const Region region = make_region(
-      Curve({{{0, -5}}, {{400, -5}}, {{420, 0}}, {{400, 5}}, {{0, 5}, std::tan(kPi / 4)}}, true));
-  Progress progress;
-  const TrochoidalPath result = clear_slot({region}, kOurs, usual_params(), progress);
-  std::string note;
-  for (const std::string& text : result.path.report.notes)
-    if (text.find("Turned more tightly") != std::string::npos) note = text;
-  EXPECT_NE(note.find("near (40"), std::string::npos) << note;
 }
 
 }  // namespace

@@ -55,27 +55,5 @@ TEST(MoveEnds, KeepAnArcWholeOfWhichTheRestWouldBePostedAsLines) {
   EXPECT_EQ(turn.front().sweep, way.back().sweep);
 }
 
-TEST(MoveEnds, OfTightArcsLackWhatMakesThemArcsInPostedPrograms) {
-  for (const double radius : {0.009, 0.012, 0.05, 0.07, 0.08, 0.15, 0.4})
-    for (const double side : {1.0, -1.0}) {
-      const Segment tight = Segment::arc({0, 0}, radius, 0.3, side * 0.02);
-      ASSERT_TRUE(is_tight(tight));
-      const double length = lacking_length(tight);
-      const Segment earlier = begun_before(tight, length);
-      const Segment later = ended_after(tight, length);
-      EXPECT_FALSE(is_tight(earlier)) << radius;
-      EXPECT_FALSE(is_tight(later)) << radius;
-      EXPECT_TRUE(is_tight(ended_after(tight, 0.99 * length))) << radius;
-      EXPECT_NEAR(distance(earlier.b, tight.b), 0, 1e-12);
-      EXPECT_NEAR(distance(later.a, tight.a), 0, 1e-12);
-      EXPECT_GT(earlier.sweep * side, 0);
-      EXPECT_GT(later.sweep * side, 0);
-    }
-  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 1, 0.3, 0.02)), 0);
-  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, kLeastArcRadius, 0, 1)), 0);
-  EXPECT_EQ(lacking_length(Segment::arc({0, 0}, 0.05, 0, 3.2)), 0);
-  EXPECT_EQ(lacking_length(Segment::line({0, 0}, {1, 0})), 0);
-}
-
 }  // namespace
 }  // namespace evenload

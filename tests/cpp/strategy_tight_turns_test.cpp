@@ -49,7 +49,8 @@ std::vector<Segment> turn(double heading, double radius, double sweep) {
 
 std::vector<Segment> widened(const std::vector<Segment>& moves, ClearedGround& ground,
                              double widening = 0.004) {
-  return without_tight_turns(moves, Area({room()}), ground, kTheta, widening);
+  const Area area({room()});
+  return without_tight_turns(moves, {area, area}, ground, kTheta, widening);
 }
 
 bool has_corners(const std::vector<Segment>& moves) {
@@ -80,33 +81,6 @@ TEST(TightTurns, BecomeTangentArcsThatStayArcs) {
   }
 }
 
-// A notch of the stock's edge: passes turn there at a radius of some hundredths of a millimetre by
-// a right angle, and others follow further in. Beside a wall nothing follows.
-TEST(TightTurns, InTheOpenLeaveWhatTheNextPassTakes) {
-  ClearedGround ground = cleared_ground();
-  const std::vector<Segment> moves = turn(0.4, 0.03, 1.5);
-  ASSERT_TRUE(has_corners(moves));
-  EXPECT_TRUE(has_corners(widened(moves, ground)));
-  const auto cut = [&](const std::vector<Segment>& pass, const Region& places, double theta) {
-    return with_wide_turns(pass, Area({places}), Area({places}), ground, theta, 0.005).cut;
-  };
-  const std::vector<Segment> wide = cut(moves, room(), kTheta);
-  ASSERT_EQ(wide.size(), 3u);
-  EXPECT_FALSE(has_corners(wide));
-  for (std::size_t i = 1; i < wide.size(); ++i)
-    EXPECT_TRUE(is_tangent(wide[i - 1], wide[i], 1e-5)) << i;
-  // What is left is a share of the next side step, which is next to nothing at a small angle.
-  EXPECT_TRUE(has_corners(cut(moves, room(), kPi / 30)));
-  const Region beside = make_region(rectangle(-50, -50, moves[1].b.x + 0.3, 50));
-  EXPECT_TRUE(has_corners(cut(moves, beside, kTheta)));
-  // Its own next turn was steered for what the tight one left.
-  std::vector<Segment> coming_back = moves;
-  const Vec2 end = moves.back().b, along = moves.back().tangent(1);
-  coming_back.push_back(
-      Segment::arc(end + 5.0 * left_normal(along), 5, angle_of(along) - kPi / 2, 6));
-  EXPECT_TRUE(has_corners(cut(coming_back, room(), kTheta)));
-}
-
 // From the tighter arc to the line no one arc leads: that arc gives way, too.
 TEST(TightTurns, GiveWayTogetherWithATighterArcBesideThem) {
   ClearedGround ground = cleared_ground();
@@ -129,29 +103,12 @@ TEST(TightTurns, GiveWayTogetherWithATighterArcBesideThem) {
   }
 }
 
-// The turn at the end of a pass need only end where it did.
-TEST(TightTurns, AtTheEndOfAPassBecomeOneArcToThere) {
-  ClearedGround ground = cleared_ground();
-  std::vector<Segment> moves = turn(0.3, 0.09, 0.35);
-  moves.pop_back();
-  const Segment& first = moves.back();
-  moves.push_back(Segment::arc(first.b + 0.08 * left_normal(first.tangent(1)), 0.08,
-                               first.start_angle + first.sweep, 0.33));
-  ASSERT_TRUE(has_corners(moves));
-  const std::vector<Segment> wide = widened(moves, ground);
-  EXPECT_FALSE(has_corners(wide));
-  EXPECT_LE(distance(wide.front().a, moves.front().a), 1e-12);
-  EXPECT_LE(distance(wide.back().b, moves.back().b), 1e-12);
-  for (std::size_t i = 1; i < wide.size(); ++i)
-    EXPECT_LE(norm(wide[i - 1].tangent(1) - wide[i].tangent(0)), 1e-5);
-}
-
 // What posts do not show as a corner is none here. Nothing may turn to the right first, so that the
 // second arc must begin beyond the joint.
 TEST(TightTurns, GiveWayToBiArcsPastAJointThatIsAlmostSmooth) {
   ClearedGround ground = cleared_ground();
   const Area above({make_region(rectangle(-50, 0, 50, 50))});
-  const TurnDemands demands{above, above, 0.0005, 0.004, 0, &ground, kTheta};
+  const TurnDemands demands{above, above, 0.0005, 0.004, ground, kTheta};
   for (const double joint : {0.003, 0.02}) {
     const Segment before = Segment::line({-0.3, 0}, {0, 0}),
                   tight = Segment::arc({0, 0.194}, 0.194, -kPi / 2, 0.052);
@@ -218,8 +175,9 @@ TEST(TightTurns, BetweenArcsNearlyAsTightBecomeBiArcs) {
       ASSERT_TRUE(has_corners(moves));
       ClearedGround ground = cleared_ground();
       const double film = most_widening(theta, kToolRadius, 0.005);
+      const Area area({room()});
       const std::vector<Segment> wide =
-          without_tight_turns(moves, Area({room()}), ground, theta, film);
+          without_tight_turns(moves, {area, area}, ground, theta, film);
       EXPECT_FALSE(has_corners(wide)) << turned;
       EXPECT_EQ(wide.front().a, moves.front().a);
       EXPECT_LE(distance(wide.back().b, moves.back().b), 1e-9);
@@ -241,8 +199,9 @@ TEST(TightTurns, BetweenArcsNearlyAsTightBecomeBiArcs) {
 TEST(TightTurns, ThatLeadIntoTheMaterialStayWhereABiArcWouldMeetTooMuch) {
   const std::vector<Segment> moves = row_of({{0.27, 0.5}, {0.24, 0.06}, {0.2, 0.6}});
   ClearedGround untouched({{-60, -60}, {60, 60}}, kToolRadius, nullptr);
+  const Area area({room()});
   const std::vector<Segment> same =
-      without_tight_turns(moves, Area({room()}), untouched, kTheta, 0.004);
+      without_tight_turns(moves, {area, area}, untouched, kTheta, 0.004);
   EXPECT_EQ(same.size(), moves.size());
   EXPECT_TRUE(has_corners(same));
 }
@@ -259,7 +218,7 @@ TEST(TightTurns, OfTheBorderItselfStay) {
   ClearedGround ground = cleared_ground();
   const std::vector<Segment> moves{corner.segment(1), corner.segment(2), corner.segment(3)};
   ASSERT_TRUE(has_corners(moves));
-  EXPECT_TRUE(has_corners(without_tight_turns(moves, place, ground, kTheta, 0.05)));
+  EXPECT_TRUE(has_corners(without_tight_turns(moves, {place, place}, ground, kTheta, 0.05)));
 }
 
 TEST(TightTurns, OfABorderThatIsNoWallAreWidened) {
@@ -275,27 +234,13 @@ TEST(TightTurns, OfABorderThatIsNoWallAreWidened) {
   ClearedGround ground = cleared_ground();
   ASSERT_TRUE(has_corners(moves));
   const auto posted = [&](const Area& walls) {
-    return with_wide_turns(moves, place, walls, ground, kTheta, 0.005).posted;
+    return without_tight_turns(moves, {place, walls}, ground, kTheta, 0.004);
   };
   EXPECT_TRUE(has_corners(posted(place)));
   const std::vector<Segment> wide = posted(Area({room()}));
   EXPECT_FALSE(has_corners(wide));
   for (const Segment& move : wide)
     for (int i = 0; i <= 20; ++i) EXPECT_GE(place.signed_distance(move.point(i / 20.0)), -2e-6);
-}
-
-TEST(TightTurns, AreNotInTheCornersOfAStage) {
-  const Region exact = make_region(rectangle(-10, -10, 10, 10));
-  const std::vector<Region> tight = offset(offset({exact}, -0.05), 0.05);
-  ASSERT_TRUE(has_corners(tight.front().outer.segments()));
-  const std::vector<Region> wide = without_tight_corners(tight, Area({exact}));
-  EXPECT_FALSE(has_corners(wide.front().outer.segments()));
-  EXPECT_EQ(wide.front().outer.segment_count(), 9u);  // the longest piece is two
-  const Area before(tight);
-  for (const Segment& piece : wide.front().outer.segments())
-    for (const double t : {0.0, 0.3, 0.7}) EXPECT_GE(before.signed_distance(piece.point(t)), -1e-6);
-  // 0.0735 mm is the least radius of a quarter turn.
-  EXPECT_NEAR(wide.front().area(), exact.area() - 0.0735 * 0.0735 * (4 - kPi), 1e-3);
 }
 
 }  // namespace

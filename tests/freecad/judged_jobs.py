@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
-from evenload import shape
 from evenload import tool as tools
+from evenload.geometry import shape
 from occt_judge import collisions, gouges, moves_of
 
 # How sentences of the check begin. They are exact, but a path that the product makes by itself must
@@ -32,7 +32,7 @@ def judged(made):
             [] if _cuts_the_model(op) else gouges(moves, made.models, radius, op.Tolerance.Value)
         )
         words = ["gouge of %.4f mm3 at %s" % (volume, move.end) for volume, move in found[:1]]
-        met = collisions(moves, made.stock, radius, op.Tolerance.Value, earlier)
+        met = collisions(moves, made.stock, radius, earlier)
         words += ["%.4f mm3 in the way to %s" % (volume, move.end) for volume, move in met[:1]]
         earlier.append((moves, radius))
         name = "%s, %d moves" % (op.Proxy.name, len(moves))

@@ -12,8 +12,7 @@ import Part
 from FreeCAD import Vector
 
 GOUGE = 0.005  # mm beyond the tolerance
-TOUCH = 0.02  # mm: the rim of a tool may touch what stands, beyond the tolerance
-MOST_TOUCH = 0.05  # mm: however coarse that is
+TOUCH = 0.02  # mm: the rim of a tool may touch what stands
 LEAST = 1e-4  # mm3: less is rounding of the booleans
 HIGH = 1000.0  # mm: tools reach as far up
 FLAT = 1e-6  # mm
@@ -162,9 +161,8 @@ def _from_line(move, points):
     return numpy.hypot(*(arms - share[:, None] * along).T)
 
 
-def collisions(moves, stock, radius, tolerance, earlier=()):
-    """[(mm3, move), ...] of rapids and straight plunges that meet what stands of the stock, beyond
-    the tolerance of what passes it and of what left it.
+def collisions(moves, stock, radius, earlier=()):
+    """[(mm3, move), ...] of rapids and straight plunges that meet what stands of the stock.
 
     earlier: [(moves, radius), ...] of what has been cut before.
     """
@@ -173,7 +171,7 @@ def collisions(moves, stock, radius, tolerance, earlier=()):
     for move in moves:
         plunges = move.length() < FLAT and move.end.z < move.start.z - FLAT
         if (move.is_rapid or plunges) and move.low < stock.BoundBox.ZMax - TOUCH:
-            left = _standing(move, stock, radius - min(TOUCH + 2 * tolerance, MOST_TOUCH), cut)
+            left = _standing(move, stock, radius - TOUCH, cut)
             if left > LEAST:
                 found.append((left, move))
         cut.append((move, radius))

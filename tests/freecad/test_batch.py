@@ -8,13 +8,15 @@ import shutil
 import subprocess
 import sys
 
-import evenload
 import FreeCAD
 import Part
 import pytest
 from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
-from evenload import batch, host
+from evenload import batch
+from evenload.host import posts
+from evenload.job_files import outputs, read, report
+from evenload.simulation import run as simulator_run
 from FreeCAD import Vector
 from simulated import faulty
 
@@ -180,7 +182,7 @@ def simulator(monkeypatch):
         assert len(source) > 100 and tool_diameter == 6 and (top, bottom) == (0, -12)
         return result
 
-    monkeypatch.setattr(evenload.simulation, "simulate", simulate)
+    monkeypatch.setattr(simulator_run, "simulate", simulate)
     return asked
 
 
@@ -208,7 +210,7 @@ def test_a_simulation_adds_its_figures_and_its_picture(folder, simulator):
     assert "[1/2] plate: simulating" in lines and "[2/2] without: simulating" not in lines
     assert not any(key.startswith("simulat") for key in second["figures"])
     assert json.loads((folder / "report.json").read_text()) == result
-    table = batch.report.table(result["jobs"]).splitlines()
+    table = report.table(result["jobs"]).splitlines()
     row = next(line for line in table if line.startswith("  gouge"))
     assert row.split() == ["gouge", "mm", "0.050", "-"]
     assert any(
@@ -331,9 +333,9 @@ def breaking(post):
     ],
 )
 def test_what_is_wrong_in_a_job_is_named(folder, monkeypatch, path, value, words):
-    monkeypatch.setattr(host, "post_processors", lambda: ["linuxcnc", "broken"])
+    monkeypatch.setattr(posts, "post_processors", lambda: ["linuxcnc", "broken"])
     for name in ("_post_old", "_post_modern"):
-        monkeypatch.setattr(host, name, breaking(getattr(host, name)))
+        monkeypatch.setattr(posts, name, breaking(getattr(posts, name)))
     (folder / "broken.step").write_text("no model")
     (folder / "broken.FCStd").write_text("no document")
     try:
@@ -419,7 +421,8 @@ def forbid(monkeypatch, ending):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES), path)
         return open(path, *arguments, **options)
 
-    monkeypatch.setattr(batch, "open", refuse, raising=False)
+    for module in (outputs, read):
+        monkeypatch.setattr(module, "open", refuse, raising=False)
 
 
 # Names of files that cannot be written, and what the system says of them. The first two are found
@@ -581,6 +584,8 @@ def test_a_tree_without_modules_for_this_freecad_gives_one_sentence(folder, modu
     source = os.path.dirname(os.path.abspath(batch.__file__))
     bare = folder / "bare" / "Mod" / "evenload"
     shutil.copytree(source, bare, ignore=shutil.ignore_patterns("*.so", "__pycache__"))
+    resources = os.path.join(source, "..", "..", "Resources")
+    shutil.copytree(resources, folder / "bare" / "Resources")
     for name in modules:
         (bare / name).write_bytes(b"of another FreeCAD")
     (folder / "jobs.json").write_text(json.dumps({"jobs": [a_job(folder)]}))

@@ -5,8 +5,9 @@ import math
 import numpy
 import Part
 import pytest
-from evenload import body, compiled
-from evenload.floor import inside
+from evenload import compiled
+from evenload.geometry import body, in_plane
+from evenload.geometry.floor import inside
 from FreeCAD import Vector
 
 BOX = Part.makeBox(60, 40, 20)
@@ -145,7 +146,7 @@ def test_points_of_edges_are_near_each_other_and_uprights_have_their_upper_end()
 def test_a_countersink_has_no_more_triangles_than_its_distance_asks_for():
     """FreeCAD's own tessellation makes 13 000 of it: parts with dozens of them took a minute."""
     cone = Part.makeCone(1, 3, 9)
-    points, triangles = body._triangles(cone, body.COARSE)
+    points, triangles = in_plane.triangles_of(cone, body.COARSE)
     assert len(triangles) < 2500
     middles = [sum((points[k] for k in triangle), Vector()) / 3 for triangle in triangles]
     assert max(cone.distToShape(Part.Vertex(p))[0] for p in middles[::7]) < 1.1 * body.COARSE

@@ -1,17 +1,18 @@
-"""The macros in the pages of the operations, run as they stand there; the tables of properties."""
+"""The macros in the pages of the operations, run as they stand there, and the names that they use;
+the README's table of properties.
+"""
 
+import importlib
 import re
 from pathlib import Path
 
+import evenload
 import pytest
 from conftest import freecad
 from evenload.operations.adaptive import Adaptive
-from evenload.operations.lame_spiral import LameSpiral
-from evenload.operations.trochoid import Trochoid
 
 ROOT = Path(__file__).resolve().parents[2]
-PAGE = ROOT / "docs" / "adaptive_operation.md"
-KINDS = {"adaptive": Adaptive, "trochoid": Trochoid, "lame_spiral": LameSpiral}
+KINDS = ("adaptive", "trochoid", "lame_spiral")
 
 
 @pytest.mark.parametrize("kind", KINDS)
@@ -26,6 +27,20 @@ def test_the_macro_of_the_documentation_runs_as_written(kind, tmp_path, rs274):
     assert rs274(text.read_text(), tmp_path).count("FEED") > 100
 
 
+@pytest.mark.parametrize(
+    "name, module",
+    [
+        ("proof", "simulation.proof"),
+        ("job_simulation", "simulation.job"),
+        ("simulation_pictures", "pictures.simulation_pictures"),
+    ],
+)
+def test_a_name_for_macros_is_the_module_in_its_room(name, module):
+    found = importlib.import_module("evenload." + name)
+    assert found is importlib.import_module("evenload." + module)
+    assert getattr(evenload, name) is found
+
+
 def tabled(page):
     (table,) = re.findall(
         r"^\| property \|.*\n\|[-|]+\n((?:\|.*\n)+)", page.read_text(), re.MULTILINE
@@ -34,12 +49,5 @@ def tabled(page):
     return sorted(name.strip() for row in rows for name in row.split("|")[1].split(","))
 
 
-@pytest.mark.parametrize("page", [ROOT / "README.md", PAGE], ids=lambda page: page.name)
-def test_the_table_of_properties_has_every_setting_once(page):
-    assert tabled(page) == sorted(setting.name for setting in Adaptive.settings)
-
-
-@pytest.mark.parametrize("kind", ["trochoid", "lame_spiral"])
-def test_the_page_of_an_operation_has_its_own_settings_once(kind):
-    own = {s.name for s in KINDS[kind].settings} - {s.name for s in Adaptive.settings}
-    assert tabled(ROOT / "docs" / (kind + "_operation.md")) == sorted(own)
+def test_the_readmes_table_of_properties_has_every_setting_once():
+    assert tabled(ROOT / "README.md") == sorted(setting.name for setting in Adaptive.settings)

@@ -6,8 +6,8 @@ import evenload
 import Part
 import pytest
 from evenload import job_simulation, simulation, simulation_pictures
-from evenload.floor import name_of
-from evenload.labels import LABELS, told
+from evenload.settings.labels import LABELS, told
+from evenload.words import name_of
 from FreeCAD import Vector
 from models import (
     block_with,

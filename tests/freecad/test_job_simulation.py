@@ -3,12 +3,12 @@
 import math
 from types import SimpleNamespace
 
-import evenload
 import Part
 import Path
 import pytest
 from conftest import sweep_of
 from evenload import commands, compiled, host, job_simulation, tool
+from evenload.simulation import part, run
 from FreeCAD import Vector
 from models import (
     BLOCK,
@@ -425,11 +425,11 @@ def test_a_floor_that_is_open_all_round_leaves_its_bosses_only(bench, outer):
 def test_ground_beside_a_tight_hollow_is_covered_whole():
     chain = [(0, 0, -1.0, True), (0.1, 0, 0.0, False), (5, 5, 0.0, False)]
     floor = SimpleNamespace(outer=chain)
-    (hollow,) = job_simulation._beyond(floor)
+    (hollow,) = part._beyond(floor)
     assert hollow.Area == pytest.approx(math.pi * 0.05**2 / 2)
-    (band,) = job_simulation._beyond(SimpleNamespace(outer=[(0, 0, 1.0, True), (10, 0, 0, False)]))
+    (band,) = part._beyond(SimpleNamespace(outer=[(0, 0, 1.0, True), (10, 0, 0, False)]))
     assert band.Area == pytest.approx(math.pi / 2 * (5.1**2 - 5**2), rel=1e-6)
-    (band,) = job_simulation._beyond(SimpleNamespace(outer=[(0, 0, 0.0, True), (10, 0, 0, False)]))
+    (band,) = part._beyond(SimpleNamespace(outer=[(0, 0, 0.0, True), (10, 0, 0, False)]))
     assert band.Area == pytest.approx(1.0) and band.BoundBox.YMin == pytest.approx(-0.1)
 
 
@@ -487,7 +487,7 @@ def test_a_model_that_leans_is_what_stands_above_each_level_of_the_path(bench):
 
 
 def test_a_path_of_many_levels_on_a_model_that_leans_has_no_part_and_says_so(bench, monkeypatch):
-    monkeypatch.setattr(job_simulation, "MOST_LEVELS", 1)
+    monkeypatch.setattr(part, "MOST_LEVELS", 1)
     found = job_simulation.read(foreign(bench(Part.makeCone(20, 10, 10)), *SLOPED))
     assert found.part is None and "more than 1 levels" in found.notes[0]
 
@@ -627,7 +627,7 @@ def test_the_simulator_gets_all_of_it_and_its_result_carries_the_notes(square, m
         calls.append((source, stock, top, bottom, tool_diameter, options))
         return SimpleNamespace(notes=["of the simulator"])
 
-    monkeypatch.setattr(evenload.simulation, "simulate", simulate)
+    monkeypatch.setattr(run, "simulate", simulate)
     square.controller.SpindleSpeed = 0
     op = square.done(square.operation())
     watched = []

@@ -9,8 +9,8 @@ from FreeCAD import Vector
 from models import block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
 from evenload import simulation
-from evenload.labels import told
 from evenload.operations import lame_spiral
+from evenload.settings.labels import told
 
 EVEN = "Constant removal rate"
 SQUARE35 = rectangle(-17.5, -17.5, 17.5, 17.5)

@@ -4,7 +4,9 @@ import math
 
 import pytest
 from models import SQUARE, circle
-from evenload import commands, report
+from evenload import commands
+from evenload.job_files import report
+from evenload.pictures import path_picture
 from simulated import faulty, simulated
 
 
@@ -76,28 +78,28 @@ def test_a_table_of_failures_only_has_no_figures():
 def test_the_picture_of_an_operation(square, tmp_path):
     op = square.operation()
     with pytest.raises(ValueError, match="recompute it first"):
-        report.picture(op, str(tmp_path / "none.png"))
+        path_picture.picture(op, str(tmp_path / "none.png"))
     square.done(op)
-    report.picture(op, str(tmp_path / "path.svg"))
+    path_picture.picture(op, str(tmp_path / "path.svg"))
     assert "engagement angle, degrees" in (tmp_path / "path.svg").read_text()
-    report.picture(op, str(tmp_path / "path.png"))
+    path_picture.picture(op, str(tmp_path / "path.png"))
     assert (tmp_path / "path.png").stat().st_size > 20000
 
 
 def test_an_outline_follows_arcs():
-    points = report.outline(circle(3, 4, 5))
+    points = path_picture.outline(circle(3, 4, 5))
     assert points[0] == points[-1] and len(points) > 36
     assert all(math.dist(p, (3, 4)) == pytest.approx(5) for p in points)
-    assert report.outline(SQUARE) == [(0, 0), (30, 0), (30, 30), (0, 30), (0, 0)]
+    assert path_picture.outline(SQUARE) == [(0, 0), (30, 0), (30, 30), (0, 30), (0, 0)]
 
 
 def test_moves_and_posted_gcode_give_the_same_samples(square):
     from evenload import host
 
     op = square.done(square.operation())
-    moves = report.samples_of_moves(op.Proxy.last.toolpath.moves)
+    moves = path_picture.samples_of_moves(op.Proxy.last.toolpath.moves)
     text = host.post(square.job, "linuxcnc", "--no-show-editor")
-    posted = report.samples_of_gcode(text)
+    posted = path_picture.samples_of_gcode(text)
     assert {s[3] for s in posted} == {commands.RAPID, commands.CUT}
     box = [
         [f(s[k] for s in samples) for k in (0, 1) for f in (min, max)]
@@ -108,11 +110,11 @@ def test_moves_and_posted_gcode_give_the_same_samples(square):
 
 def test_gcode_can_be_drawn_by_feed(tmp_path):
     text = "G21\nG0 X0 Y0\nG1 X10 F100\nG3 X0 Y10 I-10 J0 F200 (turn)\nG2 X0 Y10 I5 J0\n"
-    samples = report.samples_of_gcode(text)
+    samples = path_picture.samples_of_gcode(text)
     assert samples[0] == (0, 0, 0, commands.RAPID) and samples[1] == (10, 0, 100, commands.CUT)
     assert samples[-1][:2] == pytest.approx((0, 10))
     full = [s for s in samples if s[0] > 5 and s[1] > 9]
     assert full and all(s[2] == 200 for s in samples[2:])
     path = tmp_path / "gcode.png"
-    report.draw(str(path), samples, [], None, "G-code", "feed, mm/min")
+    path_picture.draw(str(path), samples, [], None, "G-code", "feed, mm/min")
     assert path.stat().st_size > 5000

@@ -5,7 +5,9 @@ import math
 import evenload
 import pytest
 from conftest import moves_of, reopened, saved_copy
-from evenload import compiled, host, job_simulation, report
+from evenload import compiled, host, job_simulation
+from evenload.pictures import path_picture
+from evenload.simulation import earlier
 from FreeCAD import Vector
 from models import DEPTH, block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
@@ -236,7 +238,7 @@ def test_beside_a_drills_point_material_stands(room):
     custom(room, "G0 Z15", "G0 X30 Y30", "G81 X30 Y30 Z-8 R1 F100", "G80", controller=drill)
     op = after(room, 6.0)
     room.done(op)
-    stock, _ = job_simulation.stock_before(op, 0.05)
+    stock, _ = earlier.stock_before(op, 0.05)
     hole = face_of(circle(30, 30, 9))
     region = compiled.core().Region(circle(30, 30, 9))
     for height in (-1.0, -2.5, -DEPTH, -5.0):
@@ -276,7 +278,7 @@ def test_where_the_job_has_only_its_array_the_array_does_not_come_before_it(room
     room.job.Operations.Group = [first, array]
     assert room.done(op).RemovedVolume.Value == pytest.approx(whole)
     assert op.EarlierOperations == [first]
-    assert len(job_simulation.cut_before(op, [])) == 1
+    assert len(earlier.cut_before(op, [])) == 1
 
 
 def test_it_is_emptied_when_what_an_array_before_it_repeats_fails(room):
@@ -405,6 +407,6 @@ def test_it_survives_saving_and_opening(room, tmp_path):
 def test_its_picture_shows_the_engagement_with_what_was_left(room, tmp_path):
     room.done(room.operation())
     op = room.done(after(room, 6.0))
-    report.picture(op, str(tmp_path / "rest.png"))
+    path_picture.picture(op, str(tmp_path / "rest.png"))
     assert (tmp_path / "rest.png").stat().st_size > 5000
     assert op.MaxEngagement.Value < 62

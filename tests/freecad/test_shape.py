@@ -4,7 +4,8 @@ from itertools import permutations
 
 import Part
 import pytest
-from evenload import open_edges, planar, shape
+from evenload import planar
+from evenload.geometry import open_edges, shape
 from FreeCAD import Vector
 from models import circle, face_of, rectangle
 

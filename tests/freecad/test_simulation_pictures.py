@@ -4,7 +4,8 @@ import re
 
 import numpy
 import pytest
-from evenload import job_simulation, report, simulation_pictures
+from evenload import job_simulation, simulation_pictures
+from evenload.pictures import over_time, path_picture
 from models import SQUARE, block_with, circle, face_of
 from simulated import faulty, simulated
 
@@ -191,7 +192,7 @@ def test_the_sheet_has_all_four_and_the_figures_over_them(done):
 def test_columns_keep_least_mean_and_largest_of_every_span():
     time = numpy.array([0.0, 0.1, 0.2, 5.0, 5.1, 9.9, 10.0])
     values = numpy.array([1.0, 2.0, 6.0, 4.0, 0.0, 7.0, 9.0])
-    middle, least, mean, largest = simulation_pictures.columns(time, values, 10)
+    middle, least, mean, largest = over_time.columns(time, values, 10)
     assert middle.tolist() == [0.5, 5.5, 9.5]
     assert least.tolist() == [1, 0, 7] and largest.tolist() == [6, 4, 9]
     assert mean.tolist() == [3, 2, 8]
@@ -200,7 +201,7 @@ def test_columns_keep_least_mean_and_largest_of_every_span():
 def test_long_paths_are_pixels_in_an_svg(done, tmp_path, monkeypatch):
     simulation = simulated(done[0])
     simulation_pictures.path(simulation, str(tmp_path / "vectors.svg"))
-    monkeypatch.setattr(report, "MOST_VECTORS", 100)
+    monkeypatch.setattr(path_picture, "MOST_VECTORS", 100)
     simulation_pictures.path(simulation, str(tmp_path / "pixels.svg"))
     vectors, pixels = ((tmp_path / name).read_text() for name in ("vectors.svg", "pixels.svg"))
     assert pixels.count("<path") < 0.1 * vectors.count("<path")

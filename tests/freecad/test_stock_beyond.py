@@ -7,7 +7,8 @@ import time
 import numpy
 import Part
 import pytest
-from evenload import compiled, floor, ground_beside, planar, shape, simulation, stock_beyond
+from evenload import compiled, planar, simulation
+from evenload.geometry import floor, ground_beside, shape, stock_beyond
 from FreeCAD import Vector
 from models import face_of, floors_of, rectangle, sketch_of
 

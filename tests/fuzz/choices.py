@@ -139,9 +139,17 @@ def hole_in(pick, case, stay):
 
 def path_and_scene(case, resolution):
     """The Toolpath that clears a case, and arguments of `evenload.simulate` for it."""
+    given, scene_there = given_and_scene(case, resolution)
+    return pocket_case.path_of(case, **given), scene_there
+
+
+def given_and_scene(case, resolution):
+    """What the case does not say itself: arguments of `pocket_case.path_of`, {"stock": ...} where a
+    larger tool was there before, and of `evenload.simulate`.
+    """
     given = {**scene(case), "resolution": resolution}
     if "rest_of" not in case:
-        return pocket_case.path_of(case), given
+        return {}, given
     with_larger = {key: case[key] for key in case if key not in ("choices", "hole")}
     with_larger["tool"] = given["tool_diameter"] = case["rest_of"]
     before = pocket_case.path_of(with_larger, minimum_radius=0.15 * case["rest_of"])
@@ -156,7 +164,7 @@ def path_and_scene(case, resolution):
         given["resolution"] = resolution
         run = evenload.simulate(before, **given)
     given.update(stock=run, tool_diameter=case["tool"], earlier=[])
-    return pocket_case.path_of(case, stock=[standing]), given
+    return {"stock": [standing]}, given
 
 
 def scene(case):

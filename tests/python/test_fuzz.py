@@ -13,9 +13,11 @@ ROOT = Path(__file__).resolve().parents[2]
 CHOSEN = ROOT / "tests" / "corpus" / "chosen"
 sys.path[:0] = [str(ROOT / "tests" / "fuzz"), str(ROOT / "bench")]
 import choices  # noqa: E402
+import figures  # noqa: E402
 import fuzz  # noqa: E402
 import kinds  # noqa: E402
 import posted  # noqa: E402
+import random_cases  # noqa: E402
 import shapes  # noqa: E402
 from evenload import planar  # noqa: E402
 
@@ -30,15 +32,15 @@ def faults(figures, case=None, compute=1.0, notes=()):
 
 
 def first_cases(count, seed=1):
-    found = fuzz.cases(seed, 0)
+    found = random_cases.cases(seed, 0)
     return [next(found) for _ in range(count)]
 
 
 def test_a_case_depends_on_its_seed_and_number_alone():
     all_of_them = first_cases(20)
     number, case = all_of_them[9]
-    assert next(fuzz.cases(1, number)) == (number, case)
-    assert next(fuzz.cases(2, number))[1] != case
+    assert next(random_cases.cases(1, number)) == (number, case)
+    assert next(random_cases.cases(2, number))[1] != case
     assert len({case["name"] for _, case in all_of_them}) == 20
 
 
@@ -168,14 +170,14 @@ def test_rooms_joined_by_passages_at_a_reduced_feed_may_have_an_entry_each():
 
 def test_corners_of_the_centres_are_counted_where_walls_have_them_and_between_islands():
     square = with_choices()
-    assert fuzz.corners_of_centres({**square, "islands": []}) == 4
-    assert fuzz.corners_of_centres(square) == 4  # a round island has none
+    assert figures.corners_of_centres({**square, "islands": []}) == 4
+    assert figures.corners_of_centres(square) == 4  # a round island has none
     near = [[29.0, 20.0, 1.0], [27.0, 20.0, 1.0]]  # two discs' borders cross in two corners
-    assert fuzz.corners_of_centres({**square, "islands": [*square["islands"], near]}) == 6
+    assert figures.corners_of_centres({**square, "islands": [*square["islands"], near]}) == 6
     rounded = [[10.0, 0.0, 0.0], [30.0, 0.0, 1.0], [30.0, 20.0, 0.0], [10.0, 20.0, 1.0]]
-    assert fuzz.corners_of_centres({**square, "outer": rounded, "islands": []}) == 0
+    assert figures.corners_of_centres({**square, "outer": rounded, "islands": []}) == 0
     # Without walls around it: the border that is assumed far away has its own four.
-    assert fuzz.corners_of_centres({**square, "islands": [], "open": True}) == 4
+    assert figures.corners_of_centres({**square, "islands": [], "open": True}) == 4
 
 
 def test_what_is_posted_is_judged():
@@ -195,15 +197,15 @@ def test_a_tip_may_be_cut_on_the_wrong_side_but_no_more():
     class Run:  # a straight cut of 10 mm, `wrong` mm of it on the left
         def __init__(self, wrong):
             self.length = numpy.array([10.0 - wrong, wrong])
-            self.kind = numpy.array([fuzz.CUT] * 2)
+            self.kind = numpy.array([figures.CUT] * 2)
             self.engagement_deg = numpy.array([30.0, 30.0])
             self.first_arc = numpy.array([0, 1, 2])
             self.arcs = numpy.array([[-90.0, -60.0], [60.0, 90.0]])
 
-    assert fuzz.climb_share({}, Run(0.5)) == 1
-    assert fuzz.climb_share({}, Run(1.6)) == pytest.approx(0.9)
+    assert figures.climb_share({}, Run(0.5)) == 1
+    assert figures.climb_share({}, Run(1.6)) == pytest.approx(0.9)
     conventional = {"choices": {"cut_mode": "conventional"}}
-    assert fuzz.climb_share(conventional, Run(1.6)) == pytest.approx(0.22)
+    assert figures.climb_share(conventional, Run(1.6)) == pytest.approx(0.22)
 
 
 def test_a_core_s_error_is_a_fault_and_a_pocket_too_narrow_is_none():
@@ -227,17 +229,17 @@ def test_failing_cases_are_written_as_corpus_cases(tmp_path, monkeypatch):
 def test_a_mean_above_its_limit_is_looked_at_more_closely(name, monkeypatch):
     steps = []
 
-    def look(case, path, scene, step=fuzz.STEP):
+    def look(case, path, scene, step=figures.STEP):
         steps.append((step, scene["resolution"]))
         return {**FINE, name: fuzz.LIMITS[name] + (1 if len(steps) == 1 else 0)}
 
     monkeypatch.setattr(fuzz, "figures_of", look)
     case = json.loads((ROOT / "tests" / "corpus" / "circle12.json").read_text())
     answer = fuzz.judge(case, False)
-    assert steps[0] == (fuzz.STEP, fuzz.RESOLUTION)
-    closer = [(fuzz.CLOSE_STEP, fuzz.FINEST)] if name in fuzz.MEANS else []
+    assert steps[0] == (figures.STEP, figures.RESOLUTION)
+    closer = [(figures.CLOSE_STEP, figures.FINEST)] if name in figures.MEANS else []
     assert steps[1:] == closer
-    assert bool(fuzz.faults(case, answer)) == (name not in fuzz.MEANS)
+    assert bool(fuzz.faults(case, answer)) == (name not in figures.MEANS)
 
 
 # ---- operations that clear certain shapes only ----
@@ -245,7 +247,7 @@ def test_a_mean_above_its_limit_is_looked_at_more_closely(name, monkeypatch):
 
 @pytest.mark.parametrize("operation", kinds.KINDS)
 def test_an_operation_gets_all_of_its_kinds(operation):
-    found = fuzz.cases(1, 0, operation)
+    found = random_cases.cases(1, 0, operation)
     several = [next(found)[1] for _ in range(20)]
     names = {case["name"].split("_")[2] for case in several}
     assert names == {kind.__name__ for kind in kinds.KINDS[operation]}
@@ -276,7 +278,7 @@ def test_an_operations_own_limits_are_stricter():
 
 @pytest.mark.parametrize("operation", kinds.KINDS)
 def test_a_case_of_an_operation_is_cleared_and_judged(operation):
-    _, case = next(fuzz.cases(1, 10, operation))
+    _, case = next(random_cases.cases(1, 10, operation))
     answer = fuzz.judge(case, twice=True)
     assert fuzz.faults(case, answer) == [] and "figures" in answer
 
@@ -291,7 +293,7 @@ def test_every_line_of_a_posted_ramp_descends(name, helix_angle):
     moves = posted.posted(path.moves)
     ramps = [move for move in moves if move[0] == planar.ENTRY and move[4] == 0]
     assert len(ramps) > 50
-    assert fuzz.level_entries(moves, 0.0, -case["axial_depth"]) == 0
+    assert figures.level_entries(moves, 0.0, -case["axial_depth"]) == 0
 
 
 def test_a_level_line_of_a_ramp_is_seen():
@@ -300,5 +302,5 @@ def test_a_level_line_of_a_ramp_is_seen():
 
     above = (planar.RAPID, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0, 0.0)
     moves = [above, entry(1, -0.5), entry(1.01, -0.50003), entry(2, -1), entry(3, -1)]
-    assert fuzz.level_entries(moves, 0.0, -1.0) == 1
+    assert figures.level_entries(moves, 0.0, -1.0) == 1
     assert faults({"level": 1}) == ["level 1 above 0"]

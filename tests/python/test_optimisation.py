@@ -9,7 +9,8 @@ from types import SimpleNamespace
 import evenload
 import numpy
 import pytest
-from evenload import compiled, machines, optimisation, optimisation_inputs, planar, scaled_path
+from evenload import compiled, machines, optimisation, planar
+from evenload.optimisation import inputs, scaled_path
 
 core = compiled.core()
 SIX = {
@@ -41,7 +42,7 @@ def optimised(region=BOX, tools=(SIX,), material=METAL, machine=None, **options)
 def task_of(region=BOX, tools=(SIX,), **options):
     given = {name: parameter.default for name, parameter in OPTIONS.items()}
     given.update(FEW, region=region, tools=list(tools), materials=METAL, **options)
-    return optimisation_inputs.checked(core, **given)
+    return inputs.checked(core, **given)
 
 
 def generated(candidate, region, control="constant feed", **options):
@@ -107,7 +108,7 @@ def chain(box):
 
 
 @pytest.mark.core
-@pytest.mark.parametrize("control", optimisation_inputs.FEED_CONTROLS)
+@pytest.mark.parametrize("control", inputs.FEED_CONTROLS)
 @pytest.mark.parametrize("machine", [None, "hobby_router_grbl"])
 def test_time_force_torque_power_and_chips_are_those_of_a_whole_simulation(control, machine):
     options = {"feed_control": control, "spindle_speeds": (7900,), "link_feed": 5000}
@@ -194,7 +195,7 @@ def test_the_best_is_the_fastest_within_the_limits():
     allowed = [c for c in found.candidates if not c.refused]
     assert found.best is found.ranked()[0] and found.best in allowed
     assert found.best.time_s == min(c.time_s for c in allowed)
-    assert len(found.candidates) == 2 * 2 * 2 * optimisation_inputs.SPEEDS
+    assert len(found.candidates) == 2 * 2 * 2 * inputs.SPEEDS
     assert found.best.tool in found.table().splitlines()[1]
 
 

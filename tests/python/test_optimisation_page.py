@@ -6,7 +6,8 @@ import re
 from pathlib import Path
 
 import pytest
-from evenload import optimisation, optimisation_inputs
+from evenload import optimisation
+from evenload.optimisation import inputs
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "optimisation.md").read_text()
 
@@ -43,4 +44,4 @@ def test_every_figure_and_every_key_of_a_tool_is_on_the_page():
     for field in dataclasses.fields(optimisation.Candidate):
         if field.name not in ("diameter", "teeth", "surface_speed", "refused_by"):
             assert field.name in named, field.name
-    assert set(optimisation_inputs.TOOL_KEYS) <= named
+    assert set(inputs.TOOL_KEYS) <= named

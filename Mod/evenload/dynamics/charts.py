@@ -34,7 +34,7 @@ class Chart:
 
     def picture(self, file, **options):
         """Draws it into a PNG or SVG file, see pictures.chart(); returns the figure."""
-        from evenload.dynamics import pictures
+        from evenload.dynamics import pictures  # needs matplotlib
 
         return pictures.chart(self, file, **options)
 

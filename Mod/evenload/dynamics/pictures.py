@@ -6,7 +6,7 @@ the file is None, nothing is written. No display is needed.
 
 import numpy
 
-from evenload import report
+from evenload.pictures.figure import new_figure, save
 
 COLOURS = {"Hopf": "#1a73e8", "flip": "#d93025", "fold": "#188038"}
 UNSTABLE, TRIVIAL, OTHER, GREY, POINT = "#fce8e6", "#188038", "#e8710a", "#9aa0a6", "#202124"
@@ -30,7 +30,7 @@ def chart(
     surface location error are drawn with it. frequency: Hz of a mode; resonances and the optimal
     depths are drawn with it.
     """
-    figure = report.new_figure(10, 8, layout="constrained")
+    figure = new_figure(10, 8, layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True, height_ratios=(3, 1))
     _draw_ground(upper, found)
     _draw_curves(upper, found)
@@ -85,7 +85,7 @@ def nearest_stable_speed(found, speed, depth):
 def fit(fitted, file, title="Fitted modes"):
     """A ModalFit over what was measured, real and imaginary part of each axis."""
     axes_names = sorted(fitted.lines)
-    figure = report.new_figure(10, 3.2 * len(axes_names) + 1, layout="constrained")
+    figure = new_figure(10, 3.2 * len(axes_names) + 1, layout="constrained")
     rows = figure.subplots(len(axes_names), 2, squeeze=False)
     for row, name in zip(rows, axes_names):
         frequencies, measured, drawn = fitted.lines[name]
@@ -105,7 +105,7 @@ def wall(surface, file, height, feed, title="Wall"):
     """The height map of a Surface: `height` mm along the axis, three feeds per tooth along x."""
     z, x = numpy.linspace(0, height, 80), numpy.linspace(0, 3 * feed, 60)
     offsets = 1e3 * surface.profile(z, x)
-    figure = report.new_figure(9, 4.5, layout="constrained")
+    figure = new_figure(9, 4.5, layout="constrained")
     axes = figure.add_subplot()
     shown = axes.pcolormesh(1e3 * x, z, offsets, cmap="viridis", shading="gouraud")
     figure.colorbar(shown, ax=axes, label="offset outwards, \u00b5m (> 0: overcut)")
@@ -127,7 +127,7 @@ def wall(surface, file, height, feed, title="Wall"):
 
 def orbits(branch, file, title="Periodic motions"):
     """Orbits: amplitude over depth, unstable ones dashed, folds marked."""
-    figure = report.new_figure(8, 5, layout="constrained")
+    figure = new_figure(8, 5, layout="constrained")
     axes = figure.add_subplot()
     depth, amplitude, stable = branch.depth, branch.amplitude, branch.is_stable
     axes.plot(depth, amplitude, "--", color=GREY, label="unstable")
@@ -227,5 +227,5 @@ def _draw_optimal(axes, found, frequency):
 
 def _saved(figure, file):
     if file is not None:
-        report.save(figure, file)
+        save(figure, file)
     return figure

@@ -1,22 +1,34 @@
 """What FreeCAD's GUI shows of us: commands, panels and view providers.
 
-This module and `command` are light; everything else is imported when a command runs.
+This module and `command` are light, for FreeCAD runs them at its start; everything else is imported
+when a command runs or an operation is there.
 """
 
-import os
+import FreeCADGui
 
-ADDON = os.path.dirname(os.path.dirname(os.path.dirname(os.path.dirname(__file__))))
-ICONS = os.path.join(ADDON, "Resources", "icons")
+from evenload import host, window
+from evenload.gui import command
+from evenload.gui.icons import ICONS
 
 
 def start():
-    """Registers the commands and puts them into the Path / CAM workbench."""
-    import FreeCADGui
-
-    from evenload import host
-    from evenload.gui import command
-
+    """Registers the commands and puts them into the Path / CAM workbench; from now on operations
+    are shown.
+    """
     FreeCADGui.addIconPath(ICONS)
     for name, instance in command.COMMANDS.items():
         FreeCADGui.addCommand(name, instance)
     host.add_to_workbench(list(command.COMMANDS))
+    window.show, window.watch = _show, _watch
+
+
+def _show(operation):
+    from evenload.gui import views  # here, for it loads the Path / CAM workbench
+
+    views.attach(operation)
+
+
+def _watch(title):
+    from evenload.gui import progress  # here, for FreeCAD's start needs none
+
+    return progress.Watch(title)

@@ -6,7 +6,6 @@ from evenload.operations import adaptive
 
 class OperationPage(panel.OperationPage):
     kind = adaptive.Adaptive
-    groups = panel.with_more("Cut", ("UseRestMachining",))
 
 
 def create():

@@ -1,6 +1,10 @@
 """The commands in the Path / CAM workbench: light, so that FreeCAD starts as fast as without us."""
 
+from importlib import import_module
+
 import FreeCAD
+
+from evenload import compiled
 
 
 def _translated(text):
@@ -27,14 +31,11 @@ class CreateOperation:
         return doc is not None and any(o.Name.startswith("Job") for o in doc.Objects)
 
     def Activated(self):
-        from importlib import import_module
-
-        from evenload import compiled
-
         missing = compiled.missing()
         if missing:
             FreeCAD.Console.PrintError(missing + "\n")
             return
+        # Not before: panels load the Path / CAM workbench.
         import_module("evenload.gui." + self.panel).create()
 
 

@@ -6,26 +6,6 @@ from evenload.operations import lame_spiral
 
 class OperationPage(panel.OperationPage):
     kind = lame_spiral.LameSpiral
-    groups = (
-        (
-            "Spiral",
-            (
-                "Segments",
-                "SemiAxisA",
-                "SemiAxisB",
-                "ExponentStart",
-                "ExponentEnd",
-                "Rotation",
-                "Pitch",
-                "Centre",
-                "SemiAxisACourse",
-                "SemiAxisBCourse",
-                "ExponentCourse",
-                "Rest",
-            ),
-        ),
-        *panel.GROUPS,
-    )
 
 
 def create():

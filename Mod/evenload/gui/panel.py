@@ -5,49 +5,18 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import views
-from evenload.labels import LABELS
-from evenload.operations import settings
+from evenload.gui.base_page import BaseGeometryPage
 from evenload.operations.base import SENTENCES
+from evenload.settings.setting import BOOL, CHOICE, INTEGER, NUMBER, NUMBERS, POINT, UNITS
+from evenload.settings.table import boxes_of
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
-# What all operations have.
-GROUPS = (
-    (
-        "Cut",
-        (
-            "EngagementAngle",
-            "SideStep",
-            "CutMode",
-            "StockToLeave",
-            "StockToLeaveAxial",
-            "WallPass",
-            "OrderBy",
-        ),
-    ),
-    ("Feeds", ("FeedControl", "MaximumFeed", "LeastLoad", "Material", "LinkFeed", "LinkLift")),
-    (
-        "Entry",
-        ("Entry", "HelixAngle", "HelixDiameter", "EntryPoint", "HoleDiameter"),
-    ),
-    ("Path", ("RollRadius", "MinimumRadius", "NarrowPassages", "Tolerance", "Arcs", "Check")),
-)
-FINE = ("Tolerance",)  # lengths that FreeCAD's two decimals would round away
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
-MILLIMETRES = "App::PropertyLength"
-VALUES = "App::PropertyFloatList"
 DECIMALS = 4  # of numbers without a unit
 MOST = 100  # of what is counted
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
-
-
-def with_more(title, names):
-    """GROUPS with more settings at the end of one of them."""
-    return tuple(
-        (other, (*settled, *names) if other == title else settled) for other, settled in GROUPS
-    )
 
 
 def values_in(text):
@@ -90,49 +59,6 @@ def create(operation):
     return obj
 
 
-class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
-    """FreeCAD's page for faces and edges, with whole sketches."""
-
-    def setFields(self, obj):
-        self.form.baseList.blockSignals(True)
-        self.form.baseList.clear()
-        for owner, names in obj.Base:
-            for name in names or ("",):
-                text = "%s.%s" % (owner.Label, name) if name else owner.Label
-                item = QtGui.QListWidgetItem(text)
-                item.setData(self.DataObject, owner)
-                item.setData(self.DataObjectSub, name)
-                self.form.baseList.addItem(item)
-        self.form.baseList.blockSignals(False)
-        self.resizeBaseList()
-
-    def selectionSupportedAsBaseGeometry(self, selection, ignoreErrors):
-        found = any(self._names(item) for item in selection)
-        if not found and not ignoreErrors:
-            FreeCAD.Console.PrintWarning(
-                _translate("EvenLoad", "Select level faces, closed edges or sketches.") + "\n"
-            )
-        return found
-
-    def addBaseGeometry(self, selection):
-        for item in selection:
-            for name in self._names(item):
-                self.obj.Proxy.addBase(self.obj, item.Object, name)
-        return bool(selection)
-
-    def updateBase(self):
-        items = [self.form.baseList.item(i) for i in range(self.form.baseList.count())]
-        self.obj.Base = [
-            (item.data(self.DataObject), str(item.data(self.DataObjectSub) or "")) for item in items
-        ]
-
-    @staticmethod
-    def _names(item):
-        if views.is_outline(item.Object):
-            return [""]
-        return [name for name in item.SubElementNames if name.startswith(("Face", "Edge"))]
-
-
 class OperationPage(_gui.op.TaskPanelPage):
     """The operation's settings and results.
 
@@ -142,37 +68,19 @@ class OperationPage(_gui.op.TaskPanelPage):
 
     taskPanelBaseGeometryPage = BaseGeometryPage
     kind = None  # the operation's proxy class
-    groups = GROUPS
 
     def getForm(self):
         self.settings = {setting.name: setting for setting in self.kind.settings}
         self.result_names = [setting.name for setting in self.kind.results]
-        form = QtGui.QWidget()
-        layout = QtGui.QVBoxLayout(form)
         self.boxes, self.points = {}, {}
         self.shown = {}  # texts of the boxes for quantities
         self.widgets = {}
-        form.toolController = self._combo_box()
-        form.coolantController = self._combo_box()
-        head = QtGui.QWidget()
-        grid = QtGui.QGridLayout(head)  # in which FreeCAD 1.1 shows the tool controller's editor
-        grid.setContentsMargins(0, 0, 0, 0)
-        grid.setColumnStretch(1, 1)
-        for row, (title, widget) in enumerate(
-            (("Tool controller", form.toolController), ("Coolant", form.coolantController))
-        ):
-            grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
-            grid.addWidget(widget, row, 1)
+        form = QtGui.QWidget()
+        layout = QtGui.QVBoxLayout(form)
+        head = self._head(form)
         layout.addWidget(head)
-        for title, names in self.groups:
-            box = QtGui.QGroupBox(_translate("EvenLoad", title))
-            rows = QtGui.QFormLayout(box)
-            for name in names:
-                widget = self._widget(name)
-                widget.setToolTip(_translate("EvenLoad", self.settings[name].doc))
-                rows.addRow(_translate("EvenLoad", LABELS[name]), widget)
-                self.widgets[name] = widget
-            layout.addWidget(box)
+        for title, settings in boxes_of(self.kind.settings):
+            layout.addWidget(self._box(title, settings))
         if self.kind.fitted:
             self.again = QtGui.QPushButton(_translate("EvenLoad", "Fit all again"))
             self.again.setToolTip(
@@ -192,19 +100,45 @@ class OperationPage(_gui.op.TaskPanelPage):
         area.coolantController = form.coolantController
         if host.LIST_MAKES_CONTROLLERS:
             area.editToolController = QtGui.QCheckBox(_translate("EvenLoad", "Edit"))
-            grid.addWidget(area.editToolController, 0, 2)
+            head.layout().addWidget(area.editToolController, 0, 2)
         return area
 
-    def _widget(self, name):
-        kind = self.settings[name].type
-        if kind == "App::PropertyEnumeration":
+    def _head(self, form):
+        """The choice of the tool controller and of the coolant, which FreeCAD knows by the form."""
+        form.toolController = self._combo_box()
+        form.coolantController = self._combo_box()
+        head = QtGui.QWidget()
+        grid = QtGui.QGridLayout(head)  # in which FreeCAD 1.1 shows the tool controller's editor
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setColumnStretch(1, 1)
+        for row, (title, widget) in enumerate(
+            (("Tool controller", form.toolController), ("Coolant", form.coolantController))
+        ):
+            grid.addWidget(QtGui.QLabel(_translate("EvenLoad", title)), row, 0)
+            grid.addWidget(widget, row, 1)
+        return head
+
+    def _box(self, title, settings):
+        """A box with a row for each of some settings."""
+        box = QtGui.QGroupBox(_translate("EvenLoad", title))
+        rows = QtGui.QFormLayout(box)
+        for setting in settings:
+            widget = self._widget(setting)
+            widget.setToolTip(_translate("EvenLoad", setting.doc))
+            rows.addRow(_translate("EvenLoad", setting.label), widget)
+            self.widgets[setting.name] = widget
+        return box
+
+    def _widget(self, setting):
+        name, kind = setting.name, setting.type
+        if kind == CHOICE:
             widget = self._combo_box()
-            for choice in self.settings[name].value:
+            for choice in setting.value:
                 widget.addItem(_translate("EvenLoad", choice), choice)
             return widget
-        if kind == "App::PropertyBool":
+        if kind == BOOL:
             return QtGui.QCheckBox()
-        if kind == "App::PropertyVectorDistance":
+        if kind == POINT:
             widget = QtGui.QWidget()
             row = QtGui.QHBoxLayout(widget)
             row.setContentsMargins(0, 0, 0, 0)
@@ -213,22 +147,22 @@ class OperationPage(_gui.op.TaskPanelPage):
                 box.setProperty("unit", "mm")
                 row.addWidget(box)
             return widget
-        if name in FINE:
+        if setting.is_fine:
             widget = QtGui.QDoubleSpinBox()
             widget.setDecimals(4)
             widget.setSingleStep(0.001)
             widget.setMaximum(10.0)
             widget.setSuffix(" mm")
             return widget
-        if kind == VALUES:
+        if kind == NUMBERS:
             widget = QtGui.QLineEdit()
             widget.setMinimumWidth(NARROWEST)
             return widget
-        if kind == "App::PropertyInteger":
+        if kind == INTEGER:
             widget = QtGui.QSpinBox()
             widget.setMaximum(MOST)
             return widget
-        if kind == "App::PropertyFloat":
+        if kind == NUMBER:
             widget = QtGui.QDoubleSpinBox()
             widget.setDecimals(DECIMALS)
             widget.setSingleStep(0.05)
@@ -251,13 +185,8 @@ class OperationPage(_gui.op.TaskPanelPage):
 
     def initPage(self, obj):
         for name, widget in self.widgets.items():
-            if name in FINE:
-                continue
-            if self.settings[name].type in (
-                MILLIMETRES,
-                "App::PropertyAngle",
-                "App::PropertySpeed",
-            ):
+            setting = self.settings[name]
+            if setting.type in UNITS and not setting.is_fine:
                 self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
 
     def setFields(self, obj):
@@ -336,7 +265,9 @@ class OperationPage(_gui.op.TaskPanelPage):
             # What is shown of a number is rounded.
             changed = (round(before, DECIMALS) if isinstance(before, float) else before) != value
             if value is None:
-                FreeCAD.Console.PrintError("%s takes numbers, as 0; 0.1; 0.4; 1.\n" % LABELS[name])
+                FreeCAD.Console.PrintError(
+                    "%s takes numbers, as 0; 0.1; 0.4; 1.\n" % self.settings[name].label
+                )
             elif changed:
                 setattr(obj, name, value)
         if changed:
@@ -363,18 +294,10 @@ class OperationPage(_gui.op.TaskPanelPage):
                     widget.setChecked(value)
                 widget.blockSignals(blocked)
         self.shown = {name: self._texts(name) for name in (*self.boxes, *self.points)}
-        hole = obj.Entry in ("Automatic", "Predrilled hole")
-        descent = obj.Entry != "Predrilled hole"
-        for name, enabled in (
-            ("EntryPoint", hole),
-            ("HoleDiameter", hole),
-            ("HelixAngle", descent),
-            ("HelixDiameter", obj.Entry in ("Automatic", "Helix")),
-            ("MaximumFeed", obj.FeedControl != "Constant feed"),
-            ("LeastLoad", obj.FeedControl != "Constant feed"),
-            ("Material", obj.FeedControl == settings.CONSTANT_FORCE),
-        ):
-            self.widgets[name].setEnabled(enabled)
+        for setting in self.kind.settings:
+            if setting.when:
+                choice, wanted = setting.when
+                self.widgets[setting.name].setEnabled(getattr(obj, choice) in wanted)
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 

@@ -6,7 +6,6 @@ from evenload.operations import trochoid
 
 class OperationPage(panel.OperationPage):
     kind = trochoid.Trochoid
-    groups = (("Slot", ("Pattern", "SlotWidth")), *panel.GROUPS)
 
 
 def create():

@@ -3,39 +3,11 @@
 import os
 
 from evenload import host
-from evenload.gui import ICONS
+from evenload.gui import adaptive, lame_spiral, trochoid
+from evenload.gui.icons import ICONS
+from evenload.gui.selection import select
 
 _gui = host.gui()
-
-
-class Gate:
-    """What can be selected while a panel is open: level faces, edges, sketches."""
-
-    def allow(self, doc, obj, sub):
-        shape = getattr(obj, "Shape", None)
-        if shape is None or shape.isNull():
-            return False
-        if is_outline(obj) or sub.startswith("Edge"):
-            return True
-        if not sub.startswith("Face"):
-            return False
-        box = shape.getElement(sub).BoundBox
-        return box.ZLength < 1e-6
-
-
-def is_outline(obj):
-    """Whether an object is base geometry as a whole: a sketch, or wires without a solid."""
-    shape = getattr(obj, "Shape", None)
-    if shape is None or shape.isNull():
-        return False
-    return obj.isDerivedFrom("Sketcher::SketchObject") or not (shape.Solids or shape.Shells)
-
-
-def select():
-    """FreeCAD calls this when a panel opens; it removes the gate itself."""
-    import FreeCADGui
-
-    FreeCADGui.Selection.addSelectionGate(Gate())
 
 
 class ViewProvider(_gui.op.ViewProvider):
@@ -43,7 +15,7 @@ class ViewProvider(_gui.op.ViewProvider):
     Nothing else is saved. This one is the adaptive operation's.
     """
 
-    panel_module = "evenload.gui.adaptive"
+    page = adaptive.OperationPage
     icon = "EvenLoad_Adaptive.svg"
     OpName = "EvenLoad Adaptive"
 
@@ -74,22 +46,20 @@ class ViewProvider(_gui.op.ViewProvider):
         return self.OpIcon if self.Object is None or self.Object.Active else host.INACTIVE_ICON
 
     def getTaskPanelOpPage(self, obj):
-        from importlib import import_module
-
-        return import_module(self.panel_module).OperationPage(obj, 0)
+        return self.page(obj, 0)
 
     def getSelectionFactory(self):
         return select
 
 
 class TrochoidViewProvider(ViewProvider):
-    panel_module = "evenload.gui.trochoid"
+    page = trochoid.OperationPage
     icon = "EvenLoad_Trochoid.svg"
     OpName = "EvenLoad Trochoid"
 
 
 class LameSpiralViewProvider(ViewProvider):
-    panel_module = "evenload.gui.lame_spiral"
+    page = lame_spiral.OperationPage
     icon = "EvenLoad_LameSpiral.svg"
     OpName = "EvenLoad Lame Spiral"
 

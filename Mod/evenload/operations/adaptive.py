@@ -1,7 +1,7 @@
 """Adaptive: clears any pocket at constant engagement."""
 
-from evenload.operations import base
-from evenload.operations.settings import REST_MACHINING, SETTINGS
+from evenload.operations import base, registry
+from evenload.settings.table import OF_ADAPTIVE, SETTINGS
 
 NAME = "EvenLoad Adaptive"
 
@@ -12,15 +12,15 @@ class Adaptive(base.Operation):
     """
 
     name = NAME
-    settings = (*SETTINGS, REST_MACHINING)
+    settings = (*SETTINGS, *OF_ADAPTIVE)
 
     def generate(self, obj, core, regions, parameters):
         return core.clear_pocket(regions, **parameters), {}
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
-    """A new adaptive operation, as a document object; see base.create for the arguments."""
-    return base.create(Adaptive, name, obj, parentJob, toolController)
+    """A new adaptive operation, as a document object; see registry.create for the arguments."""
+    return registry.create(Adaptive, name, obj, parentJob, toolController)
 
 
-base.register(Adaptive, Create)
+registry.register(Adaptive, Create)

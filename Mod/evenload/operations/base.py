@@ -1,44 +1,23 @@
-"""What all operations have in common: properties, checks, and the data flow from base geometry to
-the path.
+"""What all operations have in common, as FreeCAD's proxies: properties, base geometry and depths,
+and what becomes of a computed path. `compute` has the way from there to the path.
 """
 
 import contextlib
 import math
-from dataclasses import dataclass
 
 import FreeCAD
 import Path
 
-from evenload import body, commands, compiled, host, job_simulation, planar, proof, shape
+from evenload import commands, host, window
 from evenload import tool as tools
-from evenload.floor import name_of
-from evenload.labels import told
-from evenload.operations import checks, force, job_model, rest, stock_checks
+from evenload.geometry import body, shape
+from evenload.operations import compute, job_model, rest
 from evenload.operations.refusal import Cancelled, Refusal
-from evenload.operations.settings import (
-    FOLLOWERS,
-    GROUP,
-    HIDDEN_SETTINGS,
-    REST_MACHINING,
-    RESULT_SETTINGS,
-    SETTINGS,
-)
-
-
-@dataclass
-class Computation:
-    """What the last successful run worked on, for reports and pictures; it is not saved with the
-    document.
-    """
-
-    floors: list  # of Floor
-    regions: list  # the core's
-    toolpath: object
-    tool: object  # tool.Tool
-    data: object  # tool.CuttingData
-    hole: tuple  # (x, y, diameter) in mm, or None
-    material: list  # the core's Regions where material stood at the lowest level
-
+from evenload.settings import properties
+from evenload.settings.labels import told
+from evenload.settings.results import HIDDEN_SETTINGS, RESULT_SETTINGS
+from evenload.settings.table import REST_MACHINING, SETTINGS
+from evenload.simulation import proof
 
 SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
 
@@ -60,6 +39,9 @@ class Operation(host.operation_base()):
     _wished_controller = None
     _changing = False
 
+    def __init_subclass__(cls):
+        cls.fitted = tuple(row.name for row in cls.settings if row.fitted)
+
     def __init__(self, obj, name, parentJob=None, toolController=None):
         self._wished_controller = toolController
         super().__init__(obj, self.name or name, parentJob)
@@ -73,32 +55,14 @@ class Operation(host.operation_base()):
 
     def initOperation(self, obj):
         if isinstance(obj, FreeCAD.DocumentObject):
-            for setting in (*self.settings, *self.results, *HIDDEN_SETTINGS):
-                self._add(obj, setting)
+            for row in (*self.settings, *self.results, *HIDDEN_SETTINGS):
+                properties.add(obj, row)
             self._set_editor_modes(obj)
             return
         # FreeCAD's stand-in for an operation, which the SetupSheet asks.
-        for setting in self.settings:
-            if setting.in_setup_sheet():
-                obj.addProperty(setting.type, setting.name, setting.group, setting.doc)
-                setattr(obj, setting.name, setting.in_prototype())
-                if isinstance(setting.value, list):  # so far it only has its choices
-                    setattr(obj, setting.name, setting.value[0])
-
-    def _add(self, obj, setting):
-        if hasattr(obj, setting.name):
-            if isinstance(setting.value, list) and setting.type == "App::PropertyEnumeration":
-                value = getattr(obj, setting.name)
-                # A choice that is no longer there stays, to be refused.
-                known = value in setting.value
-                setattr(obj, setting.name, setting.value if known else [*setting.value, value])
-                setattr(obj, setting.name, value)
-            return
-        # Results are outputs: they change without making the document's other objects out of date.
-        attribute = 0 if setting.group == GROUP else OUTPUT
-        obj.addProperty(setting.type, setting.name, setting.group, setting.doc, attribute)
-        if setting.value is not None:
-            setattr(obj, setting.name, setting.value)
+        for row in self.settings:
+            if row.in_setup_sheet():
+                properties.add_to_prototype(obj, row)
 
     def _set_editor_modes(self, obj):
         for setting in self.results:
@@ -112,7 +76,7 @@ class Operation(host.operation_base()):
             self.initOperation(obj)
         finally:
             self._changing = False
-        _show(obj)
+        show(obj)
 
     def setDefaultValues(self, obj):
         with host.chosen_tool_controller(self._wished_controller):
@@ -128,7 +92,7 @@ class Operation(host.operation_base()):
     def opOnChanged(self, obj, prop):
         if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
             return
-        if prop in (*FOLLOWERS, *self.fitted) and hasattr(obj, "OwnValues"):
+        if prop in self._own_names() and hasattr(obj, "OwnValues"):
             if prop not in obj.OwnValues:
                 obj.OwnValues = obj.OwnValues + [prop]
         elif prop == "ToolController":
@@ -141,6 +105,10 @@ class Operation(host.operation_base()):
             job = host.parent_job(obj)
             if job is not None:
                 rest.link_all(job)
+
+    def _own_names(self):
+        """The names of settings that follow the tool or the geometry until they are set."""
+        return [row.name for row in self.settings if row.follows or row.fitted]
 
     def follow_tool(self, obj, again=()):
         """Sets what follows the tool and its controller. again: names of settings that shall follow
@@ -155,18 +123,11 @@ class Operation(host.operation_base()):
         if not diameter > 0:
             return
         feed, rapid = controller.HorizFeed.Value, controller.HorizRapid.Value
-        values = {
-            "MaximumFeed": 2 * feed,
-            "LinkFeed": rapid or 2 * feed,
-            "HelixDiameter": 0.9 * diameter,
-            "RollRadius": 0.15 * diameter,
-            "MinimumRadius": 0.15 * diameter,
-        }
         self._changing = True
         try:
-            for name, value in values.items():
-                if name not in obj.OwnValues:
-                    _set(obj, name, value)
+            for row in self.settings:
+                if row.follows and row.name not in obj.OwnValues:
+                    _set(obj, row.name, row.follows(diameter, feed, rapid))
         finally:
             self._changing = False
         # A side step that cannot be stays, to be refused.
@@ -270,48 +231,12 @@ class Operation(host.operation_base()):
         obj.Report = why
 
     def opExecute(self, obj):
-        core = compiled.core()
-        tool, data = tools.read(obj.ToolController)
-        turned = host.turned_work_plane(obj)
-        if turned is not None:
-            raise ValueError(
-                "The work plane '%s' is turned, and EvenLoad cuts along the job's own axes: choose "
-                "another, or turn the model in a job of its own." % turned.Label
-            )
-        # Geometry first: depths follow it, and what is wrong with them then is not the cause.
-        checks.for_geometry(obj)
-        floors = self.floors(obj, tool)
-        stock_checks.refuse_floors_below(obj, floors)
-        levels = checks.settings(obj, tool, data)
-        regions = [floor.region() for floor in floors]
-        slack = max(floor.slack for floor in floors)
-        stock, notes = None, []
-        with self._watch(obj) as watch:
-            try:
-                stock_checks.refuse_material_above(obj, core, tool, regions, watch)
-                hole = checks.hole(obj, tool, floors)
-                if rest.is_wanted(obj):
-                    stock, notes = rest.standing(obj, core, tool, regions, levels, slack, watch)
-            except job_simulation.Stopped:
-                raise Cancelled(self._area_in_reach(obj, core, tool, regions)) from None
-            parameters = self._parameters(obj, tool, data, levels, hole, slack)
-            if stock is not None:
-                parameters["stock"] = stock
-            parameters["progress"] = watch
-            toolpath, own = self.generate(obj, core, regions, parameters)
-        if toolpath.report.termination == "cancelled":
-            raise Cancelled(self._area_in_reach(obj, core, tool, regions))
-        self._check_entries(obj, tool, toolpath)
+        done = compute.run(self, obj)
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
-        self.commandlist.extend(commands.from_moves(toolpath, left_out_from=last))
-        material = regions if stock is None else next(filter(None, reversed(stock)), [])
-        self.last = Computation(floors, regions, toolpath, tool, data, hole, material)
-        notes += _spindle_notes(obj, data) + self._notes(floors, obj.FinalDepth.Value)
-        notes += stock_checks.notes_of(obj) + force.notes(obj, tool)
-        self._set_results(obj, toolpath.report, notes)
-        for name, value in own.items():
-            self._quietly(obj, name, value)
+        self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
+        self.last = done
+        self._set_results(obj, done)
 
     def floors(self, obj, tool, slot=None):
         """The Floor of every region that the base geometry describes. slot: as for shape.floors.
@@ -335,46 +260,25 @@ class Operation(host.operation_base()):
         """
         raise NotImplementedError
 
-    def _watch(self, obj):
-        """A context with what the core is to ask while it works."""
+    def watch(self):
+        """What the core is to ask while it works: callable(share) -> whether to go on, or None."""
         if self._dialog is not None:
             self._dialog(0.0)  # what came before may have taken long
-        return contextlib.nullcontext(self.progress or self._dialog)
+        return self.progress or self._dialog
 
     @contextlib.contextmanager
     def _asked_all_along(self, obj):
         """While this lasts, the GUI's dialog can be asked whether to go on: one for all that an
         operation does, so that it is there in time whatever takes long.
         """
-        if self.progress is not None or not FreeCAD.GuiUp:
+        if self.progress is not None or window.watch is None:
             yield
             return
-        from evenload.gui import progress
-
-        with progress.Watch(obj.Label) as self._dialog:
+        with window.watch(obj.Label) as self._dialog:
             try:
                 yield
             finally:
                 self._dialog = None
-
-    @staticmethod
-    def _area_in_reach(obj, core, tool, regions):
-        """What a path would clear, in mm2."""
-        ground = core.reachable_ground(regions, tool.diameter, obj.StockToLeave.Value)
-        return sum(region.area for region in ground)
-
-    @staticmethod
-    def _notes(floors, final_depth):
-        notes = [note for floor in floors for note in floor.notes]
-        beside = {}  # faces by how far FinalDepth lies from them
-        for floor in floors:
-            above = round(floor.z - final_depth, 4)
-            if floor.is_face and abs(above) > LEVEL:
-                beside.setdefault(above, []).extend(floor.parts)
-        for above, parts in beside.items():
-            what = "below %s: the tool cuts into it." if above > 0 else "above %s: the rest stays."
-            notes.append("FinalDepth lies %g mm " % abs(above) + what % name_of(parts))
-        return notes
 
     def _check_job(self, obj):
         job = host.parent_job(obj)
@@ -386,58 +290,6 @@ class Operation(host.operation_base()):
             raise ValueError("The job '%s' has no stock: give it one." % job.Label)
         tools.read(obj.ToolController)
 
-    def _parameters(self, obj, tool, data, levels, hole, slack):
-        """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may
-        be too large by, for which the tool keeps away from the walls.
-        """
-        return {
-            "tool_diameter": tool.diameter,
-            "engagement_angle": math.radians(obj.EngagementAngle.Value),
-            "cut_mode": _core_cut_mode(obj, data),
-            "feed_control": obj.FeedControl.lower(),
-            "feed": data.feed,
-            "plunge_feed": data.plunge_feed,
-            "link_feed": 60 * obj.LinkFeed.Value,
-            "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
-            "least_load": obj.LeastLoad,
-            "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
-            "roll_radius": obj.RollRadius.Value,
-            "minimum_radius": obj.MinimumRadius.Value,
-            "entry": obj.Entry.lower(),
-            "helix_angle": math.radians(obj.HelixAngle.Value),
-            "helix_diameter": obj.HelixDiameter.Value,
-            "entry_point": hole[:2] if hole else None,
-            "hole_diameter": hole[2] if hole else 0.0,
-            "stock_to_leave": obj.StockToLeave.Value + slack,
-            "wall_pass": obj.WallPass,
-            "tolerance": obj.Tolerance.Value - 2 * slack,
-            "arcs": obj.Arcs,
-            "link_lift": obj.LinkLift.Value,
-            "top": obj.StartDepth.Value,
-            "levels": levels,
-            "order_by": obj.OrderBy.lower(),
-            "narrow_passages": obj.NarrowPassages.lower(),
-            "safe_height": obj.SafeHeight.Value,
-            "clearance_height": obj.ClearanceHeight.Value,
-            **force.parameters(obj, tool, data),
-        }
-
-    def _check_entries(self, obj, tool, toolpath):
-        """A tool that does not cut at its centre can only go down in a helix or a hole, or beside
-        the material.
-        """
-        if tool.centre_cutting:
-            return
-        x = y = None
-        for kind, nx, ny, nz, sweep, *_ in toolpath.moves:
-            if kind == planar.ENTRY and not sweep and x is not None and (nx, ny) != (x, y):
-                raise ValueError(
-                    "The tool '%s' does not cut at its centre and cannot enter by a ramp near "
-                    "(%g, %g): set a pre-drilled hole, or take a tool that cuts at its centre."
-                    % (tool.name, nx, ny)
-                )
-            x, y = nx, ny
-
     def _prove(self, obj):
         """Refuses a path with faults, and says in Report whether it was checked."""
         faults = proof.check(obj) if obj.Check else []
@@ -446,102 +298,40 @@ class Operation(host.operation_base()):
         said = proof.CHECKED if obj.Check else proof.UNCHECKED
         obj.Report = "\n".join(filter(None, [obj.Report, said]))
 
-    def _set_results(self, obj, report, notes):
+    def _set_results(self, obj, done):
+        report = done.toolpath.report
         _set(obj, "MaxEngagement", math.degrees(report.max_engagement))
         obj.CuttingTime = report.cutting_time
         obj.IdealTime = report.ideal_time
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
         obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.Report = "\n".join(told(note) for note in [*notes, *report.notes])
+        obj.Report = "\n".join(told(note) for note in [*done.notes, *report.notes])
+        for name, value in done.own.items():
+            self._quietly(obj, name, value)
 
     def _clear_results(self, obj):
         for setting in self.results:
             setattr(obj, setting.name, setting.value)
 
 
-LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
-OUTPUT = 8  # FreeCAD's property attribute for results
 NOTHING_IS_CUT = "(Cancelled: nothing is cut here)"  # what is posted for a cancelled operation
 
 
-def register(proxy_class, create):
-    """Tells FreeCAD of a kind of operation, so that jobs and templates can keep defaults for it."""
-    names = [setting.name for setting in proxy_class.settings if setting.in_setup_sheet()]
-    host.register_operation(proxy_class.name, create, lambda: names)
-
-
-def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
-    """A new operation of a proxy class: what every operation's Create does.
-
-    name: of the new document object; obj: one to use instead; parentJob: the job, needed when there
-    are several; toolController: one of the job's, needed when there are several and nobody can be
-    asked. Nothing is left in the document when it fails.
-    """
-    made = obj is None
-    if made:
-        doc = parentJob.Document if parentJob else FreeCAD.ActiveDocument
-        FreeCAD.setActiveDocument(doc.Name)
-        obj = doc.addObject("Path::FeaturePython", name)
-    try:
-        obj.Proxy = proxy_class(obj, name, parentJob, toolController)
-    except Exception:
-        if made:
-            obj.Document.removeObject(obj.Name)
-        raise
-    _show(obj)
-    return obj
-
-
-def _compute_left_out(doc):
-    """Computes the operations that FreeCAD has left out because their tool controller failed: 1.1
-    does so where it has no tool, and would keep the path that was for another tool.
-    """
-    for obj in doc.Objects:
-        if not isinstance(getattr(obj, "Proxy", None), Operation):
-            continue
-        controller = host.controller_of(obj)
-        if controller is not None and not controller.isValid() and obj.isValid():
-            obj.recompute()
-
-
-host.call_after_recompute(_compute_left_out)
-
-
-def _show(obj):
+def show(obj):
     """With a GUI, gives an operation that a script made its view provider. The SetupSheet's
     stand-in for an operation is shown nowhere.
     """
-    if FreeCAD.GuiUp and isinstance(obj, FreeCAD.DocumentObject):
-        from evenload.gui import views
-
-        views.attach(obj)
-
-
-def _core_cut_mode(obj, data):
-    """The cut mode as the core has it, whose spindle turns clockwise."""
-    if data.spindle != tools.REVERSE:
-        return obj.CutMode.lower()
-    return "conventional" if obj.CutMode == "Climb" else "climb"
-
-
-def _spindle_notes(obj, data):
-    controller = obj.ToolController.Label
-    if data.spindle == tools.REVERSE:
-        return [
-            "The spindle of '%s' turns counter-clockwise, as its SpindleDir says: the path goes "
-            "the other way round, so that it cuts as %s." % (controller, obj.CutMode.lower())
-        ]
-    if data.spindle == tools.STANDING:
-        return ["The spindle of '%s' does not turn: set its SpindleDir." % controller]
-    return []
+    if window.show is not None and isinstance(obj, FreeCAD.DocumentObject):
+        window.show(obj)
 
 
 def _set(obj, name, value):
     """Assigns only what differs, so that nothing is touched without need."""
     before = getattr(obj, name)
     before = getattr(before, "Value", before)
-    if isinstance(value, FreeCAD.Vector):
+    if isinstance(before, FreeCAD.Vector):
+        value = FreeCAD.Vector(value)
         differs = (before - value).Length > 1e-9 * max(1.0, value.Length)
     else:
         differs = abs(before - value) > 1e-9 * max(1.0, abs(value))

@@ -1,26 +1,23 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
-from evenload.floor import listed
-from evenload.operations.settings import HOLE_ENTRIES, POSITIVE
+from evenload.settings import ranges
+from evenload.settings.table import HOLE_ENTRIES, TOLERANCE
+from evenload.words import listed
 
-MOST_LEAST_LOAD = 0.95
 MOST_LEVELS = 5000  # more is a slip of the pen, and would take days
 
 
 def for_geometry(obj):
     """Raises ValueError for settings that reading the base geometry needs."""
-    if not obj.Tolerance.Value > 0:
-        raise ValueError("Tolerance is %s: it must be positive." % _text(obj, "Tolerance"))
+    ranges.check(obj, [TOLERANCE])
 
 
-def settings(obj, tool, data):
-    """Raises ValueError for settings that cannot be used; returns the levels' heights."""
-    angle = obj.EngagementAngle.Value
-    if not 0 < angle < 180:
-        raise ValueError(
-            "EngagementAngle is %g degrees: it must lie between 0 and 180 degrees." % angle
-        )
+def settings(obj, rows, tool, data):
+    """Raises ValueError for settings, of these rows, that cannot be used; returns the levels'
+    heights.
+    """
+    ranges.check(obj, rows)
     if not 0 < obj.SideStep.Value < tool.diameter:
         raise ValueError(
             "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."
@@ -32,25 +29,10 @@ def settings(obj, tool, data):
             "SideStep is %g mm, less than the Tolerance of %g mm: raise EngagementAngle."
             % (obj.SideStep.Value, obj.Tolerance.Value)
         )
-    for name in POSITIVE:
-        if not getattr(obj, name).Value > 0:
-            raise ValueError("%s is %s: it must be positive." % (name, _text(obj, name)))
-    for name in ("LinkLift", "HoleDiameter", "StockToLeave", "StockToLeaveAxial"):
-        if getattr(obj, name).Value < 0:
-            raise ValueError("%s is %s: it must not be negative." % (name, _text(obj, name)))
-    if not 0 < obj.HelixAngle.Value < 90:
-        raise ValueError(
-            "HelixAngle is %g degrees: it must lie between 0 and 90 degrees." % obj.HelixAngle.Value
-        )
     if 60 * obj.MaximumFeed.Value < data.feed * (1 - 1e-9):
         raise ValueError(
             "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
             "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
-        )
-    if not 0 <= obj.LeastLoad <= MOST_LEAST_LOAD:
-        raise ValueError(
-            "LeastLoad is %g: it must lie between 0 and %g, shares of the nominal load."
-            % (obj.LeastLoad, MOST_LEAST_LOAD)
         )
     return _levels(obj, tool)
 
@@ -117,10 +99,3 @@ def hole(obj, tool, floors):
             % (at.x, at.y, listed([floor.name for floor in floors], " and ", "others"))
         )
     return at.x, at.y, diameter
-
-
-def _text(obj, name):
-    value = getattr(obj, name)
-    if obj.getTypeIdOfProperty(name) == "App::PropertySpeed":
-        return "%g mm/min" % (60 * value.Value)
-    return "%g mm" % value.Value

@@ -5,7 +5,7 @@ spindle's speed.
 import math
 
 from evenload import compiled, materials
-from evenload.operations.settings import CONSTANT_FORCE
+from evenload.settings.table import CONSTANT_FORCE
 
 
 def parameters(obj, tool, data):

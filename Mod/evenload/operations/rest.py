@@ -8,8 +8,10 @@ after them, and again whenever one of them changes.
 import Path
 
 from evenload import host
-from evenload.floor import SAME_HEIGHT
-from evenload.operations.settings import REST_MACHINING
+from evenload.geometry.floor import SAME_HEIGHT
+from evenload.settings.table import REST_MACHINING
+from evenload.simulation import rest_resolution
+from evenload.simulation.earlier import stock_before
 
 
 def is_wanted(op):
@@ -46,15 +48,12 @@ def link_all(job):
 def standing(op, core, tool, regions, levels, slack, progress):
     """([[Region, ...] for each level], notes): where material stands within the tool's reach.
 
-    progress: as for job_simulation.stock_before.
+    progress: as for simulation.earlier.stock_before.
     Raises ValueError with a sentence where the earlier operations' paths cannot be relied upon.
     """
-    from evenload import job_simulation
-    from evenload.simulation import rest_resolution
-
     wait_for_earlier(op)
     resolution = rest_resolution(op.SideStep.Value)
-    stock, notes = job_simulation.stock_before(op, resolution, progress)
+    stock, notes = stock_before(op, resolution, progress)
     reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
     return [stock.standing(z, reach) for z in levels], notes
 

@@ -1,8 +1,9 @@
 """Whether an operation fits into its stock: floors within it, and nothing above StartDepth."""
 
-from evenload import body, host, job_simulation
+from evenload import host
+from evenload.geometry import body
 from evenload.operations import rest
-from evenload.simulation import rest_resolution
+from evenload.simulation import earlier, rest_resolution
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 FILM = 0.02  # mm: what stands no higher above StartDepth is none
@@ -36,7 +37,7 @@ def notes_of(op):
 def refuse_material_above(op, core, tool, regions, progress):
     """Raises ValueError with the place where material stands above StartDepth within an operation's
     regions, after all that the job's earlier operations cut. progress: as for
-    job_simulation.stock_before.
+    simulation.earlier.stock_before.
     """
     start = op.StartDepth.Value + FILM
     stock = body.of(host.parent_job(op).Stock.Shape)
@@ -44,11 +45,11 @@ def refuse_material_above(op, core, tool, regions, progress):
     place = max(filter(None, places), key=lambda place: place[2], default=None)
     if place is None:
         return
-    if not job_simulation.cut_before(op, []):
+    if not earlier.cut_before(op, []):
         _refuse(op, *place)
     rest.wait_for_earlier(op)
     resolution = rest_resolution(op.SideStep.Value)
-    dexels, _ = job_simulation.stock_before(op, resolution, progress)
+    dexels, _ = earlier.stock_before(op, resolution, progress)
     left = dexels.standing(start, core.reachable_ground(regions, tool.diameter, 0.0))
     if sum(region.area for region in left) < LEAST * tool.diameter**2:
         return

@@ -1,8 +1,9 @@
 """Trochoid: cuts slots by trochoids at constant engagement."""
 
 from evenload import compiled
-from evenload.operations import base
-from evenload.operations.settings import GROUP, RESULT_SETTINGS, RESULTS, SETTINGS, Setting
+from evenload.operations import base, registry
+from evenload.settings.results import RESULTS_OF_TROCHOID, RESULT_SETTINGS
+from evenload.settings.table import OF_TROCHOID, SETTINGS
 
 NAME = "EvenLoad Trochoid"
 
@@ -13,52 +14,8 @@ class Trochoid(base.Operation):
     """
 
     name = NAME
-    settings = (
-        *SETTINGS,
-        Setting(
-            "Pattern",
-            "App::PropertyEnumeration",
-            ["Constant engagement", "Circular", "Cycloid"],
-            "The trochoid's shape; the circular and the cycloid one reach the engagement angle "
-            "only for a moment of each turn",
-            GROUP,
-        ),
-        Setting(
-            "SlotWidth",
-            "App::PropertyLength",
-            0.0,
-            "Width of the slot round a sketch or edges, which are its centreline once this is set; "
-            "faces have their own",
-            GROUP,
-        ),
-    )
-    results = (
-        *RESULT_SETTINGS,
-        Setting(
-            "TrochoidalStep",
-            "App::PropertyLength",
-            0.0,
-            "How far the trochoid advances in each turn, along the longest slot; 0: no trochoid "
-            "was repeated, see Report",
-            RESULTS,
-        ),
-        Setting(
-            "Iterations",
-            "App::PropertyInteger",
-            0,
-            "Passes that were steered to find the shape of that trochoid; 0 for circles and "
-            "cycloids, and where none was repeated",
-            RESULTS,
-        ),
-        Setting(
-            "RemovalRate",
-            "App::PropertyFloat",
-            0.0,
-            "Volume over time along the longest slot at its first depth, links and the passes "
-            "along both walls included, entry and ends not, in mm3/min",
-            RESULTS,
-        ),
-    )
+    settings = (*SETTINGS, *OF_TROCHOID)
+    results = (*RESULT_SETTINGS, *RESULTS_OF_TROCHOID)
 
     def floors(self, obj, tool):
         def slot(chain, closed, name):
@@ -88,7 +45,7 @@ class Trochoid(base.Operation):
         return found
 
     def generate(self, obj, core, regions, parameters):
-        toolpath, figures = core.clear_slot(regions, pattern=obj.Pattern.lower(), **parameters)
+        toolpath, figures = core.clear_slot(regions, **parameters)
         return toolpath, {
             "TrochoidalStep": figures.step,
             "Iterations": figures.iterations,
@@ -97,8 +54,8 @@ class Trochoid(base.Operation):
 
 
 def Create(name, obj=None, parentJob=None, toolController=None):
-    """A new trochoid operation, as a document object; see base.create for the arguments."""
-    return base.create(Trochoid, name, obj, parentJob, toolController)
+    """A new trochoid operation, as a document object; see registry.create for the arguments."""
+    return registry.create(Trochoid, name, obj, parentJob, toolController)
 
 
-base.register(Trochoid, Create)
+registry.register(Trochoid, Create)

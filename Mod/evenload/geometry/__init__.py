@@ -1,0 +1,1 @@
+"""Base geometry, models and stock: the floors that an operation clears, as regions."""

@@ -1,0 +1,31 @@
+"""What can be picked for an operation in FreeCAD's window."""
+
+import FreeCADGui
+
+
+class Gate:
+    """What can be selected while a panel is open: level faces, edges, sketches."""
+
+    def allow(self, doc, obj, sub):
+        shape = getattr(obj, "Shape", None)
+        if shape is None or shape.isNull():
+            return False
+        if is_outline(obj) or sub.startswith("Edge"):
+            return True
+        if not sub.startswith("Face"):
+            return False
+        box = shape.getElement(sub).BoundBox
+        return box.ZLength < 1e-6
+
+
+def is_outline(obj):
+    """Whether an object is base geometry as a whole: a sketch, or wires without a solid."""
+    shape = getattr(obj, "Shape", None)
+    if shape is None or shape.isNull():
+        return False
+    return obj.isDerivedFrom("Sketcher::SketchObject") or not (shape.Solids or shape.Shells)
+
+
+def select():
+    """FreeCAD calls this when a panel opens; it removes the gate itself."""
+    FreeCADGui.Selection.addSelectionGate(Gate())

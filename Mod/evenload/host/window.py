@@ -1,0 +1,101 @@
+"""FreeCAD's window: for evenload.gui, and for what is made while there is one."""
+
+from types import SimpleNamespace
+
+from evenload.host.versions import ASSETS, CAM, MOVED
+
+WORKBENCH = "CAMWorkbench" if CAM else "PathWorkbench"
+MENU = "&CAM" if CAM else "&Path"
+TOOLBAR = "New Operations"
+NEIGHBOUR = "CAM_Adaptive" if CAM else "Path_Adaptive"  # our commands stand beside this one
+INACTIVE_ICON = ":/icons/CAM_OpActive.svg" if CAM else ":/icons/Path_OpActive.svg"
+# Whether FreeCAD ends its list of tool controllers with "Copy ..." and "New tool controller...". It
+# acts on them only in a form that has a box editToolController in a QGridLayout.
+LIST_MAKES_CONTROLLERS = ASSETS
+
+
+def gui():
+    """FreeCAD's GUI modules under one roof: op (panels), util (spin boxes), selection."""
+    if MOVED:
+        import Path.Base.Gui.Util as util
+        import Path.Op.Gui.Base as op
+        import Path.Op.Gui.Selection as selection
+    else:
+        import PathScripts.PathGui as util
+        import PathScripts.PathOpGui as op
+        import PathScripts.PathSelection as selection
+    return SimpleNamespace(op=op, util=util, selection=selection)
+
+
+def show_value(box):
+    """Brings one of FreeCAD's controllers of a spin box up to date with its property."""
+    (box.updateWidget if ASSETS else box.updateSpinBox)()
+
+
+def show_job(job):
+    """Gives a job and what belongs to it the view providers that they lack when a script made them.
+
+    FreeCAD itself does this only for jobs that its own command makes.
+    """
+    if MOVED:
+        import Path.Base.Gui.IconViewProvider as icon
+        import Path.Main.Gui.Job as job_gui
+        import Path.Tool.Gui.Controller as controller_gui
+    else:
+        import PathScripts.PathIconViewProvider as icon
+        import PathScripts.PathJobGui as job_gui
+        import PathScripts.PathToolControllerGui as controller_gui
+    for resource, name in (
+        *((model, "BaseGeometry") for model in job.Model.Group),
+        (job.Stock, "Stock"),
+        (job.SetupSheet, "SetupSheet"),
+    ):
+        # Its Job panel asks for onEdit, which the view of Draft's clone has not.
+        if resource is not None and not hasattr(resource.ViewObject.Proxy, "onEdit"):
+            icon.Attach(resource.ViewObject, name)
+            resource.ViewObject.Visibility = False
+    for controller in job.Tools.Group:
+        if not hasattr(controller.ViewObject.Proxy, "getIcon"):
+            controller_gui.ViewProvider(controller.ViewObject)
+    view = job.ViewObject
+    if not hasattr(view.Proxy, "getIcon"):
+        view.addExtension("Gui::ViewProviderGroupExtensionPython")
+        view.Proxy = job_gui.ViewProvider(view)
+        # FreeCAD takes it for the view of a job that is just being made, and Cancel in its first
+        # panel would delete the job with all its operations.
+        view.Proxy.deleteOnReject = False
+
+
+def add_to_workbench(commands):
+    """Puts commands beside FreeCAD's own in the Path / CAM workbench's menu and toolbar."""
+    import FreeCADGui
+
+    if hasattr(FreeCADGui, "addWorkbenchManipulator"):
+        FreeCADGui.addWorkbenchManipulator(_Manipulator(commands))
+        return
+    workbench = FreeCADGui.listWorkbenches().get(WORKBENCH)
+    if workbench is None:
+        return
+    initialize = workbench.Initialize
+
+    def initialize_with_ours():
+        initialize()
+        workbench.appendToolbar(TOOLBAR, list(commands))
+        workbench.appendMenu([MENU], list(commands))
+
+    workbench.Initialize = initialize_with_ours
+
+
+class _Manipulator:
+    """What FreeCAD 1.0 asks when it fills menus and toolbars; it answers for every workbench,
+    FreeCAD skips where the neighbour is missing.
+    """
+
+    def __init__(self, commands):
+        self.commands = list(commands)
+
+    def modifyMenuBar(self):
+        return [{"insert": c, "menuItem": NEIGHBOUR, "after": ""} for c in self.commands]
+
+    def modifyToolBars(self):
+        return [{"insert": c, "toolItem": NEIGHBOUR, "after": ""} for c in self.commands]

@@ -1,0 +1,160 @@
+"""One job of a job file: its FreeCAD job, its operation, its outputs."""
+
+import os
+
+from evenload import host
+from evenload.job_files import model, outputs, parameters, report
+from evenload.operations import adaptive, lame_spiral, trochoid
+from evenload.simulation import job as job_simulation
+
+OPERATIONS = {"adaptive": adaptive, "trochoid": trochoid, "lame_spiral": lame_spiral}
+PROGRESS_STEP = 0.1  # share of a job between two progress lines
+
+
+def do(job, number, folder, taken, say, result):
+    """Does a job whose keys are checked, the file's number `number`; `result` gets its figures and
+    outputs. folder: the job file's; taken: as for outputs.claim; say: takes a line of progress.
+    Raises ValueError with a sentence for what cannot be done.
+    """
+    operation = _operation(job, number)
+    files = _files(job, number)
+    # All before the work, which would be in vain.
+    outputs.claim(files, number, folder, job["model"], taken)
+    for name, what in files.values():
+        with outputs.opened(folder, name, what) as path:
+            outputs.attempt(path)
+    say("reading " + job["model"])
+    doc, machined = model.opened(os.path.join(folder, job["model"]), job.get("object"))
+    machine_job, controller = _machine_job(job, doc, machined)
+    op = operation.Create(result["name"], parentJob=machine_job, toolController=controller)
+    op.Base = model.base_of(doc, machined, machine_job.Model.Group[0], job["base"], number)
+    parameters.set_all(op, job["operation"].get("parameters", {}), number)
+    op.Proxy.progress = _progress(say)
+    say("computing")
+    doc.recompute()
+    result["figures"] = report.figures(op)
+    if not op.isValid():
+        raise ValueError(op.Report or op.getStatusString())
+
+    draw_simulation = None
+    if "simulation" in job:
+        say("simulating")
+        figures, draw_simulation = _simulate(op, job["simulation"], folder, _progress(say))
+        result["figures"].update(figures)
+    post = job.get("post", {})
+    text = host.post(
+        machine_job, post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
+    )
+    for key, write in (
+        ("gcode", lambda path: outputs.write(path, text)),
+        ("picture", lambda path: _draw(op, path)),
+        ("simulation_picture", draw_simulation),
+        ("document", lambda path: doc.saveCopy(path)),
+    ):
+        if key in files:
+            name, what = files[key]
+            with outputs.opened(folder, name, what) as path:
+                write(path)
+            result["output"][key] = path
+            say("wrote " + os.path.relpath(path))
+
+
+def _operation(job, number):
+    """The module of a job's kind of operation."""
+    kind = job["operation"]["type"]
+    if kind not in OPERATIONS:
+        raise ValueError(
+            "Job %d: there is no operation '%s'; there is %s."
+            % (number, kind, ", ".join(OPERATIONS))
+        )
+    return OPERATIONS[kind]
+
+
+def _files(job, number):
+    """{key: (name, what it is, for sentences)} of a job's outputs."""
+    if not job["output"].get("document", ".FCStd").endswith(".FCStd"):
+        raise ValueError(
+            "Job %d, output: the document is '%s': its name must end in .FCStd."
+            % (number, job["output"]["document"])
+        )
+    files = {
+        key: (name, "Job %d, output: the %s" % (number, key)) for key, name in job["output"].items()
+    }
+    if "picture" in job.get("simulation", {}):
+        name = job["simulation"]["picture"]
+        files["simulation_picture"] = name, "Job %d, simulation: the picture" % number
+    return files
+
+
+def _machine_job(job, doc, machined):
+    """(FreeCAD's job, tool controller) with the tool, the feeds and the stock that a job names."""
+    cutting, tool = job["cutting"], job["tool"]
+    machine_job, controller = host.create_job(
+        doc,
+        [machined],
+        tool["diameter"],
+        cutting["feed"],
+        cutting["spindle_speed"],
+        tool.get("flutes", 1),
+    )
+    if "shape" in tool:
+        controller.Tool = host.create_tool(tool["shape"], {"Diameter": tool["diameter"]})
+    if "cutting_length" in tool:
+        controller.Tool.CuttingEdgeHeight = tool["cutting_length"]
+    if "plunge_feed" in cutting:
+        controller.VertFeed = "%.9g mm/min" % cutting["plunge_feed"]
+    if "rapid_feed" in cutting:
+        host.set_rapid_feed(controller, cutting["rapid_feed"])
+    host.set_stock_margin(machine_job, job.get("stock", {}).get("margin", 0.0))
+    doc.recompute()
+    return machine_job, controller
+
+
+def _draw(op, path):
+    # Here, because a job without pictures needs no matplotlib.
+    from evenload.pictures import path_picture
+
+    path_picture.picture(op, path)
+
+
+def _simulate(op, wishes, folder, progress):
+    """(figures, function that draws them all into a file) of an operation's simulation."""
+    options = {key: value for key, value in wishes.items() if key != "picture"}
+    for key in ("material", "machine"):
+        name = options.get(key)
+        if isinstance(name, str) and os.path.isfile(os.path.join(folder, name)):
+            options[key] = os.path.join(folder, name)
+    setup = job_simulation.read(op)
+    simulation = setup.simulate(progress=progress, **options)
+    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
+    depth = min(op.StepDown.Value, op.StartDepth.Value - final)
+    last = op.Proxy.last
+
+    def draw(path):
+        # Here, because a job without pictures needs no matplotlib.
+        from evenload.pictures import simulation_pictures
+
+        simulation_pictures.sheet(
+            simulation,
+            path,
+            setup.stock,
+            setup.part,
+            last.hole,
+            target_deg=op.EngagementAngle.Value,
+            nominal_rate=op.SideStep.Value * depth * last.data.feed,
+            title=op.Label,
+        )
+
+    return report.simulated(simulation), draw
+
+
+def _progress(say):
+    said = [0.0]
+
+    def progress(share):
+        if share >= said[0] + PROGRESS_STEP:
+            said[0] = share
+            say("%d %%" % round(100 * share))
+        return True
+
+    return progress

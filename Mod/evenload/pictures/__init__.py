@@ -1,0 +1,1 @@
+"""Pictures of paths and simulations. All need matplotlib, which FreeCAD may lack."""

@@ -1,0 +1,118 @@
+"""Load and force of a Simulation over time, drawn into axes."""
+
+import numpy
+
+from evenload import planar
+from evenload.pictures.path_picture import ENTRY_COLOUR, LINK_COLOUR
+
+LOAD_COLOUR, LIMIT_COLOUR, PEAK_COLOUR = "#1a73e8", "#d93025", "#e8710a"
+KINDS = (
+    (planar.CUT, "cuts", LOAD_COLOUR),
+    (planar.ENTRY, "entries", ENTRY_COLOUR),
+    (planar.LINK, "links", LINK_COLOUR),
+    (planar.RAPID, "rapids", "#dadce0"),
+)
+COLUMNS = 1200  # of a plot over time: more samples are drawn as their least, mean and largest
+
+
+def draw_load(upper, lower, simulation, target_deg, nominal_rate):
+    time = simulation.time_s
+    _draw_band(upper, time, simulation.engagement_deg)
+    upper.set_ylabel("engagement, degrees")
+    _limit(upper, target_deg, "target %.4g\u00b0")
+    _draw_kinds(upper, simulation)
+    _draw_band(lower, time, numpy.asarray(simulation.removal_rate) / 1000.0)
+    lower.set_ylabel("removal rate, cm\u00b3/min")
+    _limit(lower, nominal_rate / 1000.0 if nominal_rate else None, "nominal %.4g cm\u00b3/min")
+    for axes in (upper, lower):
+        _dress(axes, time)
+    upper.tick_params(labelbottom=False)
+    lower.set_xlabel("time, s")
+    _legend_above(upper)
+    if nominal_rate:
+        _legend_above(lower)
+
+
+def draw_force(axes, simulation, reference):
+    _draw_band(axes, simulation.time_s, simulation.force_peak, colour=PEAK_COLOUR, label="peak")
+    _draw_band(axes, simulation.time_s, simulation.force_mean, label="mean of a revolution")
+    _limit(axes, reference, "reference %.4g N")
+    _dress(axes, simulation.time_s)
+    axes.set_ylabel("force in XY, N")
+    axes.set_xlabel("time, s")
+    _legend_above(axes)
+
+
+def _dress(axes, time):
+    axes.set_xlim(0, max(time[-1], 1e-9) if len(time) else 1)
+    axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
+    axes.grid(color="#e8eaed", linewidth=0.6)
+    axes.set_axisbelow(True)
+
+
+def _legend_above(axes):
+    """In one row over the right end of the axes, where it hides nothing; titles are on the left."""
+    axes.legend(
+        loc="lower right",
+        bbox_to_anchor=(1, 1),
+        borderaxespad=0.1,
+        fontsize=8,
+        frameon=False,
+        ncols=6,
+        columnspacing=1.2,
+    )
+
+
+def _limit(axes, value, words):
+    if value:
+        axes.axhline(
+            value, color=LIMIT_COLOUR, linestyle="--", lw=1.1, label=words % value, zorder=4
+        )
+        axes.set_ylim(top=max(axes.get_ylim()[1], 1.12 * value))
+
+
+def _draw_band(axes, time, values, colour=LOAD_COLOUR, label=None):
+    """Values over time: a line, or many of them as a band from the least to the largest with their
+    mean in it.
+    """
+    time, values = numpy.asarray(time), numpy.asarray(values)
+    if len(time) <= 2 * COLUMNS:
+        axes.plot(time, values, color=colour, linewidth=0.8, label=label, zorder=3)
+        return
+    middle, least, mean, largest = columns(time, values, COLUMNS)
+    axes.fill_between(middle, least, largest, color=colour, alpha=0.3, linewidth=0, zorder=2)
+    axes.plot(middle, largest, color=colour, linewidth=0.5, zorder=3)
+    axes.plot(middle, mean, color=colour, linewidth=0.9, label=label, zorder=3)
+
+
+def columns(time, values, count):
+    """(time, least, mean, largest) of the values in each of `count` equal spans of time that has
+    any. time: rising.
+    """
+    span = (time[-1] - time[0]) or 1.0
+    column = numpy.minimum((count * (time - time[0]) / span).astype(int), count - 1)
+    starts = numpy.flatnonzero(numpy.r_[True, numpy.diff(column) > 0])
+    sizes = numpy.diff(numpy.r_[starts, len(values)])
+    middle = time[0] + (column[starts] + 0.5) * span / count
+    least = numpy.minimum.reduceat(values, starts)
+    largest = numpy.maximum.reduceat(values, starts)
+    return middle, least, numpy.add.reduceat(values, starts) / sizes, largest
+
+
+def _draw_kinds(axes, simulation):
+    """A strip at the foot of the axes that tells what kind of move it is."""
+    time, kind = numpy.asarray(simulation.time_s), numpy.asarray(simulation.kind)
+    if len(time) < 2:
+        return
+    height = 0.05 * axes.get_ylim()[1]
+    starts = numpy.flatnonzero(numpy.r_[True, numpy.diff(kind[1:]) != 0])
+    ends = numpy.r_[starts[1:], len(kind) - 1]
+    for number, label, colour in KINDS:
+        spans = [
+            (time[a], time[b] - time[a]) for a, b in zip(starts, ends) if kind[a + 1] == number
+        ]
+        if spans:
+            axes.broken_barh(
+                spans, (-1.6 * height, height), facecolors=colour, linewidth=0, label=label
+            )
+    axes.set_ylim(bottom=-2.0 * height)

@@ -1,0 +1,192 @@
+"""The rows of the settings that single kinds of operations have, in the order of their panels."""
+
+from evenload.settings.setting import (
+    ANGLE,
+    BOOL,
+    CHOICE,
+    INTEGER,
+    LENGTH,
+    NUMBER,
+    NUMBERS,
+    POINT,
+    Setting,
+)
+
+# For operations that can work on what others left.
+REST_MACHINING = Setting(
+    "UseRestMachining",
+    BOOL,
+    False,
+    "Clears only what the job's earlier operations leave",
+    label="Rest machining",
+    box="Cut",
+    page="clears only what the job's earlier operations leave "
+    "([rest_machining.md](rest_machining.md))",
+)
+
+OF_ADAPTIVE = (REST_MACHINING,)
+
+OF_TROCHOID = (
+    Setting(
+        "Pattern",
+        CHOICE,
+        ["Constant engagement", "Circular", "Cycloid"],
+        "The trochoid's shape; the circular and the cycloid one reach the engagement angle "
+        "only for a moment of each turn",
+        label="Pattern",
+        box="Slot",
+        keyword="pattern",
+        page="or Circular, Cycloid: the usual trochoids, which reach the engagement angle for a "
+        "moment of each turn only ([compared](trochoid.md))",
+    ),
+    Setting(
+        "SlotWidth",
+        LENGTH,
+        0.0,
+        "Width of the slot round a sketch or edges, which are its centreline once this is set; "
+        "faces have their own",
+        label="Slot width",
+        box="Slot",
+        default="unset",
+        page="of the slots round sketches and edges; an open one needs it",
+    ),
+)
+
+OF_LAME_SPIRAL = (
+    Setting(
+        "Segments",
+        INTEGER,
+        None,
+        "Sides of the curve: 3 for a triangle, 4 for a square or a rectangle; fitted unless "
+        "it is set",
+        label="Segments",
+        box="Spiral",
+        keyword="segments",
+        fitted=True,
+        page="sides of the curve: 4 for squares and rectangles, 3 for triangles",
+    ),
+    Setting(
+        "SemiAxisA",
+        LENGTH,
+        None,
+        "First semi-axis of the spiral's last turn, of the tool's centre; fitted unless it is set",
+        label="Semi-axis A",
+        box="Spiral",
+        keyword="semi_axis_a",
+        fitted=True,
+        page="first semi-axis of the curve in which the spiral ends, on which the tool's centre "
+        "runs",
+    ),
+    Setting(
+        "SemiAxisB",
+        LENGTH,
+        None,
+        "Second semi-axis of the spiral's last turn, of the tool's centre; fitted unless it "
+        "is set",
+        label="Semi-axis B",
+        box="Spiral",
+        keyword="semi_axis_b",
+        fitted=True,
+        page="the second",
+    ),
+    Setting(
+        "ExponentStart",
+        NUMBER,
+        None,
+        "Exponent of the first turn: 1 is an ellipse; fitted unless it is set",
+        label="First exponent",
+        box="Spiral",
+        keyword="exponent_start",
+        fitted=True,
+        page="of the first turn: 1 is an ellipse, towards 0 the corners grow sharper",
+    ),
+    Setting(
+        "ExponentEnd",
+        NUMBER,
+        None,
+        "Exponent of the last turn: towards 0 corners grow sharper; fitted unless it is set",
+        label="Last exponent",
+        box="Spiral",
+        keyword="exponent_end",
+        fitted=True,
+        page="of the last turn",
+    ),
+    Setting(
+        "Rotation",
+        ANGLE,
+        None,
+        "Of the first semi-axis against the X axis; fitted unless it is set",
+        label="Rotation",
+        box="Spiral",
+        keyword="rotation",
+        fitted=True,
+        page="of the first semi-axis against the X axis",
+    ),
+    Setting(
+        "Pitch",
+        LENGTH,
+        None,
+        "The largest step of a turn; fitted to the engagement angle unless it is set, and "
+        "smaller where that demands it",
+        label="Pitch",
+        box="Spiral",
+        keyword="pitch",
+        fitted=True,
+        page="the largest step from turn to turn, of the larger change of the semi-axes; smaller "
+        "where the engagement angle demands it, and Report says so",
+    ),
+    Setting(
+        "Centre",
+        POINT,
+        None,
+        "Centre of the spiral; fitted unless it is set",
+        label="Centre",
+        box="Spiral",
+        keyword="centre",
+        fitted=True,
+        page="of the spiral",
+    ),
+    Setting(
+        "SemiAxisACourse",
+        NUMBERS,
+        [],
+        "How the first semi-axis comes from the first turn to the last: 2 to 20 shares of its "
+        "change, from 0 to 1, at even steps, as 0; 0.1; 0.4; 1; evenly where it is empty",
+        label="Course of A",
+        box="Spiral",
+        keyword="semi_axis_a_course",
+        page="how the first semi-axis comes from the first turn to the last: 2 to 20 shares of "
+        "the change, from 0 to 1, never falling, at even steps of the way; empty: evenly",
+    ),
+    Setting(
+        "SemiAxisBCourse",
+        NUMBERS,
+        [],
+        "The same of the second semi-axis",
+        label="Course of B",
+        box="Spiral",
+        keyword="semi_axis_b_course",
+        page="the same of the second",
+    ),
+    Setting(
+        "ExponentCourse",
+        NUMBERS,
+        [],
+        "The same of the exponent; evenly or late, as is quicker, where it is empty",
+        label="Course of exponent",
+        box="Spiral",
+        keyword="exponent_course",
+        page="the same of the exponent; empty: evenly or late, as is quicker",
+    ),
+    Setting(
+        "Rest",
+        CHOICE,
+        ["Clear", "Leave"],
+        "What the spiral does not reach: cleared at constant engagement, or left",
+        label="Rest",
+        box="Spiral",
+        keyword="rest",
+        page="what the spiral does not reach is cleared at constant engagement; or Leave: then "
+        "WallPass is ignored, there is no last pass along the walls",
+    ),
+)

@@ -1,0 +1,101 @@
+"""What was cut before an operation: its own path's moves, those of the job's earlier operations and
+of the holes drilled for them, and the stock that they leave.
+"""
+
+from evenload import commands, compiled, host, planar
+from evenload import tool as tools
+from evenload.settings.properties import is_ours
+from evenload.settings.table import HOLE_ENTRIES
+from evenload.simulation import part
+
+# Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
+# exact at any.
+COARSE = 0.25
+ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
+
+
+class Stopped(Exception):
+    """Whoever was asked whether to go on does not want to."""
+
+
+def stock_before(operation, resolution, progress=None):
+    """(DexelStock, notes): what the job's earlier active operations leave for an operation.
+
+    progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work follows.
+    Raises ValueError with a sentence, Stopped where it was stopped.
+    """
+    core, notes = compiled.core(), []
+    _, blocks, _, bottom = part.stock_of(host.parent_job(operation).Stock)
+    stock = core.DexelStock(blocks, bottom, resolution)
+    answers = []
+
+    def ask(_):
+        answers.append(progress is None or progress(0.0))
+        return answers[-1]
+
+    for moves, diameter in cut_before(operation, notes):
+        step = COARSE * diameter
+        core.simulate(
+            moves, stock, tool_diameter=diameter, step=step, find_rest=False, progress=ask
+        )
+        if not all(answers):
+            raise Stopped()
+    return stock, notes
+
+
+def moves_of(operation):
+    """(moves, numbers of their commands) of an operation's path."""
+    inner = host.operation_under(operation)
+    clearance = getattr(inner, "ClearanceHeight", None)
+    found = operation.Path.Commands
+    heights = [c.Parameters["Z"] for c in found if "Z" in c.Parameters]
+    z = max([clearance.Value if clearance else 0.0, *heights])
+    controller = host.controller_of(operation)
+    try:
+        return commands.to_moves(found, z, 60 * controller.HorizFeed.Value)
+    except ValueError as error:
+        raise ValueError("'%s': %s" % (operation.Label, error)) from None
+
+
+def cut_before(operation, notes):
+    """[(moves, tool diameter), ...] of the job's active operations before one, in their order, and
+    of the holes drilled for them and for it; `notes` gets a sentence on each that is left out.
+    Raises ValueError for a path that cannot be followed.
+    """
+    result, job = [], host.parent_job(operation)
+    top = job.Stock.Shape.BoundBox.ZMax
+    inner = host.operation_under(operation)
+    for other in host.operations(job):
+        if inner in host.all_under(other):  # also where the job has but its dressup or array
+            break
+        controller = host.controller_of(other)
+        if not host.is_active(other) or controller is None or not controller.Tool:
+            continue
+        kind, diameter = tools.other_shape(controller), tools.diameter(controller)
+        if not diameter > 0 or (kind and not tools.is_drill(controller)):
+            notes.append(
+                "'%s' is left out: its tool is %s, which the simulator cannot follow."
+                % (other.Label, kind or "without a diameter")
+            )
+            continue
+        moves, _ = moves_of(other)
+        result += hole_of(host.operation_under(other), top)
+        if len(moves) < 2:
+            continue
+        result += [
+            ([(*m[:3], m[3] + above, *m[4:]) for m in moves], width)
+            for above, width in tools.discs(controller)
+        ]
+    return result + hole_of(inner, top)
+
+
+def hole_of(operation, top):
+    """The pre-drilled hole of one of our operations as what its drill did: [(moves, diameter)]."""
+    if not is_ours(operation) or operation.Entry not in HOLE_ENTRIES:
+        return []
+    diameter, at = operation.HoleDiameter.Value, operation.EntryPoint
+    if not diameter > 0:
+        return []
+    feed = 60 * operation.ToolController.VertFeed.Value
+    ends = ((planar.RAPID, top + ABOVE, 0.0), (planar.CUT, operation.FinalDepth.Value, feed))
+    return [([(kind, at.x, at.y, z, 0.0, 0.0, 0.0, f) for kind, z, f in ends], diameter)]

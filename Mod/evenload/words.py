@@ -1,0 +1,43 @@
+"""Names of things in sentences: few of many, and none too long."""
+
+MOST_NAMES = 3  # in a sentence
+LONGEST_LABEL = 40  # characters of an object's label in a sentence
+
+
+def name_of(parts):
+    """Such as 'Face7, Face9 of Model' or '200 edges of Outline': at most MOST_NAMES of a kind.
+
+    parts: of (label of an object, sub-element or '').
+    """
+    names = {}
+    for label, element in parts:
+        names.setdefault(label, []).append(element)
+    named = [
+        "%s of %s" % (_elements(found), shortened(label)) if any(found) else shortened(label)
+        for label, found in names.items()
+    ]
+    return listed(named, " and ", "others")
+
+
+def _elements(names):
+    names = [name for name in names if name]
+    if len(names) > MOST_NAMES and all(name.startswith("Edge") for name in names):
+        return "%d edges" % len(names)
+    return listed(names)
+
+
+def listed(names, between=", ", rest="more", most=MOST_NAMES):
+    """At most so many names, and how many there are besides: 'Face3, Face5, Face9 and 4 more'."""
+    names = list(dict.fromkeys(names))
+    beyond = " and %d %s" % (len(names) - most, rest) if len(names) > most else ""
+    return between.join(names[:most]) + beyond
+
+
+def shortened(label):
+    """A label that leaves room for what is said of it."""
+    return label if len(label) <= LONGEST_LABEL else label[: LONGEST_LABEL - 1] + "\u2026"
+
+
+def in_order(parts):
+    """Parts by label and number: Face9 before Face10."""
+    return sorted(parts, key=lambda part: (part[0], len(part[1]), part[1]))
