@@ -76,7 +76,7 @@ TEST_P(EverySimulatedPocket, FeelsWhatAJudgeOfAnotherMethodSees) {
   EXPECT_NEAR(mean_cut_engagement(felt.record), seen.mean_cut_engagement, 0.3 * kDegree);
   // The worst rate lasts for less than a step where small engagements begin and end.
   EXPECT_NEAR(figures.removal_rate.value / pocket.axial_depth, seen.removal_rate,
-              0.05 * seen.removal_rate);
+              0.06 * seen.removal_rate);
   EXPECT_NEAR(figures.gouge.value, seen.gouge, 0.001);
   EXPECT_NEAR(figures.cut_length, seen.cut_length, 1e-6 * seen.cut_length);
   EXPECT_LE(figures.rest.area, 0.001 * seen.reachable_area);

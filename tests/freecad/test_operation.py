@@ -338,6 +338,32 @@ def test_a_cancelled_operation_is_empty_until_it_is_computed_again(square):
     assert "Cancelled" not in op.Report and len(op.Path.Commands) == whole
 
 
+def test_whoever_waits_is_asked_while_a_model_is_turned_into_heights(bench):
+    plate = block_with(face_of(SQUARE))
+    for k in range(SINKS):
+        place = FreeCAD.Vector(plate.BoundBox.XMin + 1 + 0.3 * k, plate.BoundBox.YMin + 1, 0)
+        plate = plate.cut(Part.makeCone(0.04, 0.1, 0.1, place - FreeCAD.Vector(0, 0, 0.1)))
+    on = bench(plate)
+    op = on.operation()
+    asked = []
+
+    def count(share):
+        asked.append(share)
+        return True
+
+    op.Proxy.progress = count
+    on.done(op)
+    before_the_core = next(k for k, share in enumerate(asked) if share > 0)
+    assert before_the_core > SINKS
+    for last in (1, before_the_core // 2):  # asked so often before it is stopped
+        asked.clear()
+        op.Proxy.progress = lambda share: count(share) and len(asked) < last
+        op.touch()
+        on.doc.recompute()
+        assert not op.isValid() and op.Report.startswith("Cancelled") and op.UncutArea.Value > 0
+        assert len(asked) == last
+
+
 # ---- open edges ----
 
 

@@ -24,7 +24,7 @@ ARROWS = {
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
-    *("planar", "tool", "window", "words"),
+    *("planar", "tool", "waiting", "window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
 DOORS = {"__init__", "batch", "job_simulation", "proof", "simulation_pictures"}

@@ -10,7 +10,7 @@ import functools
 import numpy
 import Part
 
-from evenload import compiled
+from evenload import compiled, waiting
 from evenload.geometry.body_face import STRIP, BodyFace
 from evenload.geometry.floor import UP, faces_within, points_of
 from evenload.geometry.in_plane import (
@@ -69,8 +69,14 @@ class Body:
     @functools.cached_property
     def map(self):
         """Its upper side, as the core's HeightMap."""
-        faces = Part.Compound([face.shape for face in self._faces if not face.is_upright])
-        points, triangles = triangles_of(faces, COARSE)
+        points, triangles = [], []
+        for face in self._faces:
+            if face.is_upright:
+                continue
+            waiting.go_on()
+            own, corners = triangles_of(face.shape, COARSE)
+            triangles += [[len(points) + k for k in triangle] for triangle in corners]
+            points += own
         points = numpy.array([(p.x, p.y, p.z) for p in points]).reshape(-1, 3)
         return compiled.core().HeightMap(points, numpy.array(triangles).reshape(-1, 3))
 
@@ -127,8 +133,11 @@ class Body:
         """Points of those of its faces' edges that reach into the box between two corners, or over
         it, n x 3, hardly further apart than `spacing` mm.
         """
-        edges = [edge for edge, box in self._borders if _meets(box, low, high)]
-        points = [points_along(edge, spacing) for edge in edges]
+        points = []
+        for edge, box in self._borders:
+            if _meets(box, low, high):
+                waiting.go_on()
+                points.append(points_along(edge, spacing))
         return numpy.vstack([numpy.zeros((0, 3)), *points])
 
     def section_points(self, heights, low, high, spacing):
@@ -139,6 +148,7 @@ class Body:
                 continue
             own = [z for z in [*heights, *face.turning] if face.box.ZMin < z < face.box.ZMax]
             for z in own:
+                waiting.go_on()
                 for wire in face.shape.slice(UP, z):
                     points += [points_along(edge, spacing) for edge in wire.Edges]
         return numpy.vstack([numpy.zeros((0, 3)), *points])
@@ -155,6 +165,7 @@ class Body:
         level, leaning = [], []
         for face in self._faces:
             if face.leans and face.box.ZMax > z:
+                waiting.go_on()
                 leaning += face.parts_above(z)
             elif not face.is_upright and face.box.ZMax > z:
                 if not self._is_closed or face.looks_up:
@@ -188,6 +199,7 @@ class Body:
 
     def _projected(self, face):
         """The faces in the plane over which a face lies, none of whose lines up meets it twice."""
+        waiting.go_on()
         border = [edge for edge in face.Edges if not is_seam(edge, face)]
         edges = [edge for edge in map(self._drawn_in_plane, border) if edge is not None]
         wires = [Part.Wire(each) for each in Part.sortEdges(edges)] if edges else []

@@ -6,7 +6,7 @@ import FreeCAD
 import numpy
 import Part
 
-from evenload import compiled
+from evenload import compiled, waiting
 from evenload.geometry.floor import UP, faces_within
 
 LEVEL = 1e-9  # of unit vectors: what is as level, or as upright, as this is so exactly
@@ -44,6 +44,7 @@ def under_triangles(faces):
     """The faces in the plane that lie under any of some faces, as near as triangles are."""
     corners = []
     for face in faces:
+        waiting.go_on()
         points, triangles = triangles_of(face, DEFLECTION)
         corners += [[(points[k].x, points[k].y) for k in triangle] for triangle in triangles]
     wires = []

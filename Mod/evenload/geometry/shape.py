@@ -7,7 +7,7 @@ from outside.
 
 from dataclasses import replace
 
-from evenload import compiled
+from evenload import compiled, waiting
 from evenload.geometry import covered, open_edges, stock_beyond
 from evenload.geometry.floor import CURVE_SHARE, SAME_HEIGHT, Floor
 from evenload.geometry.items import element_of, items_of, placed, sentence_of, slack_of
@@ -30,6 +30,7 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     """
     found, slots = [], []
     for item in items_of(base, models):
+        waiting.go_on()
         read = slots_of(item, tolerance, slot) if slot and not item.is_face else []
         slots += read
         if read:

@@ -8,7 +8,7 @@ import math
 import FreeCAD
 import Path
 
-from evenload import commands, host, window
+from evenload import commands, host, waiting, window
 from evenload import tool as tools
 from evenload.geometry import body, shape
 from evenload.operations import compute, job_model, rest
@@ -272,11 +272,13 @@ class Operation(host.operation_base()):
         operation does, so that it is there in time whatever takes long.
         """
         if self.progress is not None or window.watch is None:
-            yield
+            with waiting.asking(self.progress):
+                yield
             return
         with window.watch(obj.Label) as self._dialog:
             try:
-                yield
+                with waiting.asking(self._dialog):
+                    yield
             finally:
                 self._dialog = None
 
@@ -292,7 +294,10 @@ class Operation(host.operation_base()):
 
     def _prove(self, obj):
         """Refuses a path with faults, and says in Report whether it was checked."""
-        faults = proof.check(obj) if obj.Check else []
+        try:
+            faults = proof.check(obj) if obj.Check else []
+        except waiting.Stopped:
+            raise Cancelled(compute.area_of(obj, self.last)) from None
         if faults:
             raise ValueError(faults[0].sentence)
         said = proof.CHECKED if obj.Check else proof.UNCHECKED

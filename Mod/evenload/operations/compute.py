@@ -9,7 +9,7 @@ from evenload import tool as tools
 from evenload.operations import checks, force, rest, stock_checks
 from evenload.operations.refusal import Cancelled
 from evenload.settings import parameters
-from evenload.simulation import earlier
+from evenload.waiting import Stopped
 from evenload.words import name_of
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
@@ -41,8 +41,11 @@ def run(proxy, obj):
     _refuse_turned_work_plane(obj)
     # Geometry first: depths follow it, and what is wrong with them then is not the cause.
     checks.for_geometry(obj)
-    floors = proxy.floors(obj, tool)
-    stock_checks.refuse_floors_below(obj, floors)
+    try:
+        floors = proxy.floors(obj, tool)
+        stock_checks.refuse_floors_below(obj, floors)
+    except Stopped:
+        raise Cancelled(_area_of_stock(obj)) from None
     levels = checks.settings(obj, proxy.settings, tool, data)
     regions = [floor.region() for floor in floors]
     slack = max(floor.slack for floor in floors)
@@ -53,7 +56,7 @@ def run(proxy, obj):
         hole = checks.hole(obj, tool, floors)
         if rest.is_wanted(obj):
             stock, notes = rest.standing(obj, core, tool, regions, levels, slack, watch)
-    except earlier.Stopped:
+    except Stopped:
         raise Cancelled(_area_in_reach(obj, core, tool, regions)) from None
     arguments = _parameters(proxy, obj, tool, data, levels, hole, slack)
     if stock is not None:
@@ -76,6 +79,17 @@ def _refuse_turned_work_plane(obj):
             "The work plane '%s' is turned, and EvenLoad cuts along the job's own axes: choose "
             "another, or turn the model in a job of its own." % turned.Label
         )
+
+
+def _area_of_stock(obj):
+    """mm2: the most that can stay uncut, where it is not known yet what is in reach."""
+    box = host.parent_job(obj).Stock.Shape.BoundBox
+    return box.XLength * box.YLength
+
+
+def area_of(obj, done):
+    """What the path of a Computation clears, in mm2."""
+    return _area_in_reach(obj, compiled.core(), done.tool, done.regions)
 
 
 def _area_in_reach(obj, core, tool, regions):

@@ -148,8 +148,9 @@ SETTINGS = (
         keyword="most_blocks_per_metre",
         range=NOT_NEGATIVE,
         when=("FeedControl", FEED_CONTROLS[1:]),
-        page="blocks per metre of path that the controller takes, 0: no limit: [changes of feed are "
-        "dearer, for up to 4 % more time](feed_control.md#2-set_constant_load-feeds-by-dynamic-programming)",
+        page="blocks per metre of path that the controller takes, 0: no limit: [changes of feed "
+        "are dearer, for up to 4 % more time]"
+        "(feed_control.md#2-set_constant_load-feeds-by-dynamic-programming)",
     ),
     Setting(
         "Material",

@@ -7,6 +7,7 @@ from evenload import tool as tools
 from evenload.settings.properties import is_ours
 from evenload.settings.table import HOLE_ENTRIES
 from evenload.simulation import part
+from evenload.waiting import Stopped
 
 # Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
 # exact at any.
@@ -14,15 +15,11 @@ COARSE = 0.25
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
-class Stopped(Exception):
-    """Whoever was asked whether to go on does not want to."""
-
-
 def stock_before(operation, resolution, progress=None):
     """(DexelStock, notes): what the job's earlier active operations leave for an operation.
 
     progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work follows.
-    Raises ValueError with a sentence, Stopped where it was stopped.
+    Raises ValueError with a sentence, waiting.Stopped where it was stopped.
     """
     core, notes = compiled.core(), []
     _, blocks, _, bottom = part.stock_of(host.parent_job(operation).Stock)
