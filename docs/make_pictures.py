@@ -8,6 +8,7 @@ numpy and matplotlib, no display and no FreeCAD. The pictures of a topic are a m
 """
 
 import dexel_pictures
+import dynamics_pictures
 import lame_pictures
 import optimisation_pictures
 import path_pictures
@@ -25,6 +26,7 @@ def main():
         rest_pictures,
         trochoid_pictures,
         lame_pictures,
+        dynamics_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)

@@ -2,7 +2,8 @@
 
 Importing this package imports neither the compiled modules nor the Path / CAM workbench, so that it
 costs nothing at FreeCAD's start. `compiled` loads the compiled modules; `evenload.simulate`,
-`evenload.simulation` and `evenload.optimise` load them when they are asked for.
+`evenload.simulation`, `evenload.optimise` and `evenload.dynamics` load them when they are asked
+for.
 """
 
 from importlib import import_module
@@ -18,6 +19,6 @@ def __getattr__(name):
         from evenload.optimisation import optimise
 
         return optimise
-    if name == "simulation":
-        return import_module("evenload.simulation")
+    if name in ("simulation", "dynamics"):
+        return import_module("evenload." + name)
     raise AttributeError("module 'evenload' has no attribute '%s'" % name)

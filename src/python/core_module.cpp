@@ -15,6 +15,7 @@
 #include "geometry/united.h"
 #include "python/clearing_params.h"
 #include "python/engagement_profile.h"
+#include "python/dynamics_module.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
 #include "python/lame_module.h"
@@ -223,4 +224,5 @@ PYBIND11_MODULE(_core, m) {
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);
+  bind_dynamics(m);
 }

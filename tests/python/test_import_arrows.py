@@ -17,6 +17,7 @@ ARROWS = {
     "simulation": {"host", "ground", "settings", "geometry"},
     "pictures": {"ground", "simulation"},
     "optimisation": {"ground", "simulation"},
+    "dynamics": {"ground", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation"},
     "job_files": {"host", "ground", "settings", "operations", "simulation", "pictures"},
     "gui": {"host", "ground", "settings", "operations"},
@@ -31,6 +32,7 @@ DOORS = {"__init__", "batch", "job_simulation", "proof", "simulation_pictures"}
 LATE = {
     ("__init__", "evenload.optimisation"),  # or all of it would be loaded with FreeCAD
     ("__init__", "evenload.simulation"),
+    ("dynamics.charts", "evenload.dynamics.pictures"),  # needs matplotlib
     ("gui.__init__", "evenload.gui.progress"),  # FreeCAD's start needs neither
     ("gui.__init__", "evenload.gui.views"),
     ("job_files.job", "evenload.pictures.path_picture"),  # needs matplotlib
@@ -39,7 +41,14 @@ LATE = {
 }
 # Rooms and modules that run without FreeCAD, and what they must not import therefore.
 WITHOUT_FREECAD = {
-    *("optimisation", "simulation.run", "simulation.inputs", "simulation.result"),
+    *(
+        "dynamics",
+        "pictures.figure",
+        "optimisation",
+        "simulation.run",
+        "simulation.inputs",
+        "simulation.result",
+    ),
     *("settings.labels", "settings.own", "settings.pages", "settings.parameters"),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
     "settings.table",

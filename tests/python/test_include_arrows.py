@@ -18,8 +18,18 @@ ARROWS = {
     "strategy": {"support", "geometry", "cutting", "toolpath", "feed"},
     "feed": {"support", "geometry", "cutting", "toolpath"},
     "simulate": {"support", "geometry", "cutting", "toolpath"},
+    "dynamics": {"support"},
     "occt": {"support", "geometry"},
-    "python": {"support", "geometry", "cutting", "toolpath", "strategy", "feed", "simulate"},
+    "python": {
+        "support",
+        "geometry",
+        "cutting",
+        "toolpath",
+        "strategy",
+        "feed",
+        "simulate",
+        "dynamics",
+    },
 }
 # The rooms of src/strategy, each of which may include those above it.
 STRATEGY = (
