@@ -7,8 +7,8 @@ from matplotlib.collections import LineCollection
 from matplotlib.figure import Figure
 from matplotlib.patches import Arc, Circle
 from picture_parts import BLUE, CUT, ENTRY, GREEN, GREY, INK, LINK, ORANGE, RED, VIOLET
-from picture_parts import Grid, Job, canvas, lines, outline, plan, rectangle, save, star, stock
-from picture_parts import stretches
+from picture_parts import WALL_GAP, Grid, Job, canvas, lines, outline, places, plan, rectangle
+from picture_parts import save, star, stock, stretches
 
 
 def draw_star(core):
@@ -164,7 +164,7 @@ def draw_slot(core):
         pieces = [points for k, points in stretches(part) if k == kind]
         axes.add_collection(LineCollection(pieces, label=name, zorder=3, **style))
     starts = [a[:2] for a, b in zip(part, part[1:]) if a[3] == LINK and b[3] == CUT]
-    axes.plot(*zip(*starts), "o", color=GREEN, ms=6, zorder=5, label="start, at a wall sample")
+    axes.plot(*zip(*starts), "o", color=GREEN, ms=6, zorder=5, label="start")
     x, y = starts[0]
     axes.add_patch(Circle((x, y), job.radius, fill=False, color=INK, lw=1, ls=":", label="tool"))
     axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=5, fontsize=9, frameon=False)
@@ -196,6 +196,111 @@ def draw_corner(core):
     figure.legend(handles, labels, loc="upper center", ncol=4, fontsize=8.5, frameon=False)
     figure.tight_layout(rect=(0, 0, 1, 0.92))
     save(figure, "corner.png", fit=False)
+
+
+def draw_walls(core):
+    """Passes into a corner: along the wall, off it, free, and onto the next one."""
+    job = Job(core, rectangle(60, 60))
+    low, high = 3 + WALL_GAP, 57 - WALL_GAP
+    inner = 38  # mm: the corner that is shown, from here on
+    grid, names = Grid(job, 0.03), ("along the wall", "at the engagement angle", "roll-out")
+    pieces, offs, first = {name: [] for name in names}, [], None
+    passes, last = 0, None
+    for before, move in zip(job.path.moves, job.path.moves[1:]):
+        kind, on_level = move[0], move[3] < -job.depth + 1e-6
+        points = places(before, move) if on_level else []
+        here = on_level and min(p for place in points for p in place) > inner
+        passes += here and kind == CUT and last == LINK
+        last = kind if on_level else last
+        if passes > 3:
+            break
+        if not (here and passes):
+            for place in points:
+                grid.take(*place, job.radius)
+            continue
+        if kind == LINK:
+            continue
+        off = max(min(abs(v - b) for v in p for b in (low, high)) for p in points)
+        turn = math.dist(points[0], move[5:7]) if move[4] > 0 else math.inf
+        name = names[0] if off < 1e-3 else names[2] if turn < 1.01 * job.wish else names[1]
+        if name == names[1] and pieces[names[0]] and pieces[names[0]][-1][-1] == points[0]:
+            offs.append(points[0])
+        pieces[name].append(points)
+        first = first or points[0]
+    figure, axes = canvas(7.0, 6.6)
+    stock(axes, grid)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8)
+    lines(axes, job.centres(), color=VIOLET, lw=1.0)
+    for name, colour in zip(names, (GREEN, BLUE, RED)):
+        axes.add_collection(
+            LineCollection(pieces[name], colors=colour, linewidths=2.4, label=name, zorder=4)
+        )
+    axes.plot(*zip(*offs), "o", color=ORANGE, ms=7, zorder=5, label="roll-in")
+    axes.add_patch(Circle(first, job.radius, fill=False, color=INK, lw=1, ls=":"))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, fontsize=9, frameon=False)
+    plan(axes, (inner, 60.6), (inner, 60.6))
+    save(figure, "walls.png")
+
+
+def draw_starts(core):
+    """A square after its spiral: what is cleared of the wall, and where passes can start."""
+    job = Job(core, rectangle(60, 60))
+    grid, helix = Grid(job, 0.05), None
+    for x, y, _, kind, *_ in job.samples():
+        if kind == LINK:
+            break
+        helix = helix or math.dist((x, y), (30, 30))
+        grid.take(x, y, job.radius)
+    grid.take(30, 30, helix + job.radius)
+    low, high = 3 + WALL_GAP, 57 - WALL_GAP
+    corners = [(low, low), (high, low), (high, high), (low, high)]  # the wall to the right
+    walls = []
+    for (ax, ay), (bx, by) in zip(corners, corners[1:] + corners[:1]):
+        for k in range(200):
+            p = (ax + (bx - ax) * k / 200, ay + (by - ay) * k / 200)
+            walls.append((p, grid.holds(*p, job.radius - 0.1)))
+    pairs = list(zip(walls, walls[1:] + walls[:1]))
+    figure, axes = canvas(7, 6.6)
+    stock(axes, grid)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8)
+    for met, colour, name in ((False, GREEN, "cleared"), (True, RED, "not cleared")):
+        rows = [(a, b) for (a, m), (b, _) in pairs if m == met]
+        axes.add_collection(LineCollection(rows, colors=colour, lw=3, capstyle="round", label=name))
+    starts = [(a, b) for (a, m), (b, n) in pairs if n and not m]
+    axes.plot(*zip(*[a for a, _ in starts]), "o", color=BLUE, ms=8, zorder=5, label="start")
+    for (x, y), (u, v) in starts:
+        way = math.dist((x, y), (u, v)) / 7
+        arrow = {"arrowstyle": "-|>", "color": BLUE, "lw": 2}
+        axes.annotate("", (x + (u - x) / way, y + (v - y) / way), (x, y), arrowprops=arrow)
+        axes.add_patch(Circle((x, y), job.radius, fill=False, color=INK, lw=1, ls=":"))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=3, fontsize=9, frameon=False)
+    plan(axes)
+    save(figure, "starts.png")
+
+
+def draw_links(core):
+    """Of the star's ways from point to point the longest link, which passes a corner at depth."""
+    job = Job(core, star(), hole=(0.0, 0.0, 11.0))
+    grid, parts = Grid(job, 0.03), job.stretches(0.05)
+    ways = [sum(map(math.dist, points, points[1:])) for _, points in parts]
+    longest = max((i for i, part in enumerate(parts) if part[0] == LINK), key=ways.__getitem__)
+    for _, points in parts[:longest]:
+        for place in points:
+            grid.take(*place, job.radius)
+    figure, axes = canvas(7.4, 6.4)
+    stock(axes, grid)
+    axes.plot(*zip(*outline(job.chain)), color=INK, linewidth=1.8)
+    lines(axes, job.centres(), color=VIOLET, lw=1.0, label="wall of the tool's centre")
+    for i, colour, name in (
+        (longest - 1, BLUE, "last pass"),
+        (longest, ORANGE, "link"),
+        (longest + 1, GREEN, "next pass"),
+    ):
+        axes.plot(*zip(*parts[i][1]), color=colour, lw=2.2, label=name)
+    axes.add_patch(Circle(parts[longest][1][-1], job.radius, fill=False, color=INK, lw=1, ls=":"))
+    axes.legend(loc="lower center", bbox_to_anchor=(0.5, 1.0), ncol=4, fontsize=9, frameon=False)
+    plan(axes)
+    save(figure, "links.png", "%.1f mm" % ways[longest])
 
 
 def draw_feed(core):
@@ -239,4 +344,14 @@ def draw_feed(core):
     save(figure, "feed.png", "; ".join(notes))
 
 
-PICTURES = (draw_star, draw_square, draw_step, draw_slot, draw_corner, draw_feed)
+PICTURES = (
+    draw_star,
+    draw_step,
+    draw_walls,
+    draw_corner,
+    draw_starts,
+    draw_square,
+    draw_slot,
+    draw_links,
+    draw_feed,
+)

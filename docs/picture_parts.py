@@ -131,6 +131,18 @@ class Job:
         return stretches(self.samples(step), step)
 
 
+def places(before, move, step=STEP):
+    """[(x, y), ...] along a move of a path, both ends among them."""
+    (ax, ay), (_, x, y, _, sweep, cx, cy, _) = before[1:3], move
+    radius = math.hypot(ax - cx, ay - cy)
+    length = abs(sweep) * radius if sweep else math.hypot(x - ax, y - ay)
+    n, start = max(1, math.ceil(length / step)), math.atan2(ay - cy, ax - cx)
+    if not sweep:
+        return [(ax + (x - ax) * k / n, ay + (y - ay) * k / n) for k in range(n + 1)]
+    turned = [start + sweep * k / n for k in range(n + 1)]
+    return [(cx + radius * math.cos(at), cy + radius * math.sin(at)) for at in turned]
+
+
 def stretches(samples, step=STEP):
     result, last = [], None
     for x, y, _, kind, _, _ in samples:
@@ -167,6 +179,13 @@ class Grid:
         hit = part & (away <= radius * radius)
         part[hit] = False
         return numpy.count_nonzero(hit) * self.cell**2
+
+    def holds(self, x, y, radius):
+        """Whether a disc holds material."""
+        i0, i1 = numpy.searchsorted(self.x, (x - radius, x + radius))
+        j0, j1 = numpy.searchsorted(self.y, (y - radius, y + radius))
+        away = (self.x[None, i0:i1] - x) ** 2 + (self.y[j0:j1, None] - y) ** 2
+        return bool((self.full[j0:j1, i0:i1] & (away <= radius * radius)).any())
 
 
 # ---- drawing ----
