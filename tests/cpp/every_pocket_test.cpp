@@ -139,8 +139,8 @@ int sharp_corners(const Region& region) {
   return count;
 }
 
-// Posts round to micrometres, which turns moves of some hundredths of a millimetre by a degree: a few
-// in a pocket are worth no mechanism.
+// Posts round to micrometres, which turns moves of some hundredths of a millimetre by a degree: a
+// few in a pocket are worth no mechanism.
 constexpr int kMostKinks = 5;
 
 TEST_P(EveryPocket, IsPostedWithHardlyATurnOfMoreThanADegreeButAtSharpCorners) {

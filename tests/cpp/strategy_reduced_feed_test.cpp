@@ -161,7 +161,7 @@ TEST(ReducedFeed, JoinsWaysByLinksThatAreTangentToThemOrGoBackOnThem) {
       }
     }
   EXPECT_GT(joints, 100);
-  EXPECT_LT(ways_back, 0.25 * joints);
+  EXPECT_LT(ways_back, 0.3 * joints);
 }
 
 // Law: an open end is passed by little more than the tool's radius, and ways in the air are short.

@@ -15,7 +15,7 @@ _translate = FreeCAD.Qt.translate
 
 NARROWEST = 70  # pixels of an entry field: the panel is to fit into FreeCAD's narrow dock
 DECIMALS = 4  # of numbers without a unit
-MOST = 100  # of what is counted
+MOST = 1_000_000  # of what is counted: no value that a macro set may be cut short here
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
 

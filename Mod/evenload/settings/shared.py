@@ -141,15 +141,15 @@ SETTINGS = (
         INTEGER,
         0,
         "Where the feed control would change the feed so often that a program has more blocks per "
-        "metre of path, it changes it less often, for up to 4 % more time: for controllers that "
-        "take few blocks; 0: no limit",
+        "metre of path, it changes it less often, for up to 4 % more time, but not along repeated "
+        "trochoids or with a least load: for controllers that take few blocks; 0: no limit",
         label="Most blocks per metre",
         box="Feeds",
         keyword="most_blocks_per_metre",
         range=NOT_NEGATIVE,
         when=("FeedControl", FEED_CONTROLS[1:]),
         page="blocks per metre of path that the controller takes, 0: no limit: [changes of feed "
-        "are dearer, for up to 4 % more time]"
+        "are dearer, for up to 4 % more time, but not along repeated trochoids or with LeastLoad]"
         "(feed_control.md#2-set_constant_load-feeds-by-dynamic-programming)",
     ),
     Setting(

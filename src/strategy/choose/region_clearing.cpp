@@ -33,12 +33,12 @@ namespace {
 // tools turn down to a share of their radius. The exact border clears narrower rooms, bit by bit.
 constexpr double kTightestTurn = 0.16;
 constexpr double kTightestShare = 0.055;
-// Of the widest room's radius: in narrow rooms turns are tighter than that.
-constexpr double kTightestInRoom = 0.5;
+// Of the widest room's radius: a region that is narrow everywhere is turned in more tightly.
+constexpr double kTightestInRoom = 0.15;
 // mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
 // room narrows.
 constexpr double kTightestPosted = 0.012;
-// The same for turns that the walls do not need.
+// Share of the tool's radius: the tightest turn that the walls do not need.
 constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
 // stays low in it.
