@@ -13,6 +13,9 @@ from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, circle, face_of, floors_of, rectangle, sketch_of
 
 
+SINKS = 20  # of a plate
+
+
 def at_floor(face, depth=DEPTH):
     return face.translated(Vector(0, 0, -depth))
 

@@ -34,7 +34,7 @@ LIMITS = {
     "plunge": 0.0,  # mm of plunges in material
     "level": 0,  # moves of helices and ramps that do not descend
     "entry": 2.0,  # area of all entries over pi D^2, in pockets of one region; see limits_for
-    "kinks": 5,  # turns over a degree between cuts in material, beyond one for each sharp corner
+    "kinks": 10,  # turns over a degree between cuts in material, beyond one for each sharp corner
 }
 # The same for the operations that clear certain shapes only.
 STRICTER = {"over": 1.0}
