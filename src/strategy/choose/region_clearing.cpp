@@ -34,7 +34,7 @@ namespace {
 constexpr double kTightestTurn = 0.16;
 constexpr double kTightestShare = 0.055;
 // Of the widest room's radius: a region that is narrow everywhere is turned in more tightly.
-constexpr double kTightestInRoom = 0.15;
+constexpr double kTightestInRoom = 0.3;
 // mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
 // room narrows.
 constexpr double kTightestPosted = 0.012;
