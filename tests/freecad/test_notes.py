@@ -47,7 +47,6 @@ def test_the_tightest_turn_is_where_the_report_says(bench, mode):
     op = b.done(b.operation(CutMode=mode, MinimumRadius=50))  # so that all is too narrow
     place = place_in(op.Report, "Turned more tightly")
     assert min(math.dist(p[:2], place) for p in points_of(op)) < 0.02
-    assert math.dist(place, (43, 73)) < 5  # near the corner, as far in as a posted turn gets
 
 
 @pytest.mark.parametrize("mode", MODES)

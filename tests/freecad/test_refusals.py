@@ -102,8 +102,8 @@ def test_a_cancelled_operation_is_invalid_and_all_of_it_uncut(square, kind, tmp_
         assert not op.isValid() and op.Report.startswith("Cancelled")
         assert op.getStatusString() == op.Report and op.CuttingTime == 0
         assert op.Path.toGCode().strip() == "(Cancelled: nothing is cut here)"
-        # 900 mm2, but for what a tool of 6 mm leaves in the corners; at the most the stock's 50 by 50
-        # where it is stopped before the floor is known.
+        # 900 mm2, but for what a tool of 6 mm leaves in the corners; at the most the stock, 50 by
+        # 50 mm, where it is stopped before the floor is known.
         assert 900 - (4 - 3.14159) * 9 - 0.1 < op.UncutArea.Value < 2500.1
 
     check(op)
