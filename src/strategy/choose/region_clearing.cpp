@@ -28,12 +28,9 @@
 namespace evenload {
 namespace {
 
-// mm: no stage turns more tightly than this: a steered pass turns in pieces of a fifth of a radian
-// and more, and those of tighter turns would be posted as lines with corners between them. Small
-// tools turn down to a share of their radius. The exact border clears narrower rooms, bit by bit.
-constexpr double kTightestTurn = 0.16;
-constexpr double kTightestShare = 0.055;
-// Of the widest room's radius: a region that is narrow everywhere is turned in more tightly.
+// No stage turns more tightly than posts can write, kTightestArc, but for this share of the widest
+// room's radius: a region that is narrow everywhere is turned in more tightly. The exact border
+// clears what is narrower, bit by bit.
 constexpr double kTightestInRoom = 0.3;
 // mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
 // room narrows.
@@ -135,7 +132,7 @@ class RegionClearing {
     const double wish = std::max(params_.roll_radius, params_.minimum_radius);
     const double tightest = std::max(
         kTightestPosted,
-        std::min({kTightestTurn, kTightestShare * radius_, kTightestInRoom * widest().radius}));
+        std::min({kTightestArc, kTightestArcShare * radius_, kTightestInRoom * widest().radius}));
     return {std::max(wish, tightest), tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
             std::max(kSpareTurn * radius_, tightest),

@@ -27,7 +27,7 @@ struct RegionResult {
 
 struct RegionTask {
   Region centres;  // where the tool's centre may be, climb milling to the right
-  // The pocket's floor, used where pieces of its border are open; for rest machining the stock.
+  // What stands: the pocket's floor, or for rest machining the stock.
   std::vector<Region> material;
   bool has_open_edges = false;
   bool rest = false;         // earlier cuts left the material: the rest of the ground is cleared

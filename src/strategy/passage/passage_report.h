@@ -39,11 +39,6 @@ DividedRegion divide(const Region& centres, const ClearingParams& params);
 // Share of the tool's radius, half of the free width: what wider passages hold cannot all be
 // reached from their middle and along their walls.
 inline constexpr double kWidestPassage = 0.9;
-// The same: passes that turn more tightly are posted as lines, with a corner between each two.
-// Their turns are steered in pieces of about a third of the engagement angle; so this is for small
-// ones, and less for larger.
-inline constexpr double kTightestArc = 0.16;
-inline constexpr double kTightestArcShare = 0.055;
 
 std::vector<PassageReport> reports_of(const DividedRegion& region, const ClearingParams& params);
 

@@ -25,7 +25,7 @@ constexpr double kWallLook = 0.02;
 constexpr double kFirstReach = 1e-3;
 constexpr double kExactReach = 1e-4;
 // rad: between the directions of the walls where an arc touches them; beyond it is no gap but a
-// corner, which stages of tighter turns clear in fewer passes.
+// corner.
 constexpr double kMostTaper = 1.0;
 // rad: between two looks along the arc; engaged, less counts as no contact.
 constexpr double kArcLook = 8 * kPi / 180;

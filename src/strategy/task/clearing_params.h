@@ -38,10 +38,9 @@ struct ClearingParams {
   double most_blocks_per_metre = 0;  // of path, that the controller takes; 0: any number
   double rapid_feed = 5000;          // mm/min, > 0: only for the report's times
   FeedSteps feed_steps;              // of the feed control
-  double move_price = 0.025;    // s: what one move more must save, and one less may cost; the fewer
-                                // there are, the more changes of feed a program has room for
-  double roll_radius = 0.9;     // mm, > 0: a wish
-  double minimum_radius = 0.9;  // mm, > 0: a wish
+  double move_price = 0.025;         // s: what one move more, for a change of feed, must save
+  double roll_radius = 0.9;          // mm, > 0: a wish
+  double minimum_radius = 0.9;       // mm, > 0: a wish
   EntryKind entry = EntryKind::kAutomatic;
   double helix_angle = 3 * kPi / 180;  // rad, 0 < angle < pi/2
   double helix_diameter =
