@@ -4,6 +4,7 @@ pictures, and what was seen as JSON in $EVENLOAD_GUI_OUT/result.json.
 
 import contextlib
 import faulthandler
+import gc
 import json
 import os
 import traceback
@@ -21,10 +22,13 @@ faulthandler.dump_traceback_later(240, file=open(os.path.join(OUT, "hang.txt"), 
 
 
 def later(milliseconds=300):
-    """Lets the GUI go on for a while."""
+    """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
+    makes a widget in the place of one that is gone, Python may else take it for that one.
+    """
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
+    gc.collect()
 
 
 def picture(name):

@@ -1,5 +1,7 @@
 """What the panels of all operations share: base geometry, settings, results."""
 
+import weakref
+
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
@@ -28,6 +30,24 @@ def values_in(text):
         return [float(word) for word in words if word.strip()]
     except ValueError:
         return None
+
+
+def slot(method, *arguments):
+    """A slot that calls method(*arguments), whatever its signal tells, and does not keep the
+    method's object alive.
+
+    A page and its widgets that held each other would stay until Python looks for cycles. By then Qt
+    may have made other widgets in the places of those, and PySide would take these for the old ones:
+    FreeCAD 0.20's Job panel fails to open then.
+    """
+    weakly = weakref.WeakMethod(method)
+
+    def call(*_):
+        living = weakly()
+        if living is not None:
+            living(*arguments)
+
+    return call
 
 
 def create(operation):
@@ -202,21 +222,22 @@ class OperationPage(_gui.op.TaskPanelPage):
             self._take(name)
 
     def registerSignalHandlers(self, obj):
-        self.form.toolController.activated.connect(lambda _: self._tool_chosen())
-        self.form.coolantController.activated.connect(lambda _: self._coolant_chosen())
+        self.form.toolController.activated.connect(slot(self._tool_chosen))
+        self.form.coolantController.activated.connect(slot(self._coolant_chosen))
         for name, widget in self.widgets.items():
+            take = slot(self._take, name)
             if name in self.boxes or isinstance(widget, EDITED):
-                widget.editingFinished.connect(lambda name=name: self._take(name))
+                widget.editingFinished.connect(take)
             elif name in self.points:
                 for box in self.points[name]:
-                    box.editingFinished.connect(lambda name=name: self._take(name))
+                    box.editingFinished.connect(take)
             elif isinstance(widget, QtGui.QComboBox):
-                widget.activated.connect(lambda _, name=name: self._take(name))
+                widget.activated.connect(take)
             else:
-                widget.toggled.connect(lambda _, name=name: self._take(name))
+                widget.toggled.connect(take)
 
         if self.kind.fitted:
-            self.again.clicked.connect(self._fit_again)
+            self.again.clicked.connect(slot(self._fit_again))
 
     def updateData(self, obj, prop):
         if prop in (*self.result_names, *self.kind.fitted):
