@@ -542,9 +542,15 @@ class Check {
         centre[grid.index(i, j)] = fits(grid.middle(i, j)) ? 1 : 0;
     const double r = radius_ - 10 * settings_.thinnest;
     const auto stamp = [&](Vec2 p) {
-      for (int j = grid.row(p.y - r); j <= grid.row(p.y + r); ++j)
-        for (int i = grid.column(p.x - r); i <= grid.column(p.x + r); ++i)
-          if (squared_norm(grid.middle(i, j) - p) <= r * r) reach[grid.index(i, j)] = 1;
+      for (int j = grid.row(p.y - r); j <= grid.row(p.y + r); ++j) {
+        const double half_chord = std::sqrt(r * r - std::pow(grid.middle(0, j).y - p.y, 2));
+        if (!(half_chord >= 0)) continue;
+        // The columns whose middles lie on the chord.
+        const int from = grid.column(p.x - half_chord + 0.5 * h),
+                  to = grid.column(p.x + half_chord + 0.5 * h);
+        std::fill(reach.begin() + static_cast<std::ptrdiff_t>(grid.index(from, j)),
+                  reach.begin() + static_cast<std::ptrdiff_t>(grid.index(to, j)), 1);
+      }
     };
     for (int j = 1; j + 1 < grid.rows; ++j)
       for (int i = 1; i + 1 < grid.columns; ++i) {
