@@ -4,12 +4,13 @@ find_package(GTest REQUIRED)
 include(GoogleTest)
 
 # The judge of paths looks at millions of points: it is built for speed, and without the sanitizers, which shall look at the core.
-add_library(evenload_judge STATIC tests/cpp/path_check.cpp)
+add_library(evenload_judge STATIC tests/cpp/judge/path_check.cpp)
 target_compile_options(evenload_judge PRIVATE -O2 -fno-sanitize=all)
 target_link_libraries(evenload_judge PUBLIC evenload_core)
+target_include_directories(evenload_judge PUBLIC tests/cpp)
 
-file(GLOB test_sources CONFIGURE_DEPENDS tests/cpp/*.cpp)
-list(REMOVE_ITEM test_sources ${CMAKE_SOURCE_DIR}/tests/cpp/path_check.cpp)
+file(GLOB test_sources CONFIGURE_DEPENDS tests/cpp/*/*.cpp tests/cpp/strategy/*/*.cpp)
+list(REMOVE_ITEM test_sources ${CMAKE_SOURCE_DIR}/tests/cpp/judge/path_check.cpp)
 add_executable(evenload_tests ${test_sources})
 target_link_libraries(evenload_tests PRIVATE evenload_judge evenload_core GTest::gmock GTest::gtest_main Boost::headers
   Eigen3::Eigen)

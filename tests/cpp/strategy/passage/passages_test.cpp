@@ -1,0 +1,225 @@
+// Narrow passages that are skipped, and the choice of what is done with them.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <string>
+
+#include "geometry/shapes.h"
+#include "judge/narrow_pockets.h"
+#include "strategy/task/clearing_params.h"
+#include "support/errors.h"
+
+namespace evenload {
+namespace {
+
+using corpus::judge;
+using corpus::nominal_rate;
+using narrow_pockets::Case;
+using narrow_pockets::clear;
+using narrow_pockets::entries;
+using narrow_pockets::expect_cleared;
+using narrow_pockets::notes_with;
+using narrow_pockets::pocket_of;
+using narrow_pockets::slot;
+using narrow_pockets::two_rooms;
+using path_check::Findings;
+
+constexpr double kDegree = kPi / 180;
+
+TEST(Skipping, LeavesThePassagesAndReportsTheirPlaceWidthAndArea) {
+  const Case pocket = two_rooms(6.5);
+  const Toolpath path = clear(pocket, NarrowPassages::kSkip);
+  EXPECT_EQ(path.report.termination, Termination::kIncomplete);
+  double x = 0, y = 0, width = 0, area = 0;
+  ASSERT_EQ(notes_with(path, "Skipped: "), 1);
+  ASSERT_EQ(std::sscanf(path.report.notes.back().c_str(),
+                        "Skipped: the passage near (%lf, %lf), %lf mm wide at its narrowest; "
+                        "%lf mm² stay uncut there.",
+                        &x, &y, &width, &area),
+            4)
+      << path.report.notes.back();
+  EXPECT_NEAR(x, 26, 1);
+  EXPECT_NEAR(y, 0, 0.1);
+  EXPECT_NEAR(width, 6.5, 0.006);
+  EXPECT_NEAR(area, path.report.uncut_area, 0.01);
+  const Findings found = judge(pocket, path);
+  EXPECT_NEAR(area, found.left_area, 0.05 * found.left_area);
+  EXPECT_LE(found.cut_engagement, pocket.engagement_angle + 2 * kDegree);
+  EXPECT_EQ(found.bad_plunges, 0);
+  EXPECT_EQ(entries(path), 2) << "each room has its own entry";
+}
+
+TEST(Skipping, SkipsAPocketThatIsNarrowThroughout) {
+  const Toolpath path = clear(slot(6.2), NarrowPassages::kSkip);
+  EXPECT_TRUE(path.moves.empty());
+  EXPECT_NEAR(path.report.uncut_area, 40 * 6.2 - (4 - kPi) * 9, 3);
+  EXPECT_EQ(path.report.termination, Termination::kIncomplete);
+  EXPECT_EQ(notes_with(path, "Skipped: "), 1);
+}
+
+// Law: counts are those of all levels.
+TEST(Clearing, CountsPassesLinksAndRetractsOverAllLevels) {
+  for (const NarrowPassages choice : {NarrowPassages::kTrochoid, NarrowPassages::kReducedFeed}) {
+    const Case pocket = two_rooms(6.5);
+    ClearingParams params = pocket.params();
+    params.narrow_passages = choice;
+    params.levels = {-1};
+    const Report one = corpus::clear(pocket, params).report;
+    params.levels = {-1, -2, -3};
+    const Report three = corpus::clear(pocket, params).report;
+    EXPECT_GT(one.passes, 10);
+    EXPECT_GT(one.links, 10);
+    EXPECT_EQ(three.passes, 3 * one.passes);
+    EXPECT_EQ(three.links, 3 * one.links);
+    EXPECT_EQ(three.retracts + 1, 3 * (one.retracts + 1));
+  }
+}
+
+// One sentence, however many rooms turn tightly.
+TEST(Clearing, NamesTheTightestTurnOfAllRoomsOnce) {
+  const Case pocket = two_rooms(6.5);
+  ClearingParams params = pocket.params();
+  params.narrow_passages = NarrowPassages::kSkip;
+  params.roll_radius = 7;  // the tool's centre has a room of 12 x 14 mm
+  const Toolpath path = corpus::clear(pocket, params);
+  EXPECT_EQ(notes_with(path, "Turned more tightly"), 1);
+  EXPECT_EQ(notes_with(path, "of 2 rooms, down to"), 1);
+}
+
+TEST(Skipping, SaysThatAPredrilledHoleLiesInASkippedPassage) {
+  Case pocket = two_rooms(6.5);
+  pocket.hole = corpus::Hole{{26, 0}, 6.3};
+  try {
+    clear(pocket, NarrowPassages::kSkip);
+    FAIL() << "no error";
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
+    EXPECT_NE(std::string(error.what()).find("narrow passage that is skipped"), std::string::npos)
+        << error.what();
+  }
+  ClearingParams params = pocket.params();
+  params.narrow_passages = NarrowPassages::kSkip;
+  params.entry = EntryKind::kAutomatic;
+  const Toolpath path = corpus::clear(pocket, params);
+  EXPECT_EQ(notes_with(path,
+                       "near (26.00, 0.00) lies in a narrow passage that is skipped: it was "
+                       "not used."),
+            1);
+  EXPECT_EQ(entries(path), 2);
+}
+
+TEST(Skipping, SkipsNothingThatIsTwiceTheMinimumRadiusWide) {
+  Case pocket = slot(6 + 2 * 0.9);
+  EXPECT_EQ(notes_with(clear(pocket, NarrowPassages::kSkip), "Skipped"), 0);
+  pocket = slot(6 + 2 * 0.9 - 0.01);
+  EXPECT_EQ(notes_with(clear(pocket, NarrowPassages::kSkip), "Skipped"), 1);
+}
+
+TEST(Skipping, LeavesCornersToTheWallPass) {
+  for (const char* name : {"square60", "lshape", "two_rooms_closed", "square_island"}) {
+    const Case pocket = corpus::load(name);
+    const Toolpath path = clear(pocket, NarrowPassages::kSkip);
+    EXPECT_EQ(path.report.termination, Termination::kComplete) << name;
+    EXPECT_LE(judge(pocket, path).left_share, 0.0005) << name;
+  }
+}
+
+// Law of the choice: what is no narrower than allowed is cut as it always was.
+TEST(NarrowChoice, ChangesNothingWhereThereIsNoPassage) {
+  for (const char* name : {"square60", "circle12", "slot9"}) {
+    const Case pocket = corpus::load(name);
+    const Toolpath usual = clear(pocket, NarrowPassages::kTrochoid);
+    const Toolpath path = clear(pocket, NarrowPassages::kReducedFeed);
+    ASSERT_EQ(path.moves.size(), usual.moves.size()) << name;
+    for (std::size_t i = 0; i < path.moves.size(); ++i) {
+      ASSERT_EQ(path.moves[i].x, usual.moves[i].x) << name;
+      ASSERT_EQ(path.moves[i].y, usual.moves[i].y) << name;
+    }
+  }
+}
+
+TEST(NarrowChoice, IsTheUsersWhereTheNeckIsWiderThanTheTool) {
+  const Case pocket = two_rooms(6.5);
+  const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
+  EXPECT_EQ(path.report.termination, Termination::kComplete);
+  EXPECT_LE(judge(pocket, path).cut_engagement, pocket.engagement_angle + 2 * kDegree);
+}
+
+// Law: the work of a choice is bounded. Where no turn of trochoids has room, the slot is cut at a
+// reduced feed, and the report says why.
+TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
+  for (const double width : {6.01, 6.05, 6.07}) {
+    SCOPED_TRACE(width);
+    for (const Case& pocket : {slot(width), slot(width, 0.3), two_rooms(width)}) {
+      const Toolpath path =
+          clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
+      EXPECT_LE(expect_cleared(pocket, path).removal_rate, 1.05 * nominal_rate(pocket));
+      EXPECT_LT(path.moves.size(), 1000u);
+      EXPECT_EQ(notes_with(path, "Cut at reduced feed, too narrow for trochoids: the passage"), 1);
+    }
+  }
+}
+
+// Along the walls of such a room half the tool would be engaged at once, in less than there is to
+// cut at a reduced feed.
+TEST(NarrowChoice, ClearsShortRoomsHardlyWiderThanTheToolByTheirDescentAlone) {
+  const Region triangle =
+      make_region(Curve({{{-0.04, -0.02}}, {{0.05, -0.02}}, {{0.01, 0.06}}}, true));
+  const std::vector<Region> about = offset({triangle}, 3 + kWallGap);
+  std::vector<Case> pockets{pocket_of(about.front().outer.vertices())};
+  for (const double width : {6.01, 6.05, 6.1})
+    for (const double length : {6.1, 6.4, 8.0}) {
+      const double h = width / 2, l = length / 2;
+      pockets.push_back(pocket_of({{{-l, -h}}, {{l, -h}}, {{l, h}}, {{-l, h}}}));
+    }
+  for (const Case& pocket : pockets) {
+    const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
+    SCOPED_TRACE(path.moves.size());
+    expect_cleared(pocket, path);
+    EXPECT_EQ(path.report.max_engagement, 0);
+    EXPECT_EQ(entries(path), 1);
+    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0);
+    for (const Move& move : path.moves) EXPECT_NE(move.kind, MoveKind::kCut);
+  }
+}
+
+// A ring whose width changes, as strokes of letters are drawn: the tool fits on one side only, and
+// has little more than its width there.
+TEST(NarrowChoice, CutsAStrokeAboutAsWideAsTheToolByOneWayAlongItsMiddle) {
+  const Case pocket = pocket_of({{{20, 0}, 1}, {{-20, 0}, 1}}, {shapes::circle({0.3, 0}, 13.9)});
+  const Toolpath path = clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
+  EXPECT_LE(expect_cleared(pocket, path).removal_rate, 1.05 * nominal_rate(pocket));
+  EXPECT_LT(path.moves.size(), 300u);
+  EXPECT_LT(path.report.cutting_time, 1.7 * path.report.ideal_time);
+  EXPECT_LE(entries(path), 2);
+}
+
+TEST(NarrowChoice, CutsByTrochoidsWithinTheLimitWhereTheyHaveRoom) {
+  for (const Case& pocket :
+       {slot(6.2), two_rooms(6.1), two_rooms(6.2), corpus::load("acute_wedge")}) {
+    const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
+    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0) << pocket.name;
+    EXPECT_LE(judge(pocket, path).cut_engagement, pocket.engagement_angle + 2 * kDegree);
+  }
+}
+
+// A neck that the tool does not fit into parts two regions, whatever the choice.
+TEST(NarrowChoice, LeavesANeckNarrowerThanTheToolAndEntersBothRooms) {
+  for (const NarrowPassages choice :
+       {NarrowPassages::kTrochoid, NarrowPassages::kReducedFeed, NarrowPassages::kSkip})
+    for (const double width : {5.9, 5.0, 2.0}) {
+      SCOPED_TRACE(width);
+      const Case pocket = two_rooms(width);
+      const Toolpath path = clear(pocket, choice);
+      EXPECT_EQ(entries(path), 2);
+      const Findings found = judge(pocket, path);
+      EXPECT_LE(found.gouge, 0.005);
+      EXPECT_EQ(found.bad_plunges, 0);
+      if (choice != NarrowPassages::kSkip) {
+        EXPECT_LE(found.left_share, 0.0005);
+      }
+    }
+}
+
+}  // namespace
+}  // namespace evenload
