@@ -23,11 +23,12 @@ RAPID = "rapid_feed_mm_min"
 # (key of the file, what `spindle` calls it)
 SPINDLE = (("spindle_power_w", "power"), ("spindle_torque_nm", "torque"))
 SPEEDS = "spindle_speed_rev_min"
+MODES = "modes"  # of vibration at the tip, as dynamics.vibration has them
 KEYS = (
     tuple(k for k, _ in AXES)
     + tuple(k for k, _, _ in SINGLE)
     + tuple(k for k, _ in SPINDLE)
-    + (RAPID, SPEEDS, "name", "note")
+    + (RAPID, SPEEDS, MODES, "name", "note")
 )
 
 
@@ -65,6 +66,15 @@ def spindle(machine):
     if SPEEDS in profile:
         result["speeds"] = _speeds(profile[SPEEDS], name)
     return result
+
+
+def modes(machine):
+    """{"name", "modes"} of a machine's modes of vibration, as dynamics.vibration.load takes them;
+    None where its profile has none. machine: as for `load`.
+    """
+    profile, name = _profile(machine)
+    _checked(profile, name)
+    return {"name": name, "modes": profile[MODES]} if MODES in profile else None
 
 
 def _speeds(value, name):

@@ -18,8 +18,11 @@ ARROWS = {
     "pictures": {"ground", "simulation"},
     "optimisation": {"ground", "simulation"},
     "dynamics": {"ground", "pictures"},
-    "operations": {"host", "ground", "settings", "geometry", "simulation"},
-    "job_files": {"host", "ground", "settings", "operations", "simulation", "pictures"},
+    "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
+    "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
+    "job_files": {
+        *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
+    },
     "gui": {"host", "ground", "settings", "operations"},
 }
 GROUND = {
@@ -27,7 +30,7 @@ GROUND = {
     *("planar", "tool", "waiting", "window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
-DOORS = {"__init__", "batch", "job_simulation", "proof", "simulation_pictures"}
+DOORS = {"__init__", "batch", "job_simulation", "job_stability", "proof", "simulation_pictures"}
 # Imports inside of functions, which the comment beside them gives the reason of.
 LATE = {
     ("__init__", "evenload.optimisation"),  # or all of it would be loaded with FreeCAD
@@ -37,6 +40,7 @@ LATE = {
     ("gui.__init__", "evenload.gui.views"),
     ("job_files.job", "evenload.pictures.path_picture"),  # needs matplotlib
     ("job_files.job", "evenload.pictures.simulation_pictures"),
+    ("job_files.job", "evenload.stability.picture"),
     ("simulation.__init__", "evenload.simulation.job"),  # needs FreeCAD
 }
 # Rooms and modules that run without FreeCAD, and what they must not import therefore.
@@ -48,6 +52,9 @@ WITHOUT_FREECAD = {
         "simulation.run",
         "simulation.inputs",
         "simulation.result",
+        "stability.cut",
+        "stability.field",
+        "stability.picture",
     ),
     *("settings.labels", "settings.own", "settings.pages", "settings.parameters"),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),

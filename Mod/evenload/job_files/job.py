@@ -6,6 +6,8 @@ from evenload import host
 from evenload.job_files import model, outputs, parameters, report
 from evenload.operations import adaptive, lame_spiral, trochoid
 from evenload.simulation import job as job_simulation
+from evenload.stability import cut
+from evenload.stability import operation as stability
 
 OPERATIONS = {"adaptive": adaptive, "trochoid": trochoid, "lame_spiral": lame_spiral}
 PROGRESS_STEP = 0.1  # share of a job between two progress lines
@@ -41,6 +43,11 @@ def do(job, number, folder, taken, say, result):
         say("simulating")
         figures, draw_simulation = _simulate(op, job["simulation"], folder, _progress(say))
         result["figures"].update(figures)
+    draw_stability = None
+    if "stability" in job:
+        say("judging stability")
+        figures, draw_stability = _judge_stability(op, job["stability"], folder)
+        result["figures"].update(figures)
     post = job.get("post", {})
     text = host.post(
         machine_job, post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
@@ -49,6 +56,7 @@ def do(job, number, folder, taken, say, result):
         ("gcode", lambda path: outputs.write(path, text)),
         ("picture", lambda path: _draw(op, path)),
         ("simulation_picture", draw_simulation),
+        ("stability_picture", draw_stability),
         ("document", lambda path: doc.saveCopy(path)),
     ):
         if key in files:
@@ -80,9 +88,10 @@ def _files(job, number):
     files = {
         key: (name, "Job %d, output: the %s" % (number, key)) for key, name in job["output"].items()
     }
-    if "picture" in job.get("simulation", {}):
-        name = job["simulation"]["picture"]
-        files["simulation_picture"] = name, "Job %d, simulation: the picture" % number
+    for section in ("simulation", "stability"):
+        if "picture" in job.get(section, {}):
+            name = job[section]["picture"]
+            files[section + "_picture"] = name, "Job %d, %s: the picture" % (number, section)
     return files
 
 
@@ -117,13 +126,33 @@ def _draw(op, path):
     path_picture.picture(op, path)
 
 
-def _simulate(op, wishes, folder, progress):
-    """(figures, function that draws them all into a file) of an operation's simulation."""
+def _options(wishes, folder):
+    """A section without its picture; materials and machines that are files by their whole path."""
     options = {key: value for key, value in wishes.items() if key != "picture"}
     for key in ("material", "machine"):
         name = options.get(key)
         if isinstance(name, str) and os.path.isfile(os.path.join(folder, name)):
             options[key] = os.path.join(folder, name)
+    return options
+
+
+def _judge_stability(op, wishes, folder):
+    """(figures, function that draws the chart into a file) of an operation's stability."""
+    found = stability.read(op, folder=folder, **_options(wishes, folder))
+    verdict = cut.judged(found)
+
+    def draw(path):
+        # Here, because a job without pictures needs no matplotlib.
+        from evenload.stability import picture
+
+        picture.save(found, verdict, path)
+
+    return report.stability(verdict), draw
+
+
+def _simulate(op, wishes, folder, progress):
+    """(figures, function that draws them all into a file) of an operation's simulation."""
+    options = _options(wishes, folder)
     setup = job_simulation.read(op)
     simulation = setup.simulate(progress=progress, **options)
     final = op.FinalDepth.Value + op.StockToLeaveAxial.Value

@@ -4,6 +4,7 @@ import math
 
 NUMBER = (int, float)
 NAME_OR_VALUES = (str, dict)
+NAME_LIST_OR_VALUES = (str, list, dict)
 REQUIRED, OPTIONAL = True, False
 FILE_KEYS = {"jobs": (list, REQUIRED), "report": (str, OPTIONAL)}
 JOB_KEYS = {
@@ -16,6 +17,7 @@ JOB_KEYS = {
     "cutting": (dict, REQUIRED),
     "operation": (dict, REQUIRED),
     "simulation": (dict, OPTIONAL),
+    "stability": (dict, OPTIONAL),
     "post": (dict, OPTIONAL),
     "output": (dict, REQUIRED),
 }
@@ -41,6 +43,13 @@ SECTION_KEYS = {
         "machine": (NAME_OR_VALUES, OPTIONAL),
         "picture": (str, OPTIONAL),
     },
+    "stability": {
+        "modes": (NAME_LIST_OR_VALUES, OPTIONAL),
+        "material": (NAME_OR_VALUES, OPTIONAL),
+        "machine": (NAME_OR_VALUES, OPTIONAL),
+        "process_damping": (NUMBER, OPTIONAL),
+        "picture": (str, OPTIONAL),
+    },
     "post": {"processor": (str, OPTIONAL), "arguments": (str, OPTIONAL)},
     "output": {
         "gcode": (str, REQUIRED),
@@ -48,7 +57,7 @@ SECTION_KEYS = {
         "document": (str, OPTIONAL),
     },
 }
-MAY_BE_ZERO = ("margin",)
+MAY_BE_ZERO = ("margin", "process_damping")
 KINDS = {
     str: "text",
     list: "a list",
@@ -56,6 +65,7 @@ KINDS = {
     int: "a whole number",
     NUMBER: "a number",
     NAME_OR_VALUES: "a name or an object",
+    NAME_LIST_OR_VALUES: "a file, a list or an object",
 }
 
 

@@ -1,4 +1,6 @@
-"""Figures of an operation and of its simulation as a dictionary and a table."""
+"""Figures of an operation, its simulation and its stability as a dictionary and a table."""
+
+import math
 
 # (key, property, unit, decimals) in the table's order
 FIGURES = (
@@ -32,6 +34,14 @@ SIMULATED = (
     ("simulated_air_mm", "air_mm", "mm", 0),
     ("simulated_force_n", "force_peak_max", "N", 0),
 )
+# (key, attribute of a Verdict, unit, decimals) of those where stability is judged
+STABILITY = (
+    ("stability_spectral_radius", "spectral_radius", "", 3),
+    ("stability_feed_direction_deg", "feed_direction", "deg", 0),
+    ("stability_limit_depth_mm", "limit_depth", "mm", 2),
+    ("stability_chatter_hz", "chatter_hz", "Hz", 0),
+    ("stability_stable_speed_rev_min", "stable_speed", "rev/min", 0),
+)
 MOST_PLACES = 3  # of incidents that are named one by one
 LABELS = {
     "engagement_deg": "engagement, target",
@@ -60,6 +70,11 @@ LABELS = {
     "simulated_plunge_in_material_mm": "  plunges in material",
     "simulated_air_mm": "  cuts in air",
     "simulated_force_n": "  force, largest",
+    "stability_spectral_radius": "stability: largest multiplier",
+    "stability_feed_direction_deg": "  worst feed direction",
+    "stability_limit_depth_mm": "  depth at the limit",
+    "stability_chatter_hz": "  chatter",
+    "stability_stable_speed_rev_min": "  nearest stable speed",
 }
 
 
@@ -96,6 +111,19 @@ def simulated(simulation):
     return result
 
 
+def stability(verdict):
+    """What a Verdict on stability reports: {key: number}, 'stable', and 'stability', its sentences.
+    What there is not is left out: a limit beyond what was looked at, a speed that is not needed.
+    """
+    result = {"stable": verdict.is_stable}
+    for key, attribute, _, _ in STABILITY:
+        value = getattr(verdict, attribute)
+        if value is not None and math.isfinite(value):
+            result[key] = float(value)
+    result["stability"] = "\n".join([verdict.sentence, *verdict.notes])
+    return result
+
+
 def _incidents(simulation):
     """A sentence for each kind of incident, and one for what is left."""
     found = {}
@@ -123,7 +151,8 @@ def table(jobs):
         left = max(len(label) for label in LABELS.values())
         widths = [max(10, len(job["name"])) for job in done]
         rows = [*FIGURES]
-        rows += [row for row in SIMULATED if any(row[0] in job["figures"] for job in done)]
+        more = (*SIMULATED, *STABILITY)
+        rows += [row for row in more if any(row[0] in job["figures"] for job in done)]
         wide = max(len(unit) for _, _, unit, _ in rows)
         head = " " * (left + wide + 1)
         lines.append(head + "".join("  " + j["name"].rjust(w) for j, w in zip(done, widths)))
@@ -136,7 +165,8 @@ def table(jobs):
                 )
             lines.append(LABELS[key].ljust(left) + " " + unit.ljust(wide) + "".join(cells))
         for job in done:
-            for text in (job["figures"]["report"], job["figures"].get("simulation", "")):
+            for key in ("report", "simulation", "stability"):
+                text = job["figures"].get(key, "")
                 lines += ["%s: %s" % (job["name"], line) for line in text.splitlines()]
     lines += ["%s FAILED: %s" % (job["name"], job["error"]) for job in jobs if not job["ok"]]
     return "\n".join(lines)

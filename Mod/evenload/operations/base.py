@@ -11,7 +11,7 @@ import Path
 from evenload import commands, host, waiting, window
 from evenload import tool as tools
 from evenload.geometry import body, shape
-from evenload.operations import compute, job_model, rest
+from evenload.operations import chatter, compute, job_model, rest
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.settings import properties
 from evenload.settings.labels import told
@@ -293,15 +293,16 @@ class Operation(host.operation_base()):
         tools.read(obj.ToolController)
 
     def _prove(self, obj):
-        """Refuses a path with faults, and says in Report whether it was checked."""
+        """Refuses a path with faults, and says in Report whether it was checked, and chatters."""
         try:
             faults = proof.check(obj) if obj.Check else []
+            warnings = [] if faults else chatter.notes(obj)
         except waiting.Stopped:
             raise Cancelled(compute.area_of(obj, self.last)) from None
         if faults:
             raise ValueError(faults[0].sentence)
         said = proof.CHECKED if obj.Check else proof.UNCHECKED
-        obj.Report = "\n".join(filter(None, [obj.Report, said]))
+        obj.Report = "\n".join(filter(None, [*map(told, warnings), obj.Report, said]))
 
     def _set_results(self, obj, done):
         report = done.toolpath.report
