@@ -16,7 +16,7 @@ ARROWS = {
     "geometry": {"ground"},
     "simulation": {"host", "ground", "settings", "geometry"},
     "pictures": {"ground", "simulation"},
-    "optimisation": {"ground", "simulation"},
+    "optimisation": {"ground", "simulation", "dynamics"},
     "dynamics": {"ground", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},

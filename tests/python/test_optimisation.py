@@ -9,7 +9,8 @@ from types import SimpleNamespace
 import evenload
 import numpy
 import pytest
-from evenload import compiled, machines, optimisation, planar
+from evenload import compiled, machines, materials, optimisation, planar
+from evenload.dynamics import Milling, vibration
 from evenload.optimisation import inputs, scaled_path
 
 core = compiled.core()
@@ -446,3 +447,76 @@ def test_peaks_are_those_of_each_sample_s_force():
     for first in ([0, 1, 3], [0, 2, 1, 3], [0, 1, 1, 4], [-1, 1, 1, 3]):
         with pytest.raises(ValueError, match="first_arc"):
             model.peaks(arcs, first, [0.05, 0.05, 0.03])
+
+
+# ---- chatter ----
+
+WEAK = [
+    {"stiffness_n_per_um": 12, "frequency_hz": 800, "damping_ratio": 0.02},
+    {"stiffness_n_per_um": 15, "frequency_hz": 1100, "damping_ratio": 0.02, "direction_deg": 90},
+]
+SPEEDS = (5400, 6100, 6800, 7500)
+SIX_METAL = materials.load(METAL)
+
+
+def test_what_chatters_in_a_direction_of_its_path_is_refused():
+    free = optimised(spindle_speeds=SPEEDS)
+    held = optimised(spindle_speeds=SPEEDS, modes=WEAK)
+    refused = [c for c in held.candidates if c.refused_by == "chatter"]
+    assert 0 < len(refused) < len(held.candidates)
+    modes = vibration.load(WEAK).modes
+    for before, after in zip(free.candidates, held.candidates):
+        milling = Milling(
+            modes,
+            *(2, *(SIX_METAL[key] for key in ("ktc", "krc"))),
+            engagement_angle=after.engagement_deg,
+            diameter=6,
+            helix_angle=30,
+        )
+        worst, _ = milling.worst_spectral_radius(after.spindle_speed, after.axial_depth)
+        assert (worst >= 0.95) == (after.refused_by == "chatter")
+        if after.refused:
+            assert after.spectral_radius >= 0.95 and after.force_peak_n is None
+            assert "chatters" in after.refused and after.refused.endswith(".")
+        else:
+            assert after.spectral_radius == pytest.approx(worst, rel=1e-6)
+            assert dataclasses.replace(after, spectral_radius=None) == before
+    assert "%d refused by chatter" % len(refused) in held.table()
+    assert held.best.spectral_radius < 0.95
+
+
+def test_a_tool_s_own_modes_go_before_those_of_all():
+    stiff = [{**row, "stiffness_n_per_um": 1000} for row in WEAK]
+    own = optimised(tools=({**SIX, "modes": stiff},), spindle_speeds=SPEEDS, modes=WEAK)
+    assert not [c for c in own.candidates if c.refused_by == "chatter"]
+    assert all(c.spectral_radius < 0.95 for c in own.candidates if not c.refused)
+
+
+def test_where_all_chatters_it_says_so():
+    soft = [{**WEAK[0], "stiffness_n_per_um": 0.05}]
+    found = optimised(spindle_speeds=(6100,), modes=soft)
+    assert found.best is None and "chatter refuses most" in found.why
+
+
+def test_an_optimisation_is_cancelled_while_it_looks_for_chatter():
+    asked = []
+
+    def progress(_):
+        asked.append(1)
+        return False
+
+    assert optimised(modes=WEAK, progress=progress).cancelled and asked
+
+
+@pytest.mark.parametrize(
+    "options, sentence",
+    [
+        ({"modes": []}, "modes of tool 1: .* has no mode"),
+        ({"modes": [{**WEAK[0], "damping_ratio": -1}]}, "modes of tool 1: .*damping"),
+        ({"modes": WEAK, "stability_margin": 1}, "stability_margin must be 0 or more and below 1"),
+        ({"modes": WEAK, "stability_margin": "no"}, "not 'no'"),
+    ],
+)
+def test_modes_and_margins_that_cannot_be_are_refused(options, sentence):
+    with pytest.raises(ValueError, match=sentence):
+        optimised(**options)

@@ -7,6 +7,7 @@ import os
 from dataclasses import dataclass, field
 
 from evenload import machines, materials, simulation
+from evenload.optimisation import chatter
 
 LEVELS, SPEEDS = 4, 5  # that are tried where none are given
 LEAST_CHIP = 0.2  # of the largest chip thickness: thinner chips rub more than they cut
@@ -24,6 +25,7 @@ TOOL_KEYS = {
     "min_chip_thickness": "mm",
     "surface_speed": "m/min, one or (least, largest)",
     "helix_angle_deg": "degrees",
+    "modes": "",
     "name": "",
 }
 NEEDED = ("diameter", "teeth", "cutting_length", "max_chip_thickness", "surface_speed")
@@ -42,6 +44,7 @@ class Tool:
     surface_speed: tuple
     helix_angle_deg: float
     material: dict
+    modes: list = None  # of vibration at its tip; None: chatter is not looked at
     levels: list = field(default_factory=list)
     speeds: list = field(default_factory=list)
     spindle: tuple = (0.0, math.inf)  # rev/min that tool and machine allow
@@ -96,6 +99,7 @@ class Task:
     roll_radius: float
     resolution: float
     workers: int
+    stability_margin: float
     notes: list
 
     def entry(self, diameter):
@@ -112,7 +116,8 @@ def checked(
     rest.pop("progress")
     limits = {k: _limit(rest.pop(k), k) for k in tuple(rest) if k.startswith("max_")}
     regions, known_depth, known_hole = _regions(core, region)
-    listed = _tools(tools, materials)
+    listed = _tools(tools, materials, rest.pop("modes"))
+    chatter.check_margin(rest["stability_margin"])
     notes = []
     if depth is None:
         depth = known_depth
@@ -215,7 +220,7 @@ def _regions(core, region):
     return [shape for shape, _ in prisms], None, None
 
 
-def _tools(tools, given):
+def _tools(tools, given, modes):
     if not isinstance(tools, (list, tuple)) or not tools:
         raise ValueError("tools must be a list of at least one tool, not %r." % (tools,))
     rows = list(given) if isinstance(given, (list, tuple)) else [given] * len(tools)
@@ -225,11 +230,12 @@ def _tools(tools, given):
             % (len(rows), len(tools))
         )
     return [
-        _tool(tool, n, materials.load(row)) for n, (tool, row) in enumerate(zip(tools, rows), 1)
+        _tool(tool, n, materials.load(row), modes)
+        for n, (tool, row) in enumerate(zip(tools, rows), 1)
     ]
 
 
-def _tool(tool, number, material):
+def _tool(tool, number, material, modes):
     if not isinstance(tool, dict):
         raise ValueError("Tool %d is %r: give a dictionary." % (number, tool))
     unknown = [key for key in tool if key not in TOOL_KEYS]
@@ -281,6 +287,7 @@ def _tool(tool, number, material):
         surface_speed=tuple(float(v) for v in surface),
         helix_angle_deg=float(helix),
         material=material,
+        modes=chatter.modes_of(tool.get("modes", modes), "tool %d" % number),
     )
 
 

@@ -13,6 +13,7 @@ LIMITS = {  # what refuses a candidate, or holds its feed down, in words
     "power": "the power",
     "machine feed": "the machine's feed",
     "left area": "the area left",
+    "chatter": "chatter",
 }
 
 
@@ -43,6 +44,7 @@ class Candidate:
     torque_peak_nm: float = None
     power_w: float = None  # mean of a revolution, its largest
     h_max_mm: float = None
+    spectral_radius: float = None  # below 1: stable; None where no modes are given
     left_area_mm2: float = None  # that the tool leaves, or cannot reach
     passes: int = None
     links: int = None

@@ -8,9 +8,10 @@ from collections import Counter
 from concurrent.futures import ThreadPoolExecutor
 
 from evenload import compiled
-from evenload.optimisation import inputs
+from evenload.optimisation import chatter, inputs
 from evenload.optimisation.result import LIMITS, Candidate, Optimisation
 from evenload.optimisation.scaled_path import Loads, ScaledPath
+from evenload.waiting import Stopped
 
 
 def optimise(
@@ -34,6 +35,8 @@ def optimise(
     entry_feed=0.5,
     link_feed=None,
     roll_radius=0.15,
+    modes=None,
+    stability_margin=0.05,
     resolution=0.1,
     workers=None,
     progress=None,
@@ -54,6 +57,9 @@ def optimise(
     hole: (x, y, diameter), drilled before.
     maximum_feed, entry_feed: of the feed at the angle, as MaximumFeed and the descents' feed.
     link_feed: mm/min; None: the rapid feed. roll_radius: as a share of the tool's diameter.
+    modes: what vibrates at the tip of tools that do not say so themselves, as vibration.load takes
+        it; None: chatter is not looked at. stability_margin: a cut's largest multiplier stays below
+        1 less this, in all feed directions of its path.
     workers: threads; None: one for each core.
     progress: callable(share) -> bool, False cancels; called by the calling thread.
 
@@ -149,11 +155,26 @@ def _candidates(task, tool, angle, watch):
             return rows
         if path.cancelled:
             return None
+        if tool.modes:
+            try:
+                share = (k + 0.5) / len(groups)
+                for row, why in chatter.judge(group, tool, path, height, task, _at(watch, share)):
+                    _refuse(row, "chatter", why)
+            except Stopped:
+                return None
+            group = [row for row in group if not row.refused]
+            if not group:
+                continue
         loads = Loads(path, task.regions, model, tool, edge, task.hole, task.resolution)
         if not watch((k + 1) / len(groups)):
             return None
         _LevelOf(task, tool, path, loads, height).fill(group)
     return rows
+
+
+def _at(watch, share):
+    """Asks `watch` with the same share all along."""
+    return lambda _: watch(share)
 
 
 def _refuse(row, cause, sentence):
