@@ -52,6 +52,7 @@ WITHOUT_FREECAD = {
         "simulation.run",
         "simulation.inputs",
         "simulation.result",
+        "stability.choice",
         "stability.cut",
         "stability.field",
         "stability.picture",

@@ -8,9 +8,11 @@ import math
 
 import numpy
 import pytest
-from evenload import machines, materials, planar, waiting
+from evenload import compiled, machines, materials, planar, waiting
 from evenload.dynamics import Frf, Mode, directions, vibration
-from evenload.stability import cut, field, picture
+from evenload.stability import choice, cut, field, picture
+
+core = compiled.core()
 
 X = {"stiffness_n_per_um": 8, "frequency_hz": 900, "damping_ratio": 0.02}
 Y = {"mass_kg": 0.21, "frequency_hz": 1150, "damping_ratio": 0.018, "direction_deg": 90}
@@ -261,3 +263,45 @@ def test_the_chart_is_drawn_as_png_and_svg(tmp_path):
     for name, start in (("chart.png", b"\x89PNG"), ("chart.svg", b"<?xml")):
         picture.save(one, cut.judged(one), tmp_path / name)
         assert (tmp_path / name).read_bytes().startswith(start)
+
+
+# ---- the best cut ----
+
+BOX = (5000, 12000), 12.0
+
+
+def test_the_best_cut_is_stable_with_its_margin_in_all_directions():
+    one = a_cut()
+    found = choice.best_of(one, *BOX)
+    radius, _ = one.milling(cut_mode=found.cut_mode).worst_spectral_radius(found.speed, found.depth)
+    assert found.spectral_radius == pytest.approx(radius) and radius <= 0.9 + 1e-6
+    easier = choice.best_of(dataclasses.replace(one, directions=numpy.array([0.0])), *BOX)
+    assert easier.removal_rate > found.removal_rate
+
+
+def test_limits_of_error_force_and_spindle_make_the_best_cut_smaller():
+    free = choice.best_of(a_cut(), *BOX)
+    straight = choice.best_of(a_cut(), *BOX, surface_limit=0.01)
+    assert abs(straight.surface_location_error) <= 0.01 < abs(free.surface_location_error)
+    limit = 0.5 * choice.force_at(a_cut(), free.depth)
+    light = choice.best_of(a_cut(), *BOX, force_limit=limit)
+    assert choice.force_at(a_cut(), light.depth) <= limit * (1 + 1e-9)
+    slow = choice.best_of(a_cut(speeds=(0, 7500)), *BOX)
+    assert slow.speed <= 7500 < free.speed
+    for held in (straight, light, slow):
+        assert held.removal_rate < free.removal_rate
+
+
+def test_where_no_cut_will_do_there_is_no_best_one():
+    assert choice.best_of(a_cut(), *BOX, margin=0.999) is None
+    assert choice.best_of(a_cut(), *BOX, force_limit=1e-6) is None
+    with pytest.raises(ValueError, match="none of the chart's speeds"):
+        choice.best_of(a_cut(speeds=(20000, 30000)), *BOX)
+
+
+def test_the_force_is_that_of_the_mirrored_arc_too():
+    one = a_cut()
+    edge = core.ForceCoefficients(*(one.material[key] for key in ("ktc", "krc", "kte", "kre")))
+    model = core.ForceModel(edge, 5.0, 2, math.radians(30))
+    other = -math.pi / 2, math.radians(60) - math.pi / 2, 5.0
+    assert model.force([other], 0.05, 6366).peak_xy == pytest.approx(choice.force_at(one, 5), 1e-3)

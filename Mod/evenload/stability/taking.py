@@ -1,0 +1,68 @@
+"""A cut that was chosen in the chart goes into the operation and its tool controller."""
+
+from evenload import host
+from evenload.stability.operation import depth_of
+
+SAME = 1e-9  # share by which a speed may differ and be the same
+
+
+def take(operation, speed=None, depth=None, cut_mode=None):
+    """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays; the
+    operation's step down; its CutMode. In one step that can be undone, and recomputes.
+
+    speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; None: as it is. An operation
+    without a StepDown or a CutMode keeps its own. Raises ValueError for numbers that cannot be.
+    """
+    for name, value in (("spindle speed", speed), ("depth", depth)):
+        if value is not None and not value > 0:
+            raise ValueError("The %s must be above 0, not %g." % (name, value))
+    doc = operation.Document
+    doc.openTransaction("Stability chart")
+    try:
+        if speed is not None:
+            _turn_at(host.controller_of(operation), speed)
+        _cut_at(host.operation_under(operation), depth, cut_mode)
+        doc.recompute()
+    except Exception:
+        doc.abortTransaction()
+        raise
+    doc.commitTransaction()
+
+
+def sharers(operation):
+    """The labels of the job's other operations with the same tool controller."""
+    job, controller = host.parent_job(operation), host.controller_of(operation)
+    if job is None:
+        return []
+    return [
+        other.Label
+        for other in host.operations(job)
+        if other is not operation and host.controller_of(other) is controller
+    ]
+
+
+def _turn_at(controller, speed):
+    before = float(controller.SpindleSpeed)
+    if before > 0 and abs(speed - before) > SAME * before:
+        for name in ("HorizFeed", "VertFeed"):
+            _unbound(controller, name)
+            feed = getattr(controller, name).getValueAs("mm/min").Value
+            setattr(controller, name, "%.12g mm/min" % (feed * speed / before))
+    _unbound(controller, "SpindleSpeed")
+    controller.SpindleSpeed = float(speed)
+
+
+def _cut_at(operation, depth, cut_mode):
+    if depth is not None and hasattr(operation, "StepDown"):
+        whole = operation.StartDepth.Value - operation.FinalDepth.Value
+        if depth < whole or depth_of(operation) < whole:
+            _unbound(operation, "StepDown")
+            operation.StepDown = min(depth, whole)
+    wanted = (cut_mode or "").capitalize()
+    if wanted in (operation.getEnumerationsOfProperty("CutMode") or ()):
+        operation.CutMode = wanted
+
+
+def _unbound(obj, name):
+    if any(path == name for path, _ in obj.ExpressionEngine):
+        obj.setExpression(name, None)
