@@ -23,7 +23,7 @@ ARROWS = {
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
     },
-    "gui": {"host", "ground", "settings", "operations"},
+    "gui": {"host", "ground", "settings", "operations", "stability", "dynamics", "pictures"},
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),

@@ -11,11 +11,11 @@ def _translated(text):
     return FreeCAD.Qt.translate("EvenLoad", text)
 
 
-class CreateOperation:
-    """Creates an operation for the selected geometry and opens its panel."""
+class Command:
+    """Creates an operation for what is selected and opens its panel, or opens a window."""
 
     def __init__(self, panel, icon, menu_text, tool_tip):
-        self.panel = panel  # module in evenload.gui with a function `create`
+        self.panel = panel  # module in evenload.gui whose function `create` does it
         self.resources = icon, menu_text, tool_tip
 
     def GetResources(self):
@@ -40,22 +40,28 @@ class CreateOperation:
 
 
 COMMANDS = {
-    "EvenLoad_Adaptive": CreateOperation(
+    "EvenLoad_Adaptive": Command(
         "adaptive",
         "EvenLoad_Adaptive",
         "EvenLoad Adaptive",
         "Clears pockets at constant engagement of the tool",
     ),
-    "EvenLoad_Trochoid": CreateOperation(
+    "EvenLoad_Trochoid": Command(
         "trochoid",
         "EvenLoad_Trochoid",
         "EvenLoad Trochoid",
         "Cuts slots by trochoids at constant engagement of the tool",
     ),
-    "EvenLoad_LameSpiral": CreateOperation(
+    "EvenLoad_LameSpiral": Command(
         "lame_spiral",
         "EvenLoad_LameSpiral",
         "EvenLoad Lamé Spiral",
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
+    ),
+    "EvenLoad_StabilityChart": Command(
+        "stability",
+        "EvenLoad_StabilityChart",
+        "EvenLoad Stability Chart",
+        "Shows at which spindle speeds and depths an operation does not chatter, and finds the best",
     ),
 }

@@ -55,6 +55,12 @@ class Cut:
         return Milling(**{**arguments, **changes})
 
     @property
+    def removal_rate(self):
+        """mm3/min."""
+        width = 0.5 * self.diameter * (1 - math.cos(math.radians(self.engagement_deg)))
+        return self.depth * width * self.teeth * self.feed_per_tooth * self.speed
+
+    @property
     def seen_directions(self):
         """The directions as `milling` has them."""
         return (-self.directions) % 180 if self.is_reversed else self.directions
@@ -82,14 +88,24 @@ class Verdict:
     notes: list
 
 
-def judged(cut):
-    """The Verdict on a Cut. Raises ValueError, in a sentence, for a cut that cannot be."""
+def worst_of(cut):
+    """(largest multiplier, its feed direction as `milling` has it) of a Cut, in all directions of
+    its path. Raises ValueError, in a sentence, for a cut that cannot be.
+    """
     if not cut.speed > 0:
         raise ValueError("'%s' has no spindle speed: set the tool controller's." % cut.label)
     if not len(cut.directions):
         raise ValueError("'%s' has no level cut, whose stability could be told." % cut.label)
+    radii, worst = directions.worst_radii(
+        cut.milling(), cut.speed, cut.depth, cut.seen_directions
+    )
+    return float(radii), float(worst)
+
+
+def judged(cut):
+    """The Verdict on a Cut. Raises ValueError, in a sentence, for a cut that cannot be."""
+    radius, direction = worst_of(cut)
     milling, all_of_them = cut.milling(), cut.seen_directions
-    radius, direction = milling.worst_spectral_radius(cut.speed, cut.depth, all_of_them)
     is_stable = radius < 1
     deepest = cut.depth if not is_stable else DEEPEST * cut.depth
     if cut.flute_length:

@@ -16,7 +16,8 @@ from evenload.dynamics import directions
 
 FIRST = 41, 17  # nodes of speeds and depths of the first grid
 LEVELS = 3  # grids, each twice as fine as that before
-MOST_DIRECTIONS = 24  # every second one of them for the first grid
+MOST_DIRECTIONS = 24
+STRIDE = 3  # every third of them for the first grid: finer ones look at those beside the worst
 NEARLY = 0.98  # a radius above which a finer grid looks closely
 ENOUGH = 1.0  # a radius beyond which the first grid looks at no further direction
 ACCURACY = 1e-2
@@ -71,7 +72,7 @@ class _Grid:
         chosen = directions.spread(cut.seen_directions, MOST_DIRECTIONS)
         milling = cut.milling(flute_length=None)
         self.turned = [milling.changed(feed_direction=float(d)) for d in chosen]
-        self.beside = 1 if len(chosen) > MOST_DIRECTIONS // 2 else 0
+        self.beside = 1 if len(chosen) > MOST_DIRECTIONS // STRIDE else 0
         self.speeds, self.depths = (
             numpy.linspace(low, high, nodes) for (low, high), nodes in zip((speeds, depths), FIRST)
         )
@@ -79,7 +80,7 @@ class _Grid:
         self.radii, self.worst = numpy.zeros(shape), numpy.zeros(shape, dtype=int)
         self.known = numpy.zeros(shape, dtype=bool)
         wanted = numpy.zeros((len(chosen), *shape), dtype=bool)
-        wanted[:: 1 + self.beside] = True
+        wanted[:: STRIDE if self.beside else 1] = True
         self._evaluate(wanted, ENOUGH)
 
     def halve(self):

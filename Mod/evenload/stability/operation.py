@@ -36,14 +36,23 @@ def read(
     operation's, else the largest that the simulator finds. process_damping: N/m. folder: of relative
     paths. Raises ValueError, in a sentence, for what cannot be used.
     """
+    found = _modes(host.controller_of(operation), modes, machine, folder)
+    result = read_without_modes(operation, material, machine, engagement_deg, process_damping)
+    result.modes = found.modes
+    result.notes[:0] = found.notes
+    return result
+
+
+def read_without_modes(
+    operation, material=None, machine=None, engagement_deg=None, process_damping=0.0
+):
+    """The same with no modes yet."""
     inner = host.operation_under(operation)
-    controller = host.controller_of(operation)
-    tool, data = tools.read(controller)
-    found = _modes(controller, modes, machine, folder)
+    tool, data = tools.read(host.controller_of(operation))
     moves, _ = earlier.moves_of(operation)
     if len(moves) < 2:
         raise ValueError("'%s' has no path: recompute it first." % operation.Label)
-    notes = list(found.notes)
+    notes = []
     if tool.assumed:
         notes.append(
             "The tool '%s' does not say its %s: stability is that of %s."
@@ -51,13 +60,13 @@ def read(
         )
     return cut.Cut(
         operation.Label,
-        found.modes,
+        [],
         tool.teeth,
         tool.diameter,
         tool.helix_angle,
         tool.cutting_length or None,
         _engagement(operation, inner, engagement_deg),
-        str(getattr(inner, "CutMode", "Climb")).lower(),
+        cut_mode_of(inner),
         materials.load(material or getattr(inner, "Material", None) or materials.names()[0]),
         data.spindle_speed,
         depth_of(inner),
@@ -68,6 +77,11 @@ def read(
         data.spindle == tools.REVERSE,
         notes,
     )
+
+
+def cut_mode_of(operation):
+    """"climb" or "conventional"; climb where an operation does not say."""
+    return str(getattr(operation, "CutMode", "Climb")).lower()
 
 
 def depth_of(operation):

@@ -6,12 +6,14 @@ from evenload.stability.operation import depth_of
 SAME = 1e-9  # share by which a speed may differ and be the same
 
 
-def take(operation, speed=None, depth=None, cut_mode=None):
+def take(operation, speed=None, depth=None, cut_mode=None, engagement_deg=None):
     """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays; the
-    operation's step down; its CutMode. In one step that can be undone, and recomputes.
+    operation's step down, CutMode and EngagementAngle. In one step that can be undone, and
+    recomputes.
 
-    speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; None: as it is. An operation
-    without a StepDown or a CutMode keeps its own. Raises ValueError for numbers that cannot be.
+    speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; engagement_deg: degrees; None: as
+    it is. What an operation does not have it does not get. Raises ValueError for numbers that cannot
+    be.
     """
     for name, value in (("spindle speed", speed), ("depth", depth)):
         if value is not None and not value > 0:
@@ -21,7 +23,10 @@ def take(operation, speed=None, depth=None, cut_mode=None):
     try:
         if speed is not None:
             _turn_at(host.controller_of(operation), speed)
-        _cut_at(host.operation_under(operation), depth, cut_mode)
+        inner = host.operation_under(operation)
+        _cut_at(inner, depth, cut_mode)
+        if engagement_deg is not None and hasattr(inner, "EngagementAngle"):
+            _set(inner, "EngagementAngle", engagement_deg)
         doc.recompute()
     except Exception:
         doc.abortTransaction()
@@ -45,24 +50,23 @@ def _turn_at(controller, speed):
     before = float(controller.SpindleSpeed)
     if before > 0 and abs(speed - before) > SAME * before:
         for name in ("HorizFeed", "VertFeed"):
-            _unbound(controller, name)
-            feed = getattr(controller, name).getValueAs("mm/min").Value
-            setattr(controller, name, "%.12g mm/min" % (feed * speed / before))
-    _unbound(controller, "SpindleSpeed")
-    controller.SpindleSpeed = float(speed)
+            feed = 60 * getattr(controller, name).Value
+            _set(controller, name, "%.12g mm/min" % (feed * speed / before))
+    _set(controller, "SpindleSpeed", float(speed))
 
 
 def _cut_at(operation, depth, cut_mode):
     if depth is not None and hasattr(operation, "StepDown"):
         whole = operation.StartDepth.Value - operation.FinalDepth.Value
         if depth < whole or depth_of(operation) < whole:
-            _unbound(operation, "StepDown")
-            operation.StepDown = min(depth, whole)
+            _set(operation, "StepDown", min(depth, whole))
     wanted = (cut_mode or "").capitalize()
     if wanted in (operation.getEnumerationsOfProperty("CutMode") or ()):
         operation.CutMode = wanted
 
 
-def _unbound(obj, name):
+def _set(obj, name, value):
+    """Sets a property, also one that an expression has held."""
     if any(path == name for path, _ in obj.ExpressionEngine):
         obj.setExpression(name, None)
+    setattr(obj, name, value)

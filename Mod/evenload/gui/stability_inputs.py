@@ -1,0 +1,140 @@
+"""The numbers of the stability chart's window: the cut, the chart's ends, the limits of the best."""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from evenload import materials
+from evenload.gui.panel import slot
+
+_translate = FreeCAD.Qt.translate
+
+CUT_MODES = (("Climb", "climb"), ("Conventional", "conventional"))
+NO_LIMIT = "no limit"
+
+
+def number(low, high, decimals, step, suffix, when_low=""):
+    """A box for a number; `when_low` is shown in place of the least one."""
+    box = QtGui.QDoubleSpinBox()
+    box.setDecimals(decimals)
+    box.setRange(low, high)
+    box.setSingleStep(step)
+    box.setSuffix(suffix and " " + suffix)
+    box.setKeyboardTracking(False)
+    if when_low:
+        box.setSpecialValueText(_translate("EvenLoad", when_low))
+    return box
+
+
+class Rows(QtGui.QGroupBox):
+    """A box with a row for each value; `changed` is told when the user changes one."""
+
+    changed = QtCore.Signal()
+
+    def __init__(self, title, rows, parent=None):
+        """rows: of (name, title, tooltip, widget); a widget is an attribute under its name."""
+        super().__init__(_translate("EvenLoad", title), parent)
+        self.names = [name for name, *_ in rows]
+        layout = QtGui.QFormLayout(self)
+        for name, label, tip, widget in rows:
+            setattr(self, name, widget)
+            widget.setToolTip(_translate("EvenLoad", tip))
+            layout.addRow(_translate("EvenLoad", label), widget)
+            is_list = isinstance(widget, QtGui.QComboBox)
+            signal = widget.currentIndexChanged if is_list else widget.valueChanged
+            signal.connect(slot(self._tell))
+
+    def _tell(self):
+        self.changed.emit()
+
+    def show_values(self, **values):
+        """Shows values by their names, and tells nobody."""
+        for name, value in values.items():
+            widget = getattr(self, name)
+            blocked = widget.blockSignals(True)
+            if isinstance(widget, QtGui.QComboBox):
+                widget.setCurrentIndex(widget.findData(value))
+            else:
+                widget.setValue(value)
+            widget.blockSignals(blocked)
+
+
+def combo(rows):
+    """A list of (title, value)."""
+    box = QtGui.QComboBox()
+    box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
+    for title, value in rows:
+        box.addItem(_translate("EvenLoad", title), value)
+    return box
+
+
+def cut_box():
+    """The cut that is judged: what a click into the chart chooses, and what the chart is of."""
+    named = combo((name, name) for name in materials.names())
+    return Rows(
+        "Cut",
+        (
+            ("speed", "Spindle speed", "As a click into the chart sets it", _speed()),
+            ("depth", "Step down", "As a click into the chart sets it", _depth()),
+            ("cut_mode", "Cut mode", "The chart is that of this cut mode", combo(CUT_MODES)),
+            (
+                "engagement",
+                "Engagement angle",
+                "How much of the tool's side cuts",
+                number(1, 180, 1, 1, "°"),
+            ),
+            ("material", "Material", "Its force coefficients", named),
+            (
+                "damping",
+                "Process damping",
+                "Of the tool's flank on the wall it has cut; some 100 kN/m, more with a worn edge",
+                number(0, 5000, 0, 20, "kN/m", "none"),
+            ),
+        ),
+    )
+
+
+def chart_box():
+    """The ends of the chart."""
+    return Rows(
+        "Chart",
+        (
+            ("from_speed", "From", "The chart's least spindle speed", _speed()),
+            ("to_speed", "To", "The chart's largest spindle speed", _speed()),
+            ("to_depth", "Down to", "The chart's largest depth", _depth()),
+        ),
+    )
+
+
+def limits_box():
+    """What the best cut has to keep."""
+    return Rows(
+        "Best cut",
+        (
+            (
+                "margin",
+                "Margin",
+                "How far the largest multiplier stays below 1",
+                number(0, 90, 0, 1, "%"),
+            ),
+            (
+                "error",
+                "Location error",
+                "Largest error of the wall's place",
+                number(0, 1000, 0, 5, "µm", NO_LIMIT),
+            ),
+            (
+                "force",
+                "Force",
+                "Largest cutting force in the plane",
+                number(0, 1e5, 0, 50, "N", NO_LIMIT),
+            ),
+        ),
+    )
+
+
+def _speed():
+    return number(1, 200000, 0, 50, "rev/min")
+
+
+def _depth():
+    return number(0.001, 500, 3, 0.05, "mm")

@@ -1,0 +1,162 @@
+"""The stability chart as a widget: drawn by matplotlib, points and mouse by Qt."""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from evenload.gui.images import image_of
+from evenload.pictures.figure import new_figure
+from evenload.stability import picture
+
+_translate = FreeCAD.Qt.translate
+
+INCH = 96.0  # pixels, of the chart's letters
+STABLE, UNSTABLE, UNKNOWN = (
+    QtGui.QColor(c) for c in (picture.STABLE_POINT, picture.UNSTABLE_POINT, picture.GREY)
+)
+RADIUS = 6  # pixels, of the point that is chosen; the operation's own is a ring around it
+MARGINS = 62, 16, 12, 48  # pixels around the axes: left, right, top, bottom
+LEAST = 420, 320  # pixels
+
+
+class ChartView(QtGui.QWidget):
+    """Shows a Field, the operation's point and the chosen one.
+
+    `chosen` is told when the user clicks a point, which is `point` then: (rev/min, mm). `taken` is
+    told for a double click.
+    """
+
+    chosen = QtCore.Signal()
+    taken = QtCore.Signal()
+
+    def __init__(self, parent=None):
+        super().__init__(parent)
+        self.setMinimumSize(*LEAST)
+        self.setMouseTracking(True)
+        self.field = self.message = None
+        self.operation = self.point = self.is_stable = None
+        self._image = self._axes = self._under_mouse = None
+
+    def show_field(self, field):
+        self.field, self.message, self._image = field, None, None
+        self.update()
+
+    def show_message(self, text):
+        """In place of a chart."""
+        self.field, self.message, self._image, self._axes = None, text, None, None
+        self.update()
+
+    def show_points(self, operation, point, is_stable):
+        """(rev/min, mm) each; is_stable: None where it is not known yet."""
+        self.operation, self.point, self.is_stable = operation, point, is_stable
+        self.update()
+
+    # ---- places ----
+
+    def pixel_of(self, point):
+        """The place of (rev/min, mm) in the widget, a QPointF; None without a chart."""
+        if self._axes is None:
+            self._render()
+        if self._axes is None:
+            return None
+        x, y = self._axes.transData.transform(point)
+        ratio = self._image.devicePixelRatio()
+        return QtCore.QPointF(x / ratio, self.height() - y / ratio)
+
+    def point_at(self, place):
+        """(rev/min, mm) at a place of the widget; None beside the chart."""
+        if self._axes is None:
+            return None
+        ratio = self._image.devicePixelRatio()
+        x, y = place.x() * ratio, (self.height() - place.y()) * ratio
+        if not self._axes.bbox.contains(x, y):
+            return None
+        speed, depth = self._axes.transData.inverted().transform((x, y))
+        return (float(speed), float(depth)) if depth > 0 else None
+
+    # ---- Qt's ----
+
+    def resizeEvent(self, event):
+        self._image = self._axes = None
+        super().resizeEvent(event)
+
+    def paintEvent(self, _):
+        painter = QtGui.QPainter(self)
+        painter.fillRect(self.rect(), QtCore.Qt.white)
+        if self.field is None:
+            painter.setPen(QtGui.QColor("#5f6368"))
+            where = self.rect().adjusted(20, 20, -20, -20)
+            painter.drawText(where, QtCore.Qt.AlignCenter | QtCore.Qt.TextWordWrap, self.message)
+            return
+        if self._image is None:
+            self._render()
+        painter.drawImage(0, 0, self._image)
+        painter.setRenderHint(QtGui.QPainter.Antialiasing)
+        self._draw_points(painter)
+        painter.setPen(QtGui.QColor("#5f6368"))
+        legend = _translate("EvenLoad", "○ as it is   ● as chosen")
+        painter.drawText(self._margins(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop, legend)
+        if self._under_mouse is not None:
+            text = "%.0f rev/min, %.3g mm" % self._under_mouse
+            painter.drawText(self._margins(), QtCore.Qt.AlignRight | QtCore.Qt.AlignTop, text)
+
+    def mouseMoveEvent(self, event):
+        self._under_mouse = self.point_at(event.pos())
+        self.setCursor(QtCore.Qt.CrossCursor if self._under_mouse else QtCore.Qt.ArrowCursor)
+        self.update()
+
+    def leaveEvent(self, _):
+        self._under_mouse = None
+        self.update()
+
+    def mousePressEvent(self, event):
+        point = self.point_at(event.pos())
+        if event.button() == QtCore.Qt.LeftButton and point is not None:
+            self.point, self.is_stable = point, None
+            self.update()
+            self.chosen.emit()
+
+    def mouseDoubleClickEvent(self, event):
+        if event.button() == QtCore.Qt.LeftButton and self.point_at(event.pos()) is not None:
+            self.taken.emit()
+
+    # ---- drawing ----
+
+    def _render(self):
+        if self.field is None:
+            return
+        ratio = self.devicePixelRatioF()
+        width, height = self.width(), self.height()
+        figure = new_figure(width / INCH, height / INCH)
+        figure.set_dpi(INCH * ratio)
+        # Not left to matplotlib, which takes longer for it than for the rest.
+        left, right, top, bottom = MARGINS
+        axes = figure.add_axes(
+            (
+                *(left / width, bottom / height),
+                *(1 - (left + right) / width, 1 - (top + bottom) / height),
+            )
+        )
+        picture.draw(axes, self.field)
+        self._image = image_of(figure)
+        self._image.setDevicePixelRatio(ratio)
+        self._axes = axes
+
+    def _margins(self):
+        """Where words stand within the axes."""
+        if self._axes is None:
+            return self.rect()
+        box, ratio = self._axes.bbox, self._image.devicePixelRatio()
+        left, right = round(box.x0 / ratio), round(box.x1 / ratio)
+        top = self.height() - round(box.y1 / ratio)
+        return QtCore.QRect(left, top, right - left, self.height()).adjusted(8, 8, -8, 0)
+
+    def _draw_points(self, painter):
+        colour = {None: UNKNOWN, True: STABLE, False: UNSTABLE}[self.is_stable]
+        painter.setClipRect(self.rect())
+        if self.operation is not None:
+            painter.setPen(QtGui.QPen(QtGui.QColor("#202124"), 2))
+            painter.drawEllipse(self.pixel_of(self.operation), RADIUS + 3, RADIUS + 3)
+        if self.point is not None:
+            painter.setPen(QtGui.QPen(QtCore.Qt.white, 1.5))
+            painter.setBrush(colour)
+            painter.drawEllipse(self.pixel_of(self.point), RADIUS, RADIUS)

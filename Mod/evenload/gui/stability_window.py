@@ -1,0 +1,355 @@
+"""The window Stability chart: an operation's cut, what vibrates, the chart, the best cut."""
+
+import dataclasses
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from evenload import host, materials
+from evenload.gui import stability_inputs as inputs
+from evenload.gui.panel import slot
+from evenload.gui.stability_modes import ModesBox
+from evenload.gui.stability_view import ChartView
+from evenload.gui.stability_worker import Refused, Worker
+from evenload.stability import choice, field, picture, taking
+from evenload.stability import cut as cuts
+from evenload.stability import operation as stability
+
+_translate = FreeCAD.Qt.translate
+
+LOOK = 20  # ms between looks at what the thread has found
+LEFT = 345  # pixels of the settings
+SIZE = 1120, 860
+LEAST_DEPTH = 0.002  # of the chart's largest: where it begins
+RED, GREEN, GREY = "#c5221f", "#137333", "#5f6368"
+
+
+class StabilityWindow(QtGui.QDialog):
+    """Of one operation; others of the job can be chosen. `closed` is told at its end."""
+
+    closed = QtCore.Signal()
+
+    def __init__(self, operation, parent=None):
+        super().__init__(parent or FreeCADGui.getMainWindow())
+        self.setWindowTitle(_translate("EvenLoad", "Stability chart"))
+        self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
+        self.resize(*SIZE)
+        self.operation = self.read = self.best = None
+        self.worker, self.searcher = Worker(), Worker()
+        self.view, self.modes = ChartView(), ModesBox()
+        self.cut, self.chart, self.limits = (
+            inputs.cut_box(),
+            inputs.chart_box(),
+            inputs.limits_box(),
+        )
+        self.operations = inputs.combo(())
+        self.best_button = self._button("Best", "Finds the cut that removes most", self.find_best)
+        self.apply_button = self._button(
+            "Apply", "Sets spindle speed, feeds, step down and cut mode", self.apply
+        )
+        self.close_button = self._button("Close", "Closes the window", self.leave)
+        self.told = QtGui.QLabel()
+        self.told.setWordWrap(True)
+        self.told.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.found = QtGui.QLabel()
+        self.found.setWordWrap(True)
+        self._lay_out()
+        self.timer = QtCore.QTimer(self)
+        self.timer.setInterval(LOOK)
+        self.timer.timeout.connect(slot(self._look))
+        self._connect()
+        self._list_operations(operation)
+        self.show_operation(operation)
+
+    def _button(self, title, tip, action):
+        button = QtGui.QPushButton(_translate("EvenLoad", title))
+        button.setToolTip(_translate("EvenLoad", tip))
+        button.setAutoDefault(False)
+        button.clicked.connect(slot(action))
+        return button
+
+    def _lay_out(self):
+        self.limits.layout().addRow(self.best_button)
+        self.limits.layout().addRow(self.found)
+        left = QtGui.QWidget()
+        column = QtGui.QVBoxLayout(left)
+        for widget in (self.operations, self.modes, self.cut, self.limits, self.chart):
+            column.addWidget(widget)
+        column.addStretch(1)
+        area = QtGui.QScrollArea()
+        area.setWidgetResizable(True)
+        area.setFrameShape(QtGui.QFrame.NoFrame)
+        area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+        area.setWidget(left)
+        area.setFixedWidth(LEFT)
+        below = QtGui.QHBoxLayout()
+        below.addWidget(self.told, 1)
+        below.addWidget(self.apply_button)
+        below.addWidget(self.close_button)
+        right = QtGui.QVBoxLayout()
+        right.addWidget(self.view, 1)
+        right.addLayout(below)
+        layout = QtGui.QHBoxLayout(self)
+        layout.addWidget(area)
+        layout.addLayout(right, 1)
+
+    def _connect(self):
+        self.operations.activated.connect(slot(self._operation_chosen))
+        self.modes.changed.connect(slot(self._modes_changed))
+        self.cut.changed.connect(slot(self.recompute))
+        self.chart.changed.connect(slot(self.recompute))
+        self.view.chosen.connect(slot(self._point_chosen))
+        self.view.taken.connect(slot(self.apply))
+
+    # ---- the operation ----
+
+    def _list_operations(self, operation):
+        job = host.parent_job(operation)
+        for each in host.operations(job) if job else [operation]:
+            if host.controller_of(each) is not None:
+                self.operations.addItem(each.Label, each.Name)
+
+    def _operation_chosen(self):
+        if self._is_gone():
+            self.close()
+            return
+        document = self.operation.Document
+        self.show_operation(document.getObject(self.operations.currentData()))
+
+    def show_operation(self, operation):
+        """Reads an operation and shows its chart."""
+        self.operation, self.best = operation, None
+        self.found.clear()
+        self.operations.setCurrentIndex(self.operations.findData(operation.Name))
+        try:
+            kept = stability.kept(host.controller_of(operation))
+            problem = ""
+        except ValueError as error:  # what somebody wrote into the property
+            kept, problem = None, str(error)
+        self.modes.show_modes(kept.modes if kept else [], name=kept.name if kept else "")
+        self.modes.problem = problem
+        if self._read():
+            self._show_ends()
+        self.recompute()
+
+    def _read(self):
+        """Whether the operation can be read; shows its cut."""
+        self.read = None
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # others' are simulated
+        try:
+            self.read = stability.read_without_modes(self.operation)
+        except ValueError as error:
+            self._tell(str(error), RED)
+            self.view.show_message(str(error))
+            return False
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+        cut = self.read
+        self.cut.show_values(
+            speed=cut.speed,
+            depth=cut.depth,
+            cut_mode=cut.cut_mode,
+            engagement=cut.engagement_deg,
+            material=cut.material["name"],
+        )
+        return True
+
+    def _show_ends(self):
+        (low, high), (_, deepest) = picture.box_of(self.read)
+        self.chart.show_values(from_speed=low, to_speed=high, to_depth=deepest)
+        self.limits.show_values(margin=100 * choice.MARGIN)
+
+    def asked(self):
+        """The Cut as it is set in the window."""
+        return dataclasses.replace(
+            self.read,
+            modes=list(self.modes.modes),
+            speed=self.cut.speed.value(),
+            depth=self.cut.depth.value(),
+            cut_mode=self.cut.cut_mode.currentData(),
+            engagement_deg=self.cut.engagement.value(),
+            material=materials.load(self.cut.material.currentData()),
+            process_damping=1e3 * self.cut.damping.value(),
+        )
+
+    # ---- computing ----
+
+    def recompute(self):
+        """Draws the chart and judges the cut anew, in place of what is under way."""
+        self.worker.cancel()
+        self.apply_button.setEnabled(self.read is not None)
+        self.best_button.setEnabled(self.read is not None and bool(self.modes.modes))
+        if self.read is None:
+            return
+        missing = self.modes.problem or (not self.modes.modes and self._what_to_do())
+        if missing:
+            self.view.show_message(missing)
+            self._tell(missing, RED if self.modes.problem else GREY)
+            return
+        cut, box = self.asked(), self._box()
+        if box[0][0] >= box[0][1]:
+            self._tell(_translate("EvenLoad", "The chart's speeds must rise."), RED)
+            return
+        self.view.show_points((self.read.speed, self.read.depth), (cut.speed, cut.depth), None)
+        self._tell(_translate("EvenLoad", "Computing"), GREY)
+        self.worker.start(lambda: _chart_of(cut, box))
+        self.timer.start()
+
+    @staticmethod
+    def _what_to_do():
+        return _translate(
+            "EvenLoad",
+            "Load a tap test, open a file with modes, or add a mode: the chart follows from what"
+            " vibrates at the tool's tip.",
+        )
+
+    def _box(self):
+        deepest = self.chart.to_depth.value()
+        speeds = self.chart.from_speed.value(), self.chart.to_speed.value()
+        return speeds, (LEAST_DEPTH * deepest, deepest)
+
+    def find_best(self):
+        """Looks for the best cut within the chart and the limits."""
+        cut, (speeds, (_, deepest)) = self.asked(), self._box()
+        limits = {
+            "margin": self.limits.margin.value() / 100,
+            "surface_limit": 1e-3 * self.limits.error.value() or None,
+            "force_limit": self.limits.force.value() or None,
+        }
+        self.found.setText(_translate("EvenLoad", "Searching"))
+
+        def search():
+            yield "best", choice.best_of(cut, speeds, deepest, **limits)
+
+        self.searcher.start(search)
+        self.timer.start()
+
+    def _look(self):
+        if self._is_gone():
+            self.close()
+            return
+        # Asked first, so that nothing comes after what is taken.
+        is_done = not (self.worker.is_busy or self.searcher.is_busy)
+        if is_done:
+            self.timer.stop()
+        for result in self.worker.results():
+            self._show(result, self._tell)
+        for result in self.searcher.results():
+            self._show(result, lambda text, _: self.found.setText(text))
+
+    def _is_gone(self):
+        """Whether the operation was deleted, or its document closed."""
+        try:
+            return self.operation.Document is None
+        except ReferenceError:
+            return True
+
+    def _show(self, result, tell):
+        if isinstance(result, Refused):
+            tell(result.sentence, RED)
+            return
+        kind, found = result
+        if kind == "field":
+            self.view.show_field(found)
+        elif kind == "stable":
+            self.view.show_points(self.view.operation, self.view.point, found)
+        elif kind == "verdict":
+            self._tell("\n".join([found.sentence, *self._notes()]), GREEN if found.is_stable else RED)
+        else:
+            self._show_best(found)
+
+    def _notes(self):
+        others = taking.sharers(self.operation)
+        shared = _translate("EvenLoad", "%s: the same tool controller.") % ", ".join(others)
+        return [*self.read.notes, *self.modes.notes, *([shared] if others else [])]
+
+    def _show_best(self, found):
+        self.best = found
+        if found is None:
+            self.found.setText(_translate("EvenLoad", "No cut in the chart keeps the limits."))
+            return
+        self.found.setText(
+            _translate(
+                "EvenLoad", "Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N."
+            )
+            % (
+                1e-3 * found.removal_rate,
+                1e-3 * self.read.removal_rate,
+                1e3 * found.surface_location_error,
+                choice.force_at(self.asked(), found.depth),
+            )
+        )
+        self.cut.show_values(speed=found.speed, depth=found.depth, cut_mode=found.cut_mode)
+        self.recompute()
+
+    # ---- what the user does ----
+
+    def _point_chosen(self):
+        speed, depth = self.view.point
+        self.cut.show_values(speed=speed, depth=depth)
+        self.recompute()
+
+    def _modes_changed(self):
+        if self._is_gone():
+            self.close()
+            return
+        if not self.modes.problem:
+            doc = self.operation.Document
+            doc.openTransaction("Modes of vibration")
+            stability.keep(host.controller_of(self.operation), self.modes.vibration())
+            doc.commitTransaction()
+        self.recompute()
+
+    def apply(self):
+        """Takes the cut into the operation and its tool controller, and computes the path."""
+        if self._is_gone():
+            self.close()
+            return
+        if self.read is None:
+            return
+        asked = self.asked()
+        own = asked.engagement_deg if self._is_other("engagement_deg", asked) else None
+        taking.take(
+            self.operation,
+            asked.speed if self._is_other("speed", asked) else None,
+            asked.depth if self._is_other("depth", asked) else None,
+            asked.cut_mode if self._is_other("cut_mode", asked) else None,
+            own,
+        )
+        if self._read():
+            self.recompute()
+
+    def _is_other(self, name, asked):
+        before, after = getattr(self.read, name), getattr(asked, name)
+        # What is shown is rounded.
+        return before != after if isinstance(after, str) else abs(before - after) > SHOWN[name]
+
+    def leave(self):
+        self.close()
+
+    def closeEvent(self, event):
+        self.timer.stop()
+        self.worker.cancel()
+        self.searcher.cancel()
+        super().closeEvent(event)
+        self.closed.emit()
+
+    def _tell(self, text, colour):
+        self.told.setText(text)
+        self.told.setStyleSheet("color: %s" % colour)
+
+
+# Half of the last digit that the boxes show.
+SHOWN = {"speed": 0.5, "depth": 5e-4, "engagement_deg": 0.05}
+
+
+def _chart_of(cut, box):
+    """Generates what the window shows of a Cut, the quickest first."""
+    levels = field.levels(cut, *box)
+    yield "field", next(levels)
+    radius, _ = cuts.worst_of(cut)
+    yield "stable", radius < 1
+    for finer in levels:
+        yield "field", finer
+    yield "verdict", cuts.judged(cut)

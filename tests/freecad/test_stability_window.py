@@ -1,0 +1,95 @@
+"""The window Stability chart, used in FreeCAD's GUI on a virtual screen (gui_stability_session.py)."""
+
+import numpy
+import pytest
+from conftest import in_gui
+from evenload.dynamics import Frf, Mode
+
+MODE = Mode.from_stiffness(3.0, 780, 0.022)
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """What gui_stability_session.py reports."""
+    folder = tmp_path_factory.mktemp("stability")
+    frf = Frf.of_modes([MODE], numpy.arange(300, 1600, 2.0))
+    noise = numpy.random.default_rng(1).normal(size=(2, len(frf.xx))) * 0.01 * abs(frf.xx).max()
+    values = 1e6 * (frf.xx + noise[0] + 1j * noise[1])
+    rows = ["%g,%g,%g" % (f, v.real, v.imag) for f, v in zip(frf.frequencies, values)]
+    (folder / "tap.csv").write_text("frequency,real,imag\n" + "\n".join(rows))  # without a unit
+    return in_gui("gui_stability_session.py", folder, EVENLOAD_TAP_TEST=str(folder / "tap.csv"))
+
+
+def test_the_command_is_in_menu_and_toolbar(session):
+    assert set(session["actions"]) == {"EvenLoad Stability Chart"}
+
+
+def test_without_modes_the_window_says_what_to_do(session):
+    assert "tap test" in session["empty"]
+
+
+def test_a_tap_test_is_fitted_and_kept_with_the_tool_controller(session):
+    tap = session["tap"]
+    assert "unit" in tap["asks"] and not tap["ok_before"]
+    assert tap["ok"] and tap["fitted"].startswith("7")
+    assert session["rows"] == 1
+    assert session["kept"] == [pytest.approx(MODE.frequency, rel=1e-3)]
+
+
+def test_the_verdict_is_told_and_shown(session):
+    assert session["verdict"].startswith("The cut is unstable") and session["stable"] is False
+    assert "Pocket: the same tool controller." in session["verdict"]
+
+
+def test_it_follows_quickly_and_the_window_stays_alive(session):
+    assert session["first"] < 0.6 and session["all"] < 2.0  # 0.3 and 1 s on a machine at rest
+    assert session["gap"] < 400  # ms
+    assert session["cancel"][len(session["cancel"]) // 2] < 0.05
+
+
+def test_a_click_chooses_a_cut_and_changes_nothing_yet(session):
+    speed, depth, wanted_speed, wanted_depth = session["clicked"]
+    assert speed == pytest.approx(wanted_speed, rel=0.01)
+    assert depth == pytest.approx(wanted_depth, rel=0.03)
+    assert session["boxes"] == [pytest.approx(speed, abs=0.5), pytest.approx(depth, abs=5e-4)]
+    assert session["between"] == session["before"]
+
+
+def test_apply_keeps_the_feed_per_tooth_and_is_one_step_to_undo(session):
+    before, after = session["before"], session["after"]
+    speed, depth = session["boxes"]
+    assert after["speed"] == pytest.approx(speed) and after["valid"]
+    assert after["step"] == pytest.approx(min(depth, 3.0))
+    for feed in ("feed", "plunge"):
+        assert after[feed] / after["speed"] == pytest.approx(before[feed] / before["speed"])
+    assert session["after_verdict"].startswith("The cut is stable")
+    assert session["undone"] == before and session["redone"] == after
+
+
+def test_the_best_cut_is_shown_and_taken(session):
+    speed, depth, cut_mode, radius = session["best"]
+    assert radius <= 0.85 + 1e-6
+    assert session["best_boxes"][:2] == [
+        pytest.approx(speed, abs=0.5),
+        pytest.approx(depth, abs=5e-4),
+    ]
+    assert session["best_boxes"][2] == cut_mode and "Removes" in session["best_text"]
+    taken = session["best_taken"]
+    assert taken["speed"] == pytest.approx(speed, abs=0.5)
+    assert taken["step"] == pytest.approx(min(depth, 3.0), abs=5e-4)
+    assert taken["mode"].lower() == cut_mode and taken["valid"]
+    assert session["best_verdict"].startswith("The cut is stable")
+
+
+def test_a_mode_that_cannot_be_is_told_in_a_sentence(session):
+    assert session["wrong"].startswith("Mode 1:") and "damping" in session["wrong"]
+    assert session["mended"].startswith("The cut is")
+
+
+def test_an_operation_of_freecad_has_a_chart_too(session):
+    told, engagement = session["pocket"]
+    assert told.startswith("The cut is") and engagement > 90
+
+
+def test_the_window_reads_what_is_kept_and_closes_with_its_document(session):
+    assert session["closed"] and session["again"] == 1 and session["gone"]
