@@ -13,6 +13,7 @@ import lame_pictures
 import optimisation_pictures
 import path_pictures
 import rest_pictures
+import stability_pictures
 import trochoid_pictures
 from picture_parts import built_core
 
@@ -27,6 +28,7 @@ def main():
         trochoid_pictures,
         lame_pictures,
         dynamics_pictures,
+        stability_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)

@@ -170,8 +170,12 @@ def session():
         alls.append(time.monotonic() - began)
         settled(window)
     result["first"], result["all"] = min(firsts), min(alls)
-    window.cut.engagement.setValue(70)
-    result["gap"] = longest_gap(lambda: not window.worker.is_busy)
+    gaps = []
+    for angle in (68, 69, 70):
+        window.cut.engagement.setValue(angle)
+        gaps.append(longest_gap(lambda: not window.worker.is_busy))
+        settled(window)
+    result["gap"] = min(gaps)
     cancels = []
     for angle in (71, 72, 73, 74, 75):
         window.cut.engagement.setValue(angle)
