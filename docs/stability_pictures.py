@@ -8,9 +8,7 @@ from evenload.stability import cut as cuts
 from evenload.stability import field, picture
 from picture_parts import DOCS
 
-TESTS = [
-    {"file": "tap_%s.csv" % axis, "axis": axis + axis, "modes": 2} for axis in "xy"
-]
+TESTS = [{"file": "tap_%s.csv" % axis, "axis": axis + axis, "modes": 2} for axis in "xy"]
 
 
 def example():
@@ -40,7 +38,9 @@ def draw_chart(core):
     figure = new_figure(9, 5, layout="constrained")
     axes = figure.add_subplot()
     picture.draw(axes, found, cut, is_stable=False)
-    axes.set_title("A pocket of 6 mm with an end mill of 6 mm, climb, all feed directions", loc="left")
+    axes.set_title(
+        "A pocket of 6 mm with an end mill of 6 mm, climb, all feed directions", loc="left"
+    )
     kept(figure, "stability_chart.png")
 
 

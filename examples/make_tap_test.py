@@ -2,8 +2,8 @@
 
     PYTHONPATH=Mod python3 examples/make_tap_test.py
 
-They are synthetic: the response of the modes below, with noise of 2 % of its peak, not measured on a
-machine. A slender end mill of 6 mm, 30 mm out of its holder, on a bench mill.
+They are synthetic: the response of the modes below, with noise of 2 % of its peak, not measured on
+a machine. A slender end mill of 6 mm, 30 mm out of its holder, on a bench mill.
 """
 
 import os

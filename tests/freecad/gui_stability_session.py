@@ -48,6 +48,20 @@ def text_of(window):
     return window.told.text()
 
 
+def cut_off(window):
+    """The widgets of the settings whose right edge is hidden."""
+    area = window.findChild(QtGui.QScrollArea)
+    seen = area.viewport().width()
+    kinds = QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QPushButton, QtGui.QTableWidget
+    return [
+        widget.metaObject().className()
+        for kind in kinds
+        for widget in area.widget().findChildren(kind)
+        if widget.isVisible()
+        and widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
+    ]
+
+
 def state(op):
     controller = op.ToolController
     return {
@@ -69,6 +83,16 @@ def longest_gap(until):
     wait_for(until)
     timer.stop()
     return 1e3 * max(b - a for a, b in zip(ticks, ticks[1:]))
+
+
+def alone(window):
+    """Seconds that the first grid and all of them take with nothing else to do."""
+    began, times = time.monotonic(), []
+    from evenload.stability import field
+
+    for _ in field.levels(window.asked(), *window._box()):
+        times.append(time.monotonic() - began)
+    return times[0], times[-1]
 
 
 def a_job():
@@ -156,6 +180,7 @@ def session():
     result["kept"] = [mode.frequency for mode in read.kept(op.ToolController).modes]
     result["verdict"], result["stable"] = text_of(window), window.view.is_stable
     grab(window, "chart")
+    result["cut_off"] = cut_off(window)
     picture("in_freecad")
 
     # How quickly it follows.
@@ -170,6 +195,7 @@ def session():
         alls.append(time.monotonic() - began)
         settled(window)
     result["first"], result["all"] = min(firsts), min(alls)
+    result["alone"] = min(alone(window) for _ in firsts)
     gaps = []
     for angle in (68, 69, 70):
         window.cut.engagement.setValue(angle)

@@ -45,9 +45,7 @@ def test_the_star_s_worst_direction_is_that_of_all_directions(bench):
 
 def test_what_is_read_of_an_operation(square):
     square.controller.Tool.Flutes = 3
-    op = square.done(
-        square.operation(EngagementAngle=45, CutMode="Conventional", StepDown=2.0)
-    )
+    op = square.done(square.operation(EngagementAngle=45, CutMode="Conventional", StepDown=2.0))
     cut = job_stability.read(op, MODES, process_damping=1e5)
     assert (cut.teeth, cut.diameter, cut.helix_angle) == (3, 6, 30)
     assert cut.engagement_deg == pytest.approx(45) and cut.cut_mode == "conventional"

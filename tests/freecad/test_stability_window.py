@@ -1,4 +1,4 @@
-"""The window Stability chart, used in FreeCAD's GUI on a virtual screen (gui_stability_session.py)."""
+"""The window Stability chart, used in FreeCAD's GUI (see gui_stability_session.py)."""
 
 import numpy
 import pytest
@@ -38,12 +38,15 @@ def test_a_tap_test_is_fitted_and_kept_with_the_tool_controller(session):
 
 def test_the_verdict_is_told_and_shown(session):
     assert session["verdict"].startswith("The cut is unstable") and session["stable"] is False
+    assert session["cut_off"] == []
     assert "Pocket: the same tool controller." in session["verdict"]
 
 
 def test_it_follows_quickly_and_the_window_stays_alive(session):
-    assert session["first"] < 0.6 and session["all"] < 2.0  # 0.3 and 1 s on a machine at rest
-    assert session["gap"] < 400  # ms
+    # By what the same takes without a window, for other work may hold the machine up.
+    first, whole = session["alone"]
+    assert session["first"] < 2 * first + 0.3 and session["all"] < 2 * whole + 0.5
+    assert session["gap"] < 1e3 * (0.5 * whole + 0.3)  # ms; a picture takes 0.06 s
     assert session["cancel"][len(session["cancel"]) // 2] < 0.05
 
 

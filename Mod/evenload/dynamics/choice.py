@@ -77,7 +77,7 @@ class _Search:
         return None
 
     def will_do(self, speeds, depths, some):
-        """Whether each cut is stable with its margin, and straight, in some directions; an array."""
+        """Whether each cut is stable with its margin and straight in some directions; an array."""
         beyond = numpy.nextafter(self.most, 2)
         radii, _ = directions.worst_radii(self.milling, speeds, depths, some, enough=beyond)
         good = radii <= self.most
@@ -87,7 +87,7 @@ class _Search:
         return good
 
     def errors(self, speeds, depths):
-        """mm: surface location errors, in each cut those of the direction where they are largest."""
+        """mm: surface location errors, each of the direction where it is largest."""
         worst = numpy.zeros(len(speeds))
         for direction in directions.spread(self.all, directions.FEW):
             waiting.go_on()

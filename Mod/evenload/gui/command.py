@@ -62,6 +62,6 @@ COMMANDS = {
         "stability",
         "EvenLoad_StabilityChart",
         "EvenLoad Stability Chart",
-        "Shows at which spindle speeds and depths an operation does not chatter, and finds the best",
+        "Shows at which spindle speeds and depths an operation chatters, and finds the best cut",
     ),
 }

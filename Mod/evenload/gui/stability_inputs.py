@@ -1,4 +1,4 @@
-"""The numbers of the stability chart's window: the cut, the chart's ends, the limits of the best."""
+"""The numbers of the window Stability chart: the cut, the chart's ends, limits of the best."""
 
 import FreeCAD
 from PySide import QtCore, QtGui
@@ -10,6 +10,13 @@ _translate = FreeCAD.Qt.translate
 
 CUT_MODES = (("Climb", "climb"), ("Conventional", "conventional"))
 NO_LIMIT = "no limit"
+# Half of the last digit that the boxes show.
+SHOWN = {"speed": 0.5, "depth": 5e-4, "engagement_deg": 0.05}
+
+
+def differs(name, before, after):
+    """Whether a value of a Cut is another than before, and not only rounded as it is shown."""
+    return before != after if isinstance(after, str) else abs(before - after) > SHOWN[name]
 
 
 def number(low, high, decimals, step, suffix, when_low=""):

@@ -61,7 +61,9 @@ class ModesBox(QtGui.QGroupBox):
             button.setToolTip(_translate("EvenLoad", tip))
             button.setAutoDefault(False)
             button.clicked.connect(slot(action))
-            grid.addWidget(button, *((0, 0, 1, 2), (0, 2), (0, 3), (1, 0, 1, 2), (1, 2, 1, 2))[place])
+            grid.addWidget(
+                button, *((0, 0, 1, 2), (0, 2), (0, 3), (1, 0, 1, 2), (1, 2, 1, 2))[place]
+            )
 
     def show_modes(self, modes, notes=(), name=""):
         """Shows modes, and tells nobody."""
@@ -124,9 +126,7 @@ class ModesBox(QtGui.QGroupBox):
         try:
             return Mode.from_stiffness(stiffness, frequency, damping / 100, direction)
         except ValueError as error:
-            raise ValueError(
-                _translate("EvenLoad", "Mode %d: %s") % (row + 1, error)
-            ) from None
+            raise ValueError(_translate("EvenLoad", "Mode %d: %s") % (row + 1, error)) from None
 
     def _add(self):
         self.take([*self.modes, Mode.from_stiffness(*NEW)], self.notes, self.name)

@@ -1,4 +1,4 @@
-"""The dialog that fits modes to a tap test: what its file does not tell, and the fit over the data."""
+"""The dialog that fits modes to a tap test: what its file does not tell, the fit over the data."""
 
 import os
 

@@ -9,18 +9,16 @@ from PySide import QtCore, QtGui
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
 from evenload.gui.panel import slot
+from evenload.gui.stability_layout import lay_out
 from evenload.gui.stability_modes import ModesBox
 from evenload.gui.stability_view import ChartView
-from evenload.gui.stability_worker import Refused, Worker
-from evenload.stability import choice, field, picture, taking
-from evenload.stability import cut as cuts
+from evenload.gui.stability_worker import Refused, Worker, chart_of
+from evenload.stability import choice, picture, taking
 from evenload.stability import operation as stability
 
 _translate = FreeCAD.Qt.translate
 
 LOOK = 20  # ms between looks at what the thread has found
-LEFT = 345  # pixels of the settings
-SIZE = 1120, 860
 LEAST_DEPTH = 0.002  # of the chart's largest: where it begins
 RED, GREEN, GREY = "#c5221f", "#137333", "#5f6368"
 
@@ -34,7 +32,6 @@ class StabilityWindow(QtGui.QDialog):
         super().__init__(parent or FreeCADGui.getMainWindow())
         self.setWindowTitle(_translate("EvenLoad", "Stability chart"))
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
-        self.resize(*SIZE)
         self.operation = self.read = self.best = None
         self.worker, self.searcher = Worker(), Worker()
         self.view, self.modes = ChartView(), ModesBox()
@@ -54,7 +51,7 @@ class StabilityWindow(QtGui.QDialog):
         self.told.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
         self.found = QtGui.QLabel()
         self.found.setWordWrap(True)
-        self._lay_out()
+        lay_out(self)
         self.timer = QtCore.QTimer(self)
         self.timer.setInterval(LOOK)
         self.timer.timeout.connect(slot(self._look))
@@ -68,31 +65,6 @@ class StabilityWindow(QtGui.QDialog):
         button.setAutoDefault(False)
         button.clicked.connect(slot(action))
         return button
-
-    def _lay_out(self):
-        self.limits.layout().addRow(self.best_button)
-        self.limits.layout().addRow(self.found)
-        left = QtGui.QWidget()
-        column = QtGui.QVBoxLayout(left)
-        for widget in (self.operations, self.modes, self.cut, self.limits, self.chart):
-            column.addWidget(widget)
-        column.addStretch(1)
-        area = QtGui.QScrollArea()
-        area.setWidgetResizable(True)
-        area.setFrameShape(QtGui.QFrame.NoFrame)
-        area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-        area.setWidget(left)
-        area.setFixedWidth(LEFT)
-        below = QtGui.QHBoxLayout()
-        below.addWidget(self.told, 1)
-        below.addWidget(self.apply_button)
-        below.addWidget(self.close_button)
-        right = QtGui.QVBoxLayout()
-        right.addWidget(self.view, 1)
-        right.addLayout(below)
-        layout = QtGui.QHBoxLayout(self)
-        layout.addWidget(area)
-        layout.addLayout(right, 1)
 
     def _connect(self):
         self.operations.activated.connect(slot(self._operation_chosen))
@@ -193,7 +165,7 @@ class StabilityWindow(QtGui.QDialog):
             return
         self.view.show_points((self.read.speed, self.read.depth), (cut.speed, cut.depth), None)
         self._tell(_translate("EvenLoad", "Computing"), GREY)
-        self.worker.start(lambda: _chart_of(cut, box))
+        self.worker.start(lambda: chart_of(cut, box))
         self.timer.start()
 
     @staticmethod
@@ -255,7 +227,9 @@ class StabilityWindow(QtGui.QDialog):
         elif kind == "stable":
             self.view.show_points(self.view.operation, self.view.point, found)
         elif kind == "verdict":
-            self._tell("\n".join([found.sentence, *self._notes()]), GREEN if found.is_stable else RED)
+            self._tell(
+                "\n".join([found.sentence, *self._notes()]), GREEN if found.is_stable else RED
+            )
         else:
             self._show_best(found)
 
@@ -309,21 +283,14 @@ class StabilityWindow(QtGui.QDialog):
         if self.read is None:
             return
         asked = self.asked()
-        own = asked.engagement_deg if self._is_other("engagement_deg", asked) else None
-        taking.take(
-            self.operation,
-            asked.speed if self._is_other("speed", asked) else None,
-            asked.depth if self._is_other("depth", asked) else None,
-            asked.cut_mode if self._is_other("cut_mode", asked) else None,
-            own,
-        )
+        wanted = {
+            name: getattr(asked, name)
+            for name in ("speed", "depth", "cut_mode", "engagement_deg")
+            if inputs.differs(name, getattr(self.read, name), getattr(asked, name))
+        }
+        taking.take(self.operation, **wanted)
         if self._read():
             self.recompute()
-
-    def _is_other(self, name, asked):
-        before, after = getattr(self.read, name), getattr(asked, name)
-        # What is shown is rounded.
-        return before != after if isinstance(after, str) else abs(before - after) > SHOWN[name]
 
     def leave(self):
         self.close()
@@ -338,18 +305,3 @@ class StabilityWindow(QtGui.QDialog):
     def _tell(self, text, colour):
         self.told.setText(text)
         self.told.setStyleSheet("color: %s" % colour)
-
-
-# Half of the last digit that the boxes show.
-SHOWN = {"speed": 0.5, "depth": 5e-4, "engagement_deg": 0.05}
-
-
-def _chart_of(cut, box):
-    """Generates what the window shows of a Cut, the quickest first."""
-    levels = field.levels(cut, *box)
-    yield "field", next(levels)
-    radius, _ = cuts.worst_of(cut)
-    yield "stable", radius < 1
-    for finer in levels:
-        yield "field", finer
-    yield "verdict", cuts.judged(cut)

@@ -23,8 +23,9 @@ def check_margin(margin):
 def judge(rows, tool, path, height, task, watch):
     """Sets spectral_radius of candidates of one path and height, and tells what refuses them.
 
-    rows: Candidates that differ in their spindle speed. watch: asked with 0 whether to go on; raises
-    waiting.Stopped. Yields (candidate, sentence) for each that is not stable in all feed directions.
+    rows: Candidates that differ in their spindle speed. watch: asked with 0 whether to go on;
+    raises waiting.Stopped. Yields (candidate, sentence) for each that is not stable in all feed
+    directions.
     """
     milling = Milling(
         tool.modes,

@@ -14,9 +14,9 @@ def best_of(cut, speeds, deepest, margin=MARGIN, surface_limit=None, force_limit
     of those that are stable in all its feed directions; None where there is none.
 
     speeds: (low, high) in rev/min; deepest: mm; the spindle's speeds and the flutes hold besides.
-    margin: the largest multiplier is at most 1 - margin. surface_limit: mm, largest surface location
-    error; force_limit: N, peak in the plane, at the feed per tooth that the cut has; None: any.
-    Raises ValueError, in a sentence; asks `waiting` whether to go on.
+    margin: the largest multiplier is at most 1 - margin. surface_limit: mm, largest surface
+    location error; force_limit: N, peak in the plane, at the feed per tooth that the cut has; None:
+    any. Raises ValueError, in a sentence; asks `waiting` whether to go on.
     """
     low, high = max(speeds[0], cut.speeds[0]), min(speeds[1], cut.speeds[1])
     if not low < high:

@@ -72,9 +72,9 @@ class Verdict:
 
     spectral_radius: largest of all directions, stable below 1; feed_direction: degrees from machine
     X, where it is reached. limit_depth: mm, the least unstable depth at this speed; inf: none up to
-    the flutes or four times the depth. chatter_hz: of the strongest vibration, chatter_kind: "Hopf",
-    "flip" or "fold". stable_speed: rev/min, the nearest at which this depth is stable with a margin;
-    None: none, or not needed. sentence: all that in words. notes: what was assumed.
+    the flutes or four times the depth. chatter_hz: of the strongest vibration, chatter_kind:
+    "Hopf", "flip" or "fold". stable_speed: rev/min, the nearest at which this depth is stable with
+    a margin; None: none, or not needed. sentence: all that in words. notes: what was assumed.
     """
 
     is_stable: bool
@@ -96,9 +96,7 @@ def worst_of(cut):
         raise ValueError("'%s' has no spindle speed: set the tool controller's." % cut.label)
     if not len(cut.directions):
         raise ValueError("'%s' has no level cut, whose stability could be told." % cut.label)
-    radii, worst = directions.worst_radii(
-        cut.milling(), cut.speed, cut.depth, cut.seen_directions
-    )
+    radii, worst = directions.worst_radii(cut.milling(), cut.speed, cut.depth, cut.seen_directions)
     return float(radii), float(worst)
 
 

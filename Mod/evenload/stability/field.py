@@ -27,8 +27,9 @@ ACCURACY = 1e-2
 class Field:
     """Largest multipliers over spindle speeds (rev/min) and depths (mm).
 
-    radii: array of depths x speeds; where it is 1 or more the cut is unstable in some direction. Away
-    from the boundary it is that of the first such direction. share: of all levels, how far this one is.
+    radii: array of depths x speeds; where it is 1 or more the cut is unstable in some direction.
+    Away from the boundary it is that of the first such direction. share: of all levels, how far
+    this one is.
     """
 
     speeds: numpy.ndarray

@@ -11,7 +11,9 @@ from evenload.stability import cut
 
 GROUP = "EvenLoad"
 PROPERTY = "VibrationModes"
-DOC = "Modes of vibration at the tool's tip, for stability charts: JSON, see docs/stability_chart.md"
+DOC = (
+    "Modes of vibration at the tool's tip, for stability charts: JSON, see docs/stability_chart.md"
+)
 
 
 def of(operation, modes=None, material=None, machine=None, **options):
@@ -33,8 +35,8 @@ def read(
     modes: as dynamics.vibration.load takes them; None: those kept with the tool controller, else
     those of the machine. material: as materials.load; None: the operation's own, else our first.
     machine: as machines.load, for its modes and spindle speeds. engagement_deg: degrees; None: the
-    operation's, else the largest that the simulator finds. process_damping: N/m. folder: of relative
-    paths. Raises ValueError, in a sentence, for what cannot be used.
+    operation's, else the largest that the simulator finds. process_damping: N/m. folder: of
+    relative paths. Raises ValueError, in a sentence, for what cannot be used.
     """
     found = _modes(host.controller_of(operation), modes, machine, folder)
     result = read_without_modes(operation, material, machine, engagement_deg, process_damping)
@@ -80,7 +82,7 @@ def read_without_modes(
 
 
 def cut_mode_of(operation):
-    """"climb" or "conventional"; climb where an operation does not say."""
+    """ "climb" or "conventional"; climb where an operation does not say."""
     return str(getattr(operation, "CutMode", "Climb")).lower()
 
 

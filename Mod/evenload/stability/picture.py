@@ -1,7 +1,5 @@
 """Pictures of an operation's stability chart, by matplotlib; no display is needed."""
 
-import numpy
-
 from evenload.pictures.figure import new_figure
 from evenload.pictures.figure import save as save_figure
 from evenload.stability import field

@@ -7,13 +7,14 @@ SAME = 1e-9  # share by which a speed may differ and be the same
 
 
 def take(operation, speed=None, depth=None, cut_mode=None, engagement_deg=None):
-    """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays; the
+    """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays;
+    the
     operation's step down, CutMode and EngagementAngle. In one step that can be undone, and
     recomputes.
 
-    speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; engagement_deg: degrees; None: as
-    it is. What an operation does not have it does not get. Raises ValueError for numbers that cannot
-    be.
+    speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; engagement_deg: degrees; None:
+    as it is. What an operation does not have it does not get. Raises ValueError for numbers that
+    cannot be.
     """
     for name, value in (("spindle speed", speed), ("depth", depth)):
         if value is not None and not value > 0:

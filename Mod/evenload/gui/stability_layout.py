@@ -1,0 +1,40 @@
+"""Where the widgets of the window Stability chart are."""
+
+from PySide import QtCore, QtGui
+
+LEFT = 345  # pixels of the settings, at least
+LINES = 4  # of the verdict, for which there is room always
+SIZE = 1120, 860
+
+
+def lay_out(window):
+    """Puts the widgets of the window Stability chart in their places."""
+    told = window.told
+    told.setMinimumHeight(LINES * told.fontMetrics().lineSpacing())
+    told.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
+    window.limits.layout().addRow(window.best_button)
+    window.limits.layout().addRow(window.found)
+    left = QtGui.QWidget()
+    column = QtGui.QVBoxLayout(left)
+    for widget in (window.operations, window.modes, window.cut, window.limits, window.chart):
+        column.addWidget(widget)
+    column.addStretch(1)
+    area = QtGui.QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QtGui.QFrame.NoFrame)
+    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    area.setWidget(left)
+    # As wide as a style's widgets need, with room for a scroll bar.
+    bar = area.verticalScrollBar().sizeHint().width()
+    area.setFixedWidth(max(LEFT, left.minimumSizeHint().width() + bar + 4))
+    below = QtGui.QHBoxLayout()
+    below.addWidget(told, 1)
+    below.addWidget(window.apply_button)
+    below.addWidget(window.close_button)
+    right = QtGui.QVBoxLayout()
+    right.addWidget(window.view, 1)
+    right.addLayout(below)
+    layout = QtGui.QHBoxLayout(window)
+    layout.addWidget(area)
+    layout.addLayout(right, 1)
+    window.resize(*SIZE)
