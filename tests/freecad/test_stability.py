@@ -124,6 +124,57 @@ def test_an_operation_without_a_path_is_refused(square):
         job_stability.of(square.operation(), MODES)
 
 
+# ---- a cut is taken ----
+
+
+def test_a_cut_goes_into_controller_and_operation_as_one_step(square):
+    square.doc.UndoMode = 1
+    op = square.done(square.operation())
+    controller = op.ToolController
+    feeds = controller.HorizFeed.Value, controller.VertFeed.Value
+    job_stability.take(op, speed=2 * 6366, depth=1.25, cut_mode="conventional", engagement_deg=50)
+    assert controller.SpindleSpeed == pytest.approx(2 * 6366)
+    after = controller.HorizFeed.Value, controller.VertFeed.Value
+    assert after == pytest.approx([2 * feed for feed in feeds])
+    assert (op.StepDown.Value, op.CutMode) == (1.25, "Conventional")
+    assert op.EngagementAngle.Value == pytest.approx(50) and op.isValid()
+    assert job_stability.read(op, MODES).depth == pytest.approx(1.25)
+    square.doc.undo()
+    assert controller.SpindleSpeed == 6366
+    assert (controller.HorizFeed.Value, controller.VertFeed.Value) == feeds
+    assert (op.StepDown.Value, op.CutMode) == (DEPTH, "Climb")
+
+
+def test_what_is_not_named_stays(square):
+    op = square.done(square.operation(StepDown=2.0))
+    job_stability.take(op, depth=1.5)
+    assert (op.StepDown.Value, op.CutMode) == (1.5, "Climb")
+    assert op.ToolController.SpindleSpeed == 6366
+    job_stability.take(op, speed=7000)
+    assert op.StepDown.Value == 1.5
+
+
+def test_a_step_down_under_an_expression_is_set_all_the_same(square):
+    op = square.done(square.operation())
+    op.setExpression("StepDown", "2 mm")
+    job_stability.take(op, depth=1.0)
+    assert op.StepDown.Value == 1.0
+
+
+def test_no_step_is_deeper_than_the_pocket(square):
+    op = square.done(square.operation(StepDown=1.0))
+    job_stability.take(op, depth=50.0)
+    assert op.StepDown.Value == DEPTH
+
+
+@pytest.mark.parametrize("numbers", [{"speed": 0}, {"depth": -1.0}])
+def test_speeds_and_depths_that_cannot_be_change_nothing(square, numbers):
+    op = square.done(square.operation())
+    with pytest.raises(ValueError, match="must be above 0"):
+        job_stability.take(op, **{"cut_mode": "conventional", **numbers})
+    assert (op.CutMode, op.ToolController.SpindleSpeed) == ("Climb", 6366)
+
+
 # ---- job files ----
 
 

@@ -8,7 +8,7 @@ from evenload import planar, waiting
 
 ALL = numpy.arange(180.0)  # degrees; a feed and its opposite are alike
 FEW = 18  # directions that a search looks at before it looks at all
-CHUNK = 200  # cuts between two questions whether to go on: some hundredths of a second
+CHUNK = 60  # cuts between two questions whether to go on: some hundredths of a second
 DEPTHS, SPEEDS = 60, 121  # of the grids that limits and stable speeds are looked for on
 BISECTIONS = 12
 LEVEL = 1e-6  # mm

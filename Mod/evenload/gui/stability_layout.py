@@ -1,10 +1,24 @@
 """Where the widgets of the window Stability chart are."""
 
+import FreeCAD
 from PySide import QtCore, QtGui
+
+from evenload.gui.panel import slot
+
+_translate = FreeCAD.Qt.translate
 
 LEFT = 345  # pixels of the settings, at least
 LINES = 4  # of the verdict, for which there is room always
 SIZE = 1120, 860
+
+
+def button(title, tip, action):
+    """A push button that calls a method; Enter in a field does not press it."""
+    made = QtGui.QPushButton(_translate("EvenLoad", title))
+    made.setToolTip(_translate("EvenLoad", tip))
+    made.setAutoDefault(False)
+    made.clicked.connect(slot(action))
+    return made
 
 
 def lay_out(window):

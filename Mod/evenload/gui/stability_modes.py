@@ -5,6 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload.dynamics import Mode, vibration
 from evenload.gui.panel import slot
+from evenload.gui.stability_layout import button
 from evenload.gui.stability_tap import TapTestDialog
 
 _translate = FreeCAD.Qt.translate
@@ -18,6 +19,8 @@ TIPS = (
 )
 NEW = 10.0, 1000.0, 0.03, 0.0  # N/um, Hz, ratio, degrees of a mode that is added
 WIDEST = 2  # of the columns
+# Row, column, rows and columns of the buttons below the table.
+PLACES = (0, 0, 1, 2), (0, 2, 1, 1), (0, 3, 1, 1), (1, 0, 1, 2), (1, 2, 1, 2)
 ROWS = 3  # that show without scrolling
 WRONG = QtGui.QColor("#fce8e6")
 
@@ -57,13 +60,7 @@ class ModesBox(QtGui.QGroupBox):
                 ("Save...", "Writes the modes to a file, for other tools and jobs", self._save),
             )
         ):
-            button = QtGui.QPushButton(_translate("EvenLoad", title))
-            button.setToolTip(_translate("EvenLoad", tip))
-            button.setAutoDefault(False)
-            button.clicked.connect(slot(action))
-            grid.addWidget(
-                button, *((0, 0, 1, 2), (0, 2), (0, 3), (1, 0, 1, 2), (1, 2, 1, 2))[place]
-            )
+            grid.addWidget(button(title, tip, action), *PLACES[place])
 
     def show_modes(self, modes, notes=(), name=""):
         """Shows modes, and tells nobody."""

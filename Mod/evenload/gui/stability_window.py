@@ -9,11 +9,12 @@ from PySide import QtCore, QtGui
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
 from evenload.gui.panel import slot
-from evenload.gui.stability_layout import lay_out
+from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
 from evenload.gui.stability_view import ChartView
 from evenload.gui.stability_worker import Refused, Worker, chart_of
 from evenload.stability import choice, picture, taking
+from evenload.stability import cut as cuts
 from evenload.stability import operation as stability
 
 _translate = FreeCAD.Qt.translate
@@ -41,11 +42,11 @@ class StabilityWindow(QtGui.QDialog):
             inputs.limits_box(),
         )
         self.operations = inputs.combo(())
-        self.best_button = self._button("Best", "Finds the cut that removes most", self.find_best)
-        self.apply_button = self._button(
+        self.best_button = button("Best", "Finds the cut that removes most", self.find_best)
+        self.apply_button = button(
             "Apply", "Sets spindle speed, feeds, step down and cut mode", self.apply
         )
-        self.close_button = self._button("Close", "Closes the window", self.leave)
+        self.close_button = button("Close", "Closes the window", self.leave)
         self.told = QtGui.QLabel()
         self.told.setWordWrap(True)
         self.told.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
@@ -58,13 +59,6 @@ class StabilityWindow(QtGui.QDialog):
         self._connect()
         self._list_operations(operation)
         self.show_operation(operation)
-
-    def _button(self, title, tip, action):
-        button = QtGui.QPushButton(_translate("EvenLoad", title))
-        button.setToolTip(_translate("EvenLoad", tip))
-        button.setAutoDefault(False)
-        button.clicked.connect(slot(action))
-        return button
 
     def _connect(self):
         self.operations.activated.connect(slot(self._operation_chosen))
@@ -83,8 +77,7 @@ class StabilityWindow(QtGui.QDialog):
                 self.operations.addItem(each.Label, each.Name)
 
     def _operation_chosen(self):
-        if self._is_gone():
-            self.close()
+        if self._closed_if_gone():
             return
         document = self.operation.Document
         self.show_operation(document.getObject(self.operations.currentData()))
@@ -110,14 +103,15 @@ class StabilityWindow(QtGui.QDialog):
         self.read = None
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)  # others' are simulated
         try:
-            self.read = stability.read_without_modes(self.operation)
+            found = stability.read_without_modes(self.operation)
+            cuts.check(found)
         except ValueError as error:
             self._tell(str(error), RED)
             self.view.show_message(str(error))
             return False
         finally:
             QtGui.QApplication.restoreOverrideCursor()
-        cut = self.read
+        self.read = cut = found
         self.cut.show_values(
             speed=cut.speed,
             depth=cut.depth,
@@ -198,8 +192,7 @@ class StabilityWindow(QtGui.QDialog):
         self.timer.start()
 
     def _look(self):
-        if self._is_gone():
-            self.close()
+        if self._closed_if_gone():
             return
         # Asked first, so that nothing comes after what is taken.
         is_done = not (self.worker.is_busy or self.searcher.is_busy)
@@ -210,12 +203,15 @@ class StabilityWindow(QtGui.QDialog):
         for result in self.searcher.results():
             self._show(result, lambda text, _: self.found.setText(text))
 
-    def _is_gone(self):
-        """Whether the operation was deleted, or its document closed."""
+    def _closed_if_gone(self):
+        """Whether the operation or its document is gone: then the window closes, too."""
         try:
-            return self.operation.Document is None
+            is_gone = self.operation.Document is None
         except ReferenceError:
-            return True
+            is_gone = True
+        if is_gone:
+            self.close()
+        return is_gone
 
     def _show(self, result, tell):
         if isinstance(result, Refused):
@@ -265,8 +261,7 @@ class StabilityWindow(QtGui.QDialog):
         self.recompute()
 
     def _modes_changed(self):
-        if self._is_gone():
-            self.close()
+        if self._closed_if_gone():
             return
         if not self.modes.problem:
             doc = self.operation.Document
@@ -277,8 +272,7 @@ class StabilityWindow(QtGui.QDialog):
 
     def apply(self):
         """Takes the cut into the operation and its tool controller, and computes the path."""
-        if self._is_gone():
-            self.close()
+        if self._closed_if_gone():
             return
         if self.read is None:
             return
@@ -289,6 +283,10 @@ class StabilityWindow(QtGui.QDialog):
             if inputs.differs(name, getattr(self.read, name), getattr(asked, name))
         }
         taking.take(self.operation, **wanted)
+        if not self.operation.isValid():
+            why = getattr(self.operation, "Report", "") or self.operation.getStatusString()
+            self._tell(why, RED)
+            return
         if self._read():
             self.recompute()
 

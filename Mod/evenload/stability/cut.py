@@ -88,14 +88,19 @@ class Verdict:
     notes: list
 
 
-def worst_of(cut):
-    """(largest multiplier, its feed direction as `milling` has it) of a Cut, in all directions of
-    its path. Raises ValueError, in a sentence, for a cut that cannot be.
-    """
+def check(cut):
+    """Raises ValueError, in a sentence, for a Cut that stability cannot be told of."""
     if not cut.speed > 0:
         raise ValueError("'%s' has no spindle speed: set the tool controller's." % cut.label)
     if not len(cut.directions):
         raise ValueError("'%s' has no level cut, whose stability could be told." % cut.label)
+
+
+def worst_of(cut):
+    """(largest multiplier, its feed direction as `milling` has it) of a Cut, in all directions of
+    its path. Raises ValueError, in a sentence, for a cut that cannot be.
+    """
+    check(cut)
     radii, worst = directions.worst_radii(cut.milling(), cut.speed, cut.depth, cut.seen_directions)
     return float(radii), float(worst)
 

@@ -14,7 +14,7 @@ import numpy
 from evenload import waiting
 from evenload.dynamics import directions
 
-FIRST = 41, 17  # nodes of speeds and depths of the first grid
+FIRST = 41, 15  # nodes of speeds and depths of the first grid
 LEVELS = 3  # grids, each twice as fine as that before
 MOST_DIRECTIONS = 24
 STRIDE = 3  # every third of them for the first grid: finer ones look at those beside the worst
@@ -95,6 +95,7 @@ class _Grid:
         self.known = numpy.zeros(radii.shape, dtype=bool)
         self.known[::2, ::2] = True
         self.radii = radii
+        self.beside = 0  # the next grid knows the worst directions as finely as there are any
         while wanted.any():
             self._evaluate(wanted, math.inf)
             unstable = self._corners_unstable()
