@@ -255,6 +255,22 @@ def session():
     settled(window)
     result["best_taken"], result["best_verdict"] = state(op), text_of(window)
 
+    # A double click takes a cut at once.
+    target = best.speed, 0.5 * best.depth
+    place = window.view.pixel_of(target)
+    click(window.view, place)
+    double = QtGui.QMouseEvent(
+        *(
+            QtCore.QEvent.MouseButtonDblClick,
+            place,
+            QtCore.QPointF(window.view.mapToGlobal(place.toPoint())),
+        ),
+        *(QtCore.Qt.LeftButton, QtCore.Qt.LeftButton, QtCore.Qt.NoModifier),
+    )
+    QtGui.QApplication.sendEvent(window.view, double)
+    settled(window)
+    result["double"] = [*target, state(op)["speed"], state(op)["step"]]
+
     # What cannot be, one sentence each.
     window.modes.table.item(0, 2).setText("-3")
     later(100)

@@ -84,6 +84,12 @@ def test_the_best_cut_is_shown_and_taken(session):
     assert session["best_verdict"].startswith("The cut is stable")
 
 
+def test_a_double_click_takes_a_cut_at_once(session):
+    speed, depth, taken_speed, taken_depth = session["double"]
+    assert taken_speed == pytest.approx(speed, rel=0.01)
+    assert taken_depth == pytest.approx(depth, rel=0.05)
+
+
 def test_a_mode_that_cannot_be_is_told_in_a_sentence(session):
     assert session["wrong"].startswith("Mode 1:") and "damping" in session["wrong"]
     assert session["mended"].startswith("The cut is")

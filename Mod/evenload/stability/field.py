@@ -95,12 +95,12 @@ class _Grid:
         self.known = numpy.zeros(radii.shape, dtype=bool)
         self.known[::2, ::2] = True
         self.radii = radii
-        self.beside = 0  # the next grid knows the worst directions as finely as there are any
         while wanted.any():
             self._evaluate(wanted, math.inf)
             unstable = self._corners_unstable()
             cells = self._directions_of(unstable.any(0) & ~unstable.all(0))
             wanted = _nodes_of(cells) & ~self.known
+        self.beside = 0  # from now on the worst directions are known as finely as there are any
 
     def _corners_unstable(self):
         return _corners_of(self.radii) >= 1
