@@ -41,3 +41,9 @@ def shortened(label):
 def in_order(parts):
     """Parts by label and number: Face9 before Face10."""
     return sorted(parts, key=lambda part: (part[0], len(part[1]), part[1]))
+
+
+def clock(seconds):
+    """A time as h:mm:ss, as 0:02:54."""
+    whole = round(seconds)
+    return "%d:%02d:%02d" % (whole // 3600, whole // 60 % 60, whole % 60)

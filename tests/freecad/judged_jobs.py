@@ -41,6 +41,6 @@ def judged(made):
 
 
 def _cuts_the_model(op):
-    """Whether an operation is told to: by a sketch, or by a depth below the face."""
+    """Whether an operation is told to: by a sketch, or by a depth below all faces."""
     is_drawn = any(not obj.Shape.Solids for obj, _ in op.Base)
-    return is_drawn or op.FinalDepth.Value < max(shape.heights(op.Base)) - 1e-3
+    return is_drawn or op.FinalDepth.Value < min(shape.heights(op.Base)) - 1e-3

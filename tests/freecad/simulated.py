@@ -21,7 +21,7 @@ def simulated(op, **changes):
     """
     last = op.Proxy.last
     profile = compiled.core().engagement_profile(
-        last.material, last.toolpath, last.tool.diameter, hole=last.hole
+        last.cuts[0].material, last.toolpath, last.tool.diameter, hole=last.hole
     )
     x, y, degrees, kind = (numpy.array(column) for column in zip(*profile))
     length = numpy.hypot(numpy.diff(x, prepend=x[0]), numpy.diff(y, prepend=y[0]))

@@ -217,19 +217,41 @@ def test_two_floors_that_do_not_meet_stay_two_and_report_names_what_stays(doc):
         assert note.startswith(each.name) and note.endswith("what lies further out stays.")
 
 
-def test_a_floor_leaves_others_at_another_height_alone(doc):
+def test_a_floor_goes_on_over_a_lower_one_beside_it_and_that_stays_as_it_is(doc):
     part = block(-10, -40, 50, 30).cut(block(0, 0, 40, 20, bottom=Z))
     part = part.cut(block(0, -30, 40, 0, bottom=-6))
     found = floors_in(doc, part, block(-10, -40, 50, 30), levels=(Z, -6))
+    assert [box_of(floor) for floor in found] == [[0, -TOOL, 40, 20], [0, -30, 40, 0]]
+    assert found[1].notes == []
+
+
+def one_depth(z, is_face):
+    return Z / 2
+
+
+def test_a_floor_leaves_one_at_another_height_alone_that_is_cut_as_deep(doc):
+    part = block(-10, -40, 50, 30).cut(block(0, 0, 40, 20, bottom=Z))
+    part = part.cut(block(0, -30, 40, 0, bottom=-6))
+    stock = block(-10, -40, 50, 30)
+    found = floors_in(doc, part, stock, levels=(Z, -6), depth_of=one_depth)
     assert [box_of(floor) for floor in found] == [[0, 0, 40, 20], [0, -30, 40, 0]]
     (note,) = found[0].notes
     assert "no further than that side" in note and "another face" in note
 
 
-def test_a_floor_that_would_meet_one_at_another_height_that_has_gone_on_stays_as_it_is(doc):
+def test_floors_that_meet_over_a_lower_one_become_one_and_that_goes_on_as_they_do(doc):
     part = block(0, 0, 60, 30).cut(block(0, 0, 60, 20, bottom=Z))
     part = part.cut(block(25, 0, 33, 20, bottom=-6))
     found = floors_in(doc, part, block(-1, -1, 61, 31), levels=(Z, -6))
+    assert [box_of(floor) for floor in found] == [[-1, -1, 61, 20], [25, -1, 33, 20]]
+    assert [floor.notes for floor in found] == [[], []]
+
+
+def test_a_floor_that_would_meet_one_at_another_height_that_has_gone_on_stays_as_it_is(doc):
+    part = block(0, 0, 60, 30).cut(block(0, 0, 60, 20, bottom=Z))
+    part = part.cut(block(25, 0, 33, 20, bottom=-6))
+    stock = block(-1, -1, 61, 31)
+    found = floors_in(doc, part, stock, levels=(Z, -6), depth_of=one_depth)
     assert [box_of(floor)[1] for floor in found] == [-1, -1, 0]
     (note,) = found[2].notes
     assert note.startswith(found[2].name) and found[0].name in note

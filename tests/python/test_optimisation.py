@@ -359,7 +359,7 @@ def test_an_error_in_progress_stops_the_work_and_comes_through():
 
 
 def test_an_operation_brings_its_region_its_depth_and_its_hole():
-    last = SimpleNamespace(regions=[core.Region(chain(BOX))], hole=(16, 12, 10))
+    last = SimpleNamespace(regions=[core.Region(chain(BOX))], cuts=[None], hole=(16, 12, 10))
     operation = SimpleNamespace(
         Proxy=SimpleNamespace(last=last),
         Label="Pocket",
@@ -369,7 +369,10 @@ def test_an_operation_brings_its_region_its_depth_and_its_hole():
     found = optimised(operation, depth=None)
     same = optimised(hole=(16, 12, 10))
     assert [c.time_s for c in found.candidates] == [c.time_s for c in same.candidates]
-    last = operation.Proxy.last = None
+    last.cuts = [None, None]
+    with pytest.raises(ValueError, match="'Pocket' lie at several depths"):
+        optimised(operation)
+    operation.Proxy.last = None
     with pytest.raises(ValueError, match="'Pocket' has not been computed: recompute"):
         optimised(operation)
 

@@ -34,7 +34,7 @@ class Floor:
     islands: list
     is_face: bool  # a floor of the model; else an outline drawn at any height
     of_solid: bool = False  # a face of a body, not one that was drawn by itself
-    cut_to: float = None  # mm: how deep it is cut; its own height where nobody says
+    depth: float = None  # mm: z down to which it is cut; its own height where nobody says
     enclosed: bool = False  # by upright walls of the model, all round
     slack: float = 0.0  # mm, by which the chains may leave the geometry, to either side
     notes: list = field(default_factory=list)
@@ -43,8 +43,13 @@ class Floor:
     beyond: list = field(default_factory=list)  # of stock_beyond.Beyond, where it does
 
     def __post_init__(self):
-        if self.cut_to is None:
-            self.cut_to = self.z
+        if self.depth is None:
+            self.depth = self.z
+
+    @property
+    def cut_to(self):
+        """mm: the height above which its sides must be free to count as open."""
+        return min(self.z, self.depth)
 
     def region(self):
         """The core's Region. Raises ValueError, naming the geometry, for one that is crossed or

@@ -41,13 +41,18 @@ def may_join(floor, other):
     return floor.is_face and other.is_face and abs(floor.z - other.z) <= SAME_HEIGHT
 
 
+def may_cover(floor, other):
+    """Whether a floor may go on over another when it grows: a lower face, which is cut after it."""
+    return floor.is_face and other.is_face and floor.depth > other.depth + SAME_HEIGHT
+
+
 def kept_apart(found, before):
     """The floors, those as they were before they grew which overlap now with one before them that
-    they cannot join.
+    they can neither join nor cover, nor be covered by.
     """
     result = []
     for floor, own in zip(found, before):
-        blockers = (o for o in result if not may_join(floor, o) and _overlap(floor, o))
+        blockers = (o for o in result if not _get_along(floor, o) and _overlap(floor, o))
         other = next(blockers, None) if floor.grown else None
         if other is not None:
             places = [place for beyond in floor.beyond for place in beyond.places]
@@ -58,6 +63,10 @@ def kept_apart(found, before):
             floor = own
         result.append(floor)
     return result
+
+
+def _get_along(floor, other):
+    return may_join(floor, other) or may_cover(floor, other) or may_cover(other, floor)
 
 
 def joined(found, tolerance):
@@ -105,7 +114,7 @@ def _union(group, tolerance):
             [list(island) for island in islands],
             True,
             of_solid=group[0].of_solid,
-            cut_to=group[0].cut_to,
+            depth=group[0].depth,
             slack=slack,
             notes=notes,
             parts=parts,

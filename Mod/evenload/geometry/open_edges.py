@@ -101,9 +101,10 @@ def drop_holes(floor, walls):
     floor.islands = kept
 
 
-def extend(floor, walls, others, tool_diameter, tolerance, partly_open=True):
+def extend(floor, walls, others, over_lower, tool_diameter, tolerance, partly_open=True):
     """Has a floor go on where stock stands beyond sides without a wall; see stock_beyond.py.
-    others: Floors where it must not go; partly_open: as for shape.floors.
+    others: Floors where it must not go; over_lower: as for stock_beyond.continued; partly_open: as
+    for shape.floors.
     """
     if floor.enclosed:
         return
@@ -121,7 +122,15 @@ def extend(floor, walls, others, tool_diameter, tolerance, partly_open=True):
             floor.beyond = [stock_beyond.Beyond(outer, places, [])]
             return
         growth = stock_beyond.continued(
-            floor, list(walled), walls, z, others, tool_diameter, tolerance, partly_open
+            floor,
+            list(walled),
+            walls,
+            z,
+            others,
+            over_lower,
+            tool_diameter,
+            tolerance,
+            partly_open,
         )
     except (ValueError, Part.OCCError) as error:  # of the geometry there; the floor needs none
         floor.notes.append(

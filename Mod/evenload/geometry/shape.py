@@ -11,11 +11,19 @@ from evenload import compiled, waiting
 from evenload.geometry import covered, open_edges, stock_beyond
 from evenload.geometry.floor import CURVE_SHARE, SAME_HEIGHT, Floor
 from evenload.geometry.items import element_of, items_of, placed, sentence_of, slack_of
-from evenload.geometry.meeting import joined, kept_apart, may_join, refuse_overlaps
+from evenload.geometry.meeting import (
+    joined,
+    kept_apart,
+    may_cover,
+    may_join,
+    refuse_overlaps,
+)
 from evenload.geometry.slots import slots_of, united, within_stock
 
 
-def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True, depth=None):
+def floors(
+    base, models, stock, tool_diameter, tolerance, slot=None, partly_open=True, depth_of=None
+):
     """The floors that `base` ([(object, sub-element names), ...]) describes, in its order.
 
     models: shapes of the job's model, stock: shape of its stock or None, both in place;
@@ -23,10 +31,10 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     core's Region of the slot round a sketch's or edges' curve, or None where it is an outline;
     slots that meet are one floor. Without it open curves are refused. partly_open: False for
     operations that cannot take an outline that is open beside walls; where stock stands beyond a
-    floor's sides, it goes on by no more than it must then, and has no open edge. depth: z in mm
-    down to which all is cut, where sides must be open to count as such; None: down to each face, or
-    to where outlines are drawn. Ground that the model covers is left out of its faces. Raises
-    ValueError with a sentence that names the geometry.
+    floor's sides, it goes on by no more than it must then, and has no open edge. depth_of:
+    callable(z, whether it is a face) -> z in mm down to which what lies at that height is cut;
+    None: down to each face, or to where outlines are drawn. Ground that the model covers is left
+    out of its faces. Raises ValueError with a sentence that names the geometry.
     """
     found, slots = [], []
     for item in items_of(base, models):
@@ -40,16 +48,18 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
             for floor in read:
                 floor.enclosed = True
         found += read
-    for each in united(slots):
-        found += within_stock(each, stock, each.z if depth is None else depth)
+    slots = united(slots)
+    if depth_of is not None:
+        for floor in (*found, *slots):
+            floor.depth = depth_of(floor.z, floor.is_face)
+    for each in slots:
+        found += within_stock(each, stock)
     if not found:
         raise ValueError("The operation has no base geometry: pick a face or a sketch for it.")
     refuse_overlaps(found)
     found = [
         part for floor in found for part in _uncovered(floor, models, tool_diameter, tolerance)
     ]
-    for floor in found:
-        floor.cut_to = floor.z if depth is None else min(floor.z, depth)
     walls = open_edges.Walls(models, stock)
     for floor in found:
         if floor.is_face:
@@ -57,8 +67,9 @@ def floors(base, models, stock, tool_diameter, tolerance, slot=None, partly_open
     before = [replace(floor) for floor in found]
     for floor in found:
         if floor.is_face:
-            others = [other for other in before if not may_join(floor, other)]
-            open_edges.extend(floor, walls, others, tool_diameter, tolerance, partly_open)
+            others = [o for o in before if not (may_join(floor, o) or may_cover(floor, o))]
+            over = any(may_cover(floor, other) for other in before)
+            open_edges.extend(floor, walls, others, over, tool_diameter, tolerance, partly_open)
     found = joined(kept_apart(found, before), tolerance)
     for floor in found:
         if floor.is_face and (partly_open or not floor.grown):

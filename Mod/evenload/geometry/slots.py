@@ -1,5 +1,7 @@
 """Slots round the curves of sketches and edges, as floors within the stock."""
 
+from dataclasses import replace
+
 import Part
 
 from evenload import compiled
@@ -56,13 +58,13 @@ def united(slots):
     return result
 
 
-def within_stock(slot, stock, depth):
-    """The floors that the stock above `depth`, mm, leaves of a slot, open where it runs out of the
+def within_stock(slot, stock):
+    """The floors that the stock above its depth leaves of a slot, open where it runs out of the
     stock.
     """
     if stock is None:
         return [slot]
-    standing = body.of(stock).standing(depth + ABOVE_FLOOR)
+    standing = body.of(stock).standing(slot.depth + ABOVE_FLOOR)
     face, ground = face_of(slot), [each.translated(UP * slot.z) for each in standing]
     inside = face.common(ground) if ground else Part.Shape()
     if not inside.Faces:
@@ -81,5 +83,5 @@ def within_stock(slot, stock, depth):
         outside = [border.distToShape(Part.Vertex(p))[0] < SAME_HEIGHT for p in middles]
         chain = [(*vertex[:3], is_open) for vertex, is_open in zip(outer, outside)]
         islands = [list(island) for island in islands]
-        result.append(Floor(slot.name, slot.z, chain, islands, False, slack=slot.slack))
+        result.append(replace(slot, outer=chain, islands=islands))
     return result

@@ -37,7 +37,8 @@ from evenload.planar import DEFLECTION, flattened
 # first, and none up to the second.
 TO_THE_EDGE, NONE_UP_TO = 2.5, 3.0
 # Otherwise by the tool's radius, as FreeCAD's own extensions do by default; by its diameter where
-# what stands near an edge, such as a boss, would leave the tool no way round it.
+# what stands near an edge, such as a boss, would leave the tool no way round it, and over a lower
+# floor, whose own corners are as round as those of this one.
 LITTLE, ENOUGH = 0.5, 1.0
 FAR = 1.0  # tool diameters: Report names what is cleared further out than this
 SAME_POINT = 1e-6  # mm: vertices nearer to each other than this are one
@@ -64,12 +65,15 @@ class Beyond:
     distance: float = 0.0  # mm from the floor, up to which it is cleared there
 
 
-def continued(floor, walled, walls, z, others, tool_diameter, tolerance, partly_open=True):
+def continued(
+    floor, walled, walls, z, others, over_lower, tool_diameter, tolerance, partly_open=True
+):
     """The Continuation of `floor` beyond those pieces of its outer chain, which goes
     counter-clockwise, that are not `walled`, a truth value each. None where there is no ground.
 
     On that ground the stock stands higher than z, mm, and the model nowhere, nor is it part of
-    `others`, Floors. tool_diameter and tolerance in mm.
+    `others`, Floors. over_lower: whether it may lead over lower floors, at whose sides the tool
+    leaves round corners, too. tool_diameter and tolerance in mm.
     partly_open: as for shape.floors. Without it the ground goes on out of the stock, or corners at
     the stock's edge would stay, where the tool does not come in. Raises ValueError or Part.OCCError
     where the geometry has errors.
@@ -88,12 +92,12 @@ def continued(floor, walled, walls, z, others, tool_diameter, tolerance, partly_
         grown = _joined(floor, in_stock, obstacles, within)
     else:
         found = {}
-        for diameters in (LITTLE, ENOUGH):
+        for diameters in (ENOUGH,) if over_lower else (LITTLE, ENOUGH):
             near = around(floor, diameters * tool_diameter)
             border = [wire_of(chain, floor.z) for chain in near], [flattened(c) for c in near]
             faces = _divided(in_stock, [border], True)
             found[diameters] = _joined(floor, faces, obstacles, within)
-        reach = _best(found, floor, tool_diameter)
+        reach = ENOUGH if over_lower else _best(found, floor, tool_diameter)
         grown = found[reach]
     if grown is None:
         return None

@@ -36,9 +36,9 @@ def slot(method, *arguments):
     """A slot that calls method(*arguments), whatever its signal tells, and does not keep the
     method's object alive.
 
-    A page and its widgets that held each other would stay until Python looks for cycles. By then Qt
-    may have made other widgets in the places of those, and PySide would take these for the old ones:
-    FreeCAD 0.20's Job panel fails to open then.
+    A page and its widgets that held each other would stay until Python looks for cycles. By then
+    Qt may have made other widgets in the places of those, and PySide would take these for the old
+    ones: FreeCAD 0.20's Job panel fails to open then.
     """
     weakly = weakref.WeakMethod(method)
 

@@ -10,7 +10,7 @@ import Path
 
 from evenload import commands, host, waiting, window
 from evenload import tool as tools
-from evenload.geometry import body, shape
+from evenload.geometry import body, depths, shape
 from evenload.operations import chatter, compute, job_model, rest
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.settings import properties
@@ -170,7 +170,7 @@ class Operation(host.operation_base()):
             obj.Base = [*entries, (base, sub)]
 
     def updateDepths(self, obj, ignoreErrors=False):
-        """OpStartDepth: the top of the stock. OpFinalDepth: the highest of the base geometry, or
+        """OpStartDepth: the top of the stock. OpFinalDepth: the lowest of the base geometry, or
         the top of the model.
         """
         if not self._setBaseAndStock(obj, ignoreErrors):
@@ -180,7 +180,7 @@ class Operation(host.operation_base()):
         _set(obj, "OpStockZMax", box.ZMax)
         levels = shape.heights(obj.Base)
         tops = [m.Shape.BoundBox.ZMax for m in self.model if not m.Shape.isNull()]
-        final = max(levels) if levels else max(tops, default=box.ZMin)
+        final = min(levels) if levels else max(tops, default=box.ZMin)
         start = max([box.ZMax, *tops])
         if start <= final + 1e-4:
             start = final + (obj.StepDown.Value or 1.0)
@@ -251,7 +251,7 @@ class Operation(host.operation_base()):
             obj.Tolerance.Value,
             slot,
             self.partly_open,
-            obj.FinalDepth.Value,
+            lambda z, is_face: depths.depth_of(obj, z, is_face),
         )
 
     def generate(self, obj, core, regions, parameters):
@@ -259,6 +259,10 @@ class Operation(host.operation_base()):
         this kind of operation, and its fitted settings)
         """
         raise NotImplementedError
+
+    def results_of(self, cuts):
+        """The second value of `generate` for all of an operation's cuts, by_depth.Cuts."""
+        return cuts[0].own
 
     def watch(self):
         """What the core is to ask while it works: callable(share) -> whether to go on, or None."""

@@ -14,9 +14,7 @@ def for_geometry(obj):
 
 
 def settings(obj, rows, tool, data):
-    """Raises ValueError for settings, of these rows, that cannot be used; returns the levels'
-    heights.
-    """
+    """Raises ValueError for settings, of these rows, that cannot be used."""
     ranges.check(obj, rows)
     if not 0 < obj.SideStep.Value < tool.diameter:
         raise ValueError(
@@ -34,10 +32,10 @@ def settings(obj, rows, tool, data):
             "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
             "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
         )
-    return _levels(obj, tool)
+    _depths(obj, tool)
 
 
-def _levels(obj, tool):
+def _depths(obj, tool):
     start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
     last = final + obj.StockToLeaveAxial.Value
     if not start > final:
@@ -73,7 +71,20 @@ def _levels(obj, tool):
             "ClearanceHeight (%g mm) lies below SafeHeight (%g mm): raise it."
             % (obj.ClearanceHeight.Value, obj.SafeHeight.Value)
         )
-    return host.cutting_levels(start, step, last)
+
+
+def levels(obj, top, depth, names):
+    """The heights of the levels in mm from a top down to a depth, with StockToLeaveAxial upon it.
+    Raises ValueError, with the names of the floors there, where there is nothing to cut.
+    """
+    last = depth + obj.StockToLeaveAxial.Value
+    if not top > last:
+        raise ValueError(
+            "%s: nothing is to be cut down to %g mm, for the cut begins at %g mm; raise "
+            "StartDepth, or take it out of the base geometry."
+            % (listed(names, " and ", "others"), round(last, 4), round(top, 4))
+        )
+    return host.cutting_levels(top, obj.StepDown.Value, last)
 
 
 def hole(obj, tool, floors):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 
 from evenload import compiled, host, planar
 from evenload import tool as tools
-from evenload.operations import checks, force, rest, stock_checks
+from evenload.operations import by_depth, checks, force, rest, stock_checks
 from evenload.operations.refusal import Cancelled
 from evenload.settings import parameters
 from evenload.waiting import Stopped
@@ -23,11 +23,11 @@ class Computation:
 
     floors: list  # of Floor
     regions: list  # the core's
-    toolpath: object
+    cuts: list  # of by_depth.Cut, in their order
+    toolpath: object  # of all cuts
     tool: object  # tool.Tool
     data: object  # tool.CuttingData
     hole: tuple  # (x, y, diameter) in mm, or None
-    material: list  # the core's Regions where material stood at the lowest level
     notes: list  # sentences for the report, before the core's own
     own: dict  # {name: value} of results and fitted settings of its kind of operation
 
@@ -46,30 +46,30 @@ def run(proxy, obj):
         stock_checks.refuse_floors_below(obj, floors)
     except Stopped:
         raise Cancelled(_area_of_stock(obj)) from None
-    levels = checks.settings(obj, proxy.settings, tool, data)
+    checks.settings(obj, proxy.settings, tool, data)
     regions = [floor.region() for floor in floors]
     slack = max(floor.slack for floor in floors)
-    stock, notes = None, []
+    standing, notes = None, []
     watch = proxy.watch()
     try:
         stock_checks.refuse_material_above(obj, core, tool, regions, watch)
         hole = checks.hole(obj, tool, floors)
         if rest.is_wanted(obj):
-            stock, notes = rest.standing(obj, core, tool, regions, levels, slack, watch)
+            standing = rest.Standing(obj, watch)
+            notes += standing.notes
     except Stopped:
         raise Cancelled(_area_in_reach(obj, core, tool, regions)) from None
-    arguments = _parameters(proxy, obj, tool, data, levels, hole, slack)
-    if stock is not None:
-        arguments["stock"] = stock
+    arguments = _parameters(proxy, obj, tool, data, hole, slack)
     arguments["progress"] = watch
-    toolpath, own = proxy.generate(obj, core, regions, arguments)
-    if toolpath.report.termination == "cancelled":
+    cuts = by_depth.clear(proxy, obj, core, tool, floors, arguments, standing)
+    if cuts[-1].toolpath.report.termination == by_depth.CANCELLED:
         raise Cancelled(_area_in_reach(obj, core, tool, regions))
+    toolpath = by_depth.joined(cuts)
     _check_entries(tool, toolpath)
-    material = regions if stock is None else next(filter(None, reversed(stock)), [])
-    notes += _spindle_notes(obj, data) + _floor_notes(floors, obj.FinalDepth.Value)
+    notes += _spindle_notes(obj, data) + by_depth.notes(cuts) + _floor_notes(floors)
     notes += stock_checks.notes_of(obj) + force.notes(obj, tool)
-    return Computation(floors, regions, toolpath, tool, data, hole, material, notes, own)
+    own = proxy.results_of(cuts)
+    return Computation(floors, regions, cuts, toolpath, tool, data, hole, notes, own)
 
 
 def _refuse_turned_work_plane(obj):
@@ -98,11 +98,11 @@ def _area_in_reach(obj, core, tool, regions):
     return sum(region.area for region in ground)
 
 
-def _floor_notes(floors, final_depth):
+def _floor_notes(floors):
     notes = [note for floor in floors for note in floor.notes]
-    beside = {}  # faces by how far FinalDepth lies from them
+    beside = {}  # faces by how far FinalDepth, to which they are cut then, lies from them
     for floor in floors:
-        above = round(floor.z - final_depth, 4)
+        above = round(floor.z - floor.depth, 4)
         if floor.is_face and abs(above) > LEVEL:
             beside.setdefault(above, []).extend(floor.parts)
     for above, parts in beside.items():
@@ -111,9 +111,9 @@ def _floor_notes(floors, final_depth):
     return notes
 
 
-def _parameters(proxy, obj, tool, data, levels, hole, slack):
-    """Keyword arguments of the core's generators; mm, rad, mm/min. slack: what the regions may be
-    too large by, for which the tool keeps away from the walls.
+def _parameters(proxy, obj, tool, data, hole, slack):
+    """Keyword arguments of the core's generators, but for heights of cuts; mm, rad, mm/min. slack:
+    what the regions may be too large by, for which the tool keeps away from the walls.
     """
     return {
         **parameters.of(obj, proxy.settings),
@@ -127,8 +127,6 @@ def _parameters(proxy, obj, tool, data, levels, hole, slack):
         "hole_diameter": hole[2] if hole else 0.0,
         "stock_to_leave": obj.StockToLeave.Value + slack,
         "tolerance": obj.Tolerance.Value - 2 * slack,
-        "top": obj.StartDepth.Value,
-        "levels": levels,
         "safe_height": obj.SafeHeight.Value,
         "clearance_height": obj.ClearanceHeight.Value,
         **force.parameters(obj, tool, data),

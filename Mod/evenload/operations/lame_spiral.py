@@ -25,6 +25,11 @@ class LameSpiral(base.Operation):
         fitted = words.fitted(obj, self.settings, toolpath.figures)
         return toolpath, {**fitted, "ClearedShare": toolpath.cleared_share}
 
+    def results_of(self, cuts):
+        most = max(cuts, key=lambda cut: cut.own["ClearedShare"] * cut.area)
+        cleared = sum(cut.own["ClearedShare"] * cut.area for cut in cuts)
+        return {**most.own, "ClearedShare": cleared / sum(cut.area for cut in cuts)}
+
 
 def Create(name, obj=None, parentJob=None, toolController=None):
     """A new Lamé spiral operation, as a document object; see registry.create for the arguments."""

@@ -11,7 +11,7 @@ from evenload import host
 from evenload.geometry.floor import SAME_HEIGHT
 from evenload.settings.table import REST_MACHINING
 from evenload.simulation import rest_resolution
-from evenload.simulation.earlier import stock_before
+from evenload.simulation.earlier import COARSE, stock_before
 
 
 def is_wanted(op):
@@ -45,17 +45,36 @@ def link_all(job):
         op.EarlierOperations = links
 
 
-def standing(op, core, tool, regions, levels, slack, progress):
-    """([[Region, ...] for each level], notes): where material stands within the tool's reach.
-
-    progress: as for simulation.earlier.stock_before.
-    Raises ValueError with a sentence where the earlier operations' paths cannot be relied upon.
+class Standing:
+    """Where material stands for an operation: what earlier ones left, without what its own cuts
+    have taken since.
     """
-    wait_for_earlier(op)
-    resolution = rest_resolution(op.SideStep.Value)
-    stock, notes = stock_before(op, resolution, progress)
-    reach = core.reachable_ground(regions, tool.diameter, op.StockToLeave.Value + slack)
-    return [stock.standing(z, reach) for z in levels], notes
+
+    def __init__(self, op, progress):
+        """progress: as for simulation.earlier.stock_before. Raises ValueError with a sentence where
+        the earlier operations' paths cannot be relied upon.
+        """
+        wait_for_earlier(op)
+        resolution = rest_resolution(op.SideStep.Value)
+        self._stock, self.notes = stock_before(op, resolution, progress)
+
+    def at(self, op, core, tool, regions, levels, floors):
+        """[[Region, ...] for each of the levels]: where material stands there within the tool's
+        reach of the floors' regions.
+        """
+        keep_away = op.StockToLeave.Value + max(floor.slack for floor in floors)
+        reach = core.reachable_ground(regions, tool.diameter, keep_away)
+        return [self._stock.standing(z, reach) for z in levels]
+
+    def cut(self, core, tool, toolpath):
+        """Takes what a toolpath of the operation's own has cut."""
+        core.simulate(
+            toolpath,
+            self._stock,
+            tool_diameter=tool.diameter,
+            step=COARSE * tool.diameter,
+            find_rest=False,
+        )
 
 
 def wait_for_earlier(op):

@@ -52,6 +52,9 @@ class Trochoid(base.Operation):
             "RemovalRate": figures.removal_rate,
         }
 
+    def results_of(self, cuts):
+        return max(cuts, key=lambda cut: cut.toolpath.report.cut_length / len(cut.levels)).own
+
 
 def Create(name, obj=None, parentJob=None, toolController=None):
     """A new trochoid operation, as a document object; see registry.create for the arguments."""

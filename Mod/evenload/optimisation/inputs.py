@@ -211,6 +211,11 @@ def _regions(core, region):
                 "The operation '%s' has not been computed: recompute the document first."
                 % getattr(region, "Label", region)
             )
+        if len(last.cuts) > 1:
+            raise ValueError(
+                "The floors of '%s' lie at several depths: make an operation for each depth, and "
+                "optimise one by one." % getattr(region, "Label", region)
+            )
         depth = region.StartDepth.Value - region.FinalDepth.Value
         depth -= getattr(getattr(region, "StockToLeaveAxial", None), "Value", 0.0)
         return list(last.regions), depth, last.hole

@@ -19,17 +19,19 @@ MOST_VECTORS = 20000  # samples: longer paths are pixels in an SVG, too
 
 
 def picture(op, path):
-    """Draws the lowest level of an operation's last path, coloured by engagement, into a PNG or SVG
-    file.
+    """Draws the lowest level of each depth of an operation's last path, coloured by engagement,
+    into a PNG or SVG file.
 
     Raises ValueError for an operation that has not been computed since its document was opened.
     """
     last = op.Proxy.last
     if last is None:
         raise ValueError("%s has no path to draw: recompute it first." % op.Label)
-    samples = compiled.core().engagement_profile(
-        last.material, last.toolpath, last.tool.diameter, hole=last.hole
-    )
+    samples = []
+    for cut in last.cuts:
+        samples += compiled.core().engagement_profile(
+            cut.material, cut.toolpath, last.tool.diameter, hole=last.hole
+        )
     chains = [c for floor in last.floors for c in (floor.outer, *floor.islands)]
     title = "%s: %d s" % (op.Label, round(op.CuttingTime))
     if op.IdealTime > 0:

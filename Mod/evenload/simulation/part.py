@@ -4,10 +4,10 @@ What must stay, the part, is taken from here:
 
 - EvenLoad's operations say themselves what they clear: the stock outside of their floors must stay,
   and StockToLeave along its walls. Open sides of a floor have nothing beyond them. Below, a floor
-  that is a face of the model must stay, and below outlines, and faces deeper than FinalDepth, what
-  lies under FinalDepth with StockToLeaveAxial on it. Whatever of the job's models stands above
-  a face must stay, too. In outlines that were drawn the model does not matter: it may be a block
-  without the pocket in it.
+  that is a face of the model must stay, and below outlines, and faces that are not cut down to
+  themselves, what lies under the depth that is cut with StockToLeaveAxial on it. Whatever of the
+  job's models stands above a face must stay, too. In outlines that were drawn the model does not
+  matter: it may be a block without the pocket in it.
 - For any other operation it is the Job's model: where it is all level and upright as it is, else as
   what stands above each level of the path. What remains between that and the stock counts as rest,
   also where another operation is meant to take it.
@@ -95,10 +95,13 @@ def _outside_floors(job, op, tool, stock, top):
         grown = compiled.core().offset(walls, op.StockToLeave.Value)
         walls = _level_regions(whole.common([_face(r.outer, r.islands) for r in grown]))
     part = [(wall, top) for wall in walls]
-    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
     for floor, ground in zip(floors, grounds):
+        final = floor.depth + op.StockToLeaveAxial.Value
         height = max(floor.z, final) if floor.is_face else final
-        part += [(region, height) for region in _level_regions(ground.common(whole))]
+        deeper = [g for f, g in zip(floors, grounds) if f.depth < floor.depth - SAME_LEVEL]
+        own = ground.common(whole)
+        own = own.cut(deeper) if deeper else own
+        part += [(region, height) for region in _level_regions(own)]
         if floor.of_solid:
             part += _above(job, ground, max(final, floor.z))
     return part
