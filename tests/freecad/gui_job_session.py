@@ -22,6 +22,7 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
+    widgets,
 )
 
 OURS = "EvenLoad Adaptive"
@@ -74,7 +75,7 @@ def click_command(name):
     from evenload import host
 
     window = FreeCADGui.getMainWindow()
-    for bar in window.findChildren(QtGui.QToolBar):
+    for bar in widgets(QtGui.QToolBar):
         if bar.objectName() != host.TOOLBAR:
             continue
         window.insertToolBarBreak(bar)  # a line of its own, or our buttons do not fit

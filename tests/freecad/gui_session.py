@@ -11,7 +11,17 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, answering, click, later, picture, press, result, run  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    answering,
+    click,
+    later,
+    picture,
+    press,
+    result,
+    run,
+    widgets,
+)
 
 
 def texts(menu):
@@ -48,7 +58,7 @@ def cancelled(op):
     seen = []
 
     def press_cancel():
-        for box in FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox):
+        for box in widgets(QtGui.QMessageBox):
             bar, button = box.findChild(QtGui.QProgressBar), box.button(QtGui.QMessageBox.Cancel)
             if not (box.isVisible() and bar and button):
                 continue
@@ -83,7 +93,7 @@ def waited():
     from evenload.gui import progress
 
     def dialogs():
-        boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QMessageBox)
+        boxes = widgets(QtGui.QMessageBox)
         return [box for box in boxes if box.isVisible()]
 
     def times():
@@ -226,7 +236,7 @@ def session():
     window = FreeCADGui.getMainWindow()
     menus = {m.title().replace("&", ""): m for m in window.menuBar().findChildren(QtGui.QMenu)}
     result["menu"] = "EvenLoad Adaptive" in texts(menus[host.MENU.replace("&", "")])
-    bars = [b for b in window.findChildren(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]
+    bars = [b for b in widgets(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]
     result["toolbar"] = any("EvenLoad Adaptive" in a.text() for b in bars for a in b.actions())
     icons = [a.icon() for b in bars for a in b.actions() if "EvenLoad Adaptive" in a.text()]
     result["icon"] = bool(icons) and not icons[0].isNull()

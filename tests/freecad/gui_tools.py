@@ -31,9 +31,16 @@ def later(milliseconds=300):
     gc.collect()
 
 
+def widgets(kind):
+    """All widgets of a class. Not by the main window's findChildren: its wrapper would keep those
+    of the children, and these are taken for other widgets when they are gone.
+    """
+    return [each for each in QtGui.QApplication.allWidgets() if isinstance(each, kind)]
+
+
 def picture(name):
     window = FreeCADGui.getMainWindow()
-    docks = [d for d in window.findChildren(QtGui.QDockWidget) if d.isVisible()]
+    docks = [d for d in widgets(QtGui.QDockWidget) if d.isVisible()]
     left = [d for d in docks if window.dockWidgetArea(d) == QtCore.Qt.LeftDockWidgetArea]
     window.resizeDocks(left, [420] * len(left), QtCore.Qt.Horizontal)
     later()
@@ -41,16 +48,22 @@ def picture(name):
 
 
 def panel_buttons():
-    boxes = FreeCADGui.getMainWindow().findChildren(QtGui.QDialogButtonBox)
+    boxes = widgets(QtGui.QDialogButtonBox)
     return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
 
 
 def press(kind):
     """Clicks a button of the panel. By Qt's own name of the slot: where a widget was made in the
-    place of one that is gone, Python may still take it for that one, which has no such method.
+    place of one that is gone, Python may still take it for that one, which has no such method; or
+    for one that is no more, and then what the button would tell is told by its box.
     """
-    button = panel_buttons().button(kind)
-    assert QtCore.QMetaObject.invokeMethod(button, "click", QtCore.Qt.DirectConnection)
+    box = panel_buttons()
+    try:
+        button = box.button(kind)
+        assert QtCore.QMetaObject.invokeMethod(button, "click", QtCore.Qt.DirectConnection)
+    except RuntimeError:
+        told = {QtGui.QDialogButtonBox.Ok: "accepted", QtGui.QDialogButtonBox.Cancel: "rejected"}
+        getattr(box, told[kind]).emit()
 
 
 def click(widget, at=None):
@@ -101,8 +114,7 @@ def answering(answer):
 
 def report_view():
     """The lines of the report view."""
-    windows = FreeCADGui.getMainWindow().findChildren(QtGui.QTextEdit)
-    view = next(w for w in windows if w.objectName() == "Report view")
+    view = next(w for w in widgets(QtGui.QTextEdit) if w.objectName() == "Report view")
     return [line for line in view.toPlainText().splitlines() if line.strip()]
 
 
