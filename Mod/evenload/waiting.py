@@ -23,8 +23,8 @@ def asking(watch):
         _asked.reset(before)
 
 
-def go_on():
-    """Raises Stopped where the computation shall not go on. The share that is done is not told."""
+def go_on(share=0.0):
+    """Raises Stopped where the computation shall not go on. share: what is done, where known."""
     watch = _asked.get()
-    if watch is not None and not watch(0.0):
+    if watch is not None and not watch(share):
         raise Stopped()

@@ -13,9 +13,10 @@
 #include "geometry/medial_axis.h"
 #include "geometry/region.h"
 #include "geometry/united.h"
+#include "python/ball_end_module.h"
 #include "python/clearing_params.h"
-#include "python/engagement_profile.h"
 #include "python/dynamics_module.h"
+#include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
 #include "python/lame_module.h"
@@ -225,4 +226,5 @@ PYBIND11_MODULE(_core, m) {
   bind_gcode(m);
   bind_path_commands(m);
   bind_dynamics(m);
+  bind_ball_end(m);
 }

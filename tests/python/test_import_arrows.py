@@ -18,6 +18,7 @@ ARROWS = {
     "pictures": {"ground", "simulation"},
     "optimisation": {"ground", "simulation", "dynamics"},
     "dynamics": {"ground", "pictures"},
+    "ball_end": {"ground"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "job_files": {
@@ -47,6 +48,7 @@ LATE = {
 WITHOUT_FREECAD = {
     *(
         "dynamics",
+        "ball_end",
         "pictures.figure",
         "optimisation",
         "simulation.run",

@@ -19,6 +19,7 @@ ARROWS = {
     "feed": {"support", "geometry", "cutting", "toolpath"},
     "simulate": {"support", "geometry", "cutting", "toolpath"},
     "dynamics": {"support"},
+    "ball_end": {"support"},
     "occt": {"support", "geometry"},
     "python": {
         "support",
@@ -29,6 +30,7 @@ ARROWS = {
         "feed",
         "simulate",
         "dynamics",
+        "ball_end",
     },
 }
 # The rooms of src/strategy, each of which may include those above it.
