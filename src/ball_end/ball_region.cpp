@@ -140,7 +140,7 @@ std::vector<double> state_changes(const std::function<int(double)>& state, doubl
     double low = before;
     int at_low = old;
     // More than one change may lie between two looks.
-    while (at_low != now) {
+    while (at_low != now && b - low > kChange) {
       double from = low, to = b;
       while (to - from > kChange) {
         const double middle = 0.5 * (from + to);

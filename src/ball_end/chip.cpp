@@ -53,14 +53,18 @@ class ChipWork {
  private:
   // How far from the point of contact the stock is cut, as an angle across the feed.
   double stock_reach() const {
-    double reach = kLookBeyond * std::acos(1 - task_.allowance / task_.ball_radius);
-    const auto is_in_stock = [&](double b) {
-      const Eigen::Vector3d point = centre_ + task_.ball_radius * frame_.at(b, 0, 1);
-      return material_.surface->distance(point) < material_.allowance;
-    };
-    while (reach < kPi && (is_in_stock(reach) || is_in_stock(-reach))) reach *= kLookBeyond;
-    return std::min(reach, kPi);
+    const Material stock{material_.surface, task_.ball_radius, task_.allowance, {}};
+    const BallRegion region(stock, frame_, centre_, -angle_of_half(way_));
+    double reach = std::acos(1 - task_.allowance / task_.ball_radius);
+    while (reach < kPi &&
+           !(region.interval(reach).is_empty() && region.interval(-reach).is_empty()))
+      reach *= kLookBeyond;
+    // The ball's other places on its way reach a little farther.
+    return std::min(kLookBeyond * reach, kPi);
   }
+
+  // On the ball, between the middle of a way and its end.
+  double angle_of_half(double way) const { return std::asin(way / (2 * task_.ball_radius)); }
 
   // Of the tool's axis, downwards: its components along the feed and across it.
   double axis_along() const { return -frame_.feed.z(); }
@@ -97,7 +101,7 @@ class ChipWork {
   }
 
   void take_tool_face(Chip& result) const {
-    const BallRegion region(material_, frame_, centre_, -std::asin(way_ / (2 * task_.ball_radius)));
+    const BallRegion region(material_, frame_, centre_, -angle_of_half(way_));
     const std::vector<double> changes =
         state_changes([&](double b) { return region.interval(b).state; }, reach_);
     double area = 0;
@@ -128,7 +132,7 @@ class ChipWork {
   void take_previous_face(Chip& result) const {
     const double r = task_.ball_radius;
     const Eigen::Vector3d before = centre_ - way_ * frame_.feed;
-    const BallRegion region(material_, frame_, before, std::asin(way_ / (2 * r)));
+    const BallRegion region(material_, frame_, before, angle_of_half(way_));
     const std::vector<double> changes =
         state_changes([&](double b) { return region.interval(b).state; }, reach_);
     double area = 0;
@@ -170,7 +174,7 @@ class ChipWork {
     for (const double way : kWays) {
       const double behind = (1 - way) * way_;
       const BallRegion region(material_, frame_, centre_ - behind * frame_.feed,
-                              std::asin(behind / (2 * r)));
+                              angle_of_half(behind));
       const auto common = [&](double b, const Interval& found) {
         Interval of_tip = tip(b, behind);
         if (found.is_empty() || of_tip.is_empty()) return Interval{};

@@ -7,7 +7,7 @@ method, figures and limits. Source: [Varga 2023].
 """
 
 from evenload.ball_end.chips import Chip, chip, chips
-from evenload.ball_end.regression import Fit, OutsideRange, fit, regression
+from evenload.ball_end.regressions import Fit, OutsideRange, fit, regression
 from evenload.ball_end.source import source_rows
 
 __all__ = ["Chip", "Fit", "OutsideRange", "chip", "chips", "fit", "regression", "source_rows"]

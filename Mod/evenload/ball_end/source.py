@@ -1,9 +1,9 @@
-"""The source's chips: its values and places, and the reading of them that yields its regressions."""
+"""The source's chips: its values and places, and the reading that yields its regressions."""
 
 import numpy
 
 from evenload.ball_end.chips import chips
-from evenload.ball_end.regression import RADIUS, Rows
+from evenload.ball_end.regressions import RADIUS, Rows
 
 DIAMETER, ALLOWANCE = 10.0, 0.3
 # (feed per tooth, stepover), mm [Varga 2023, table 6].

@@ -1,4 +1,4 @@
-"""Regressions of the mean chip thickness: the source's, and the same models fitted to other chips."""
+"""Regressions of the mean chip thickness: the source's, and its models fitted to other chips."""
 
 import warnings
 from collections import namedtuple
