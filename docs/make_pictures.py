@@ -7,6 +7,7 @@ Mod/evenload of an installed addon. Run it with the Python that the module was b
 numpy and matplotlib, no display and no FreeCAD. The pictures of a topic are a module of their own.
 """
 
+import ball_end_pictures
 import dexel_pictures
 import dynamics_pictures
 import lame_pictures
@@ -29,6 +30,7 @@ def main():
         lame_pictures,
         dynamics_pictures,
         stability_pictures,
+        ball_end_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)
