@@ -19,10 +19,6 @@ namespace evenload {
 
 struct FeedFrame {
   Eigen::Vector3d feed, down, side;  // orthonormal
-
-  Eigen::Vector3d at(double b, double sine, double cosine) const {
-    return sine * feed + cosine * (std::cos(b) * down + std::sin(b) * side);
-  }
 };
 
 // What is left for the tooth: the stock less earlier passes.
@@ -57,8 +53,6 @@ class BallRegion {
       : material_(&material), frame_(&frame), centre_(centre), least_(least) {}
 
   Interval interval(double b) const;
-  const FeedFrame& frame() const { return *frame_; }
-  const Eigen::Vector3d& centre() const { return centre_; }
 
  private:
   Material::Depth depth(double a, const Eigen::Vector3d& across) const;

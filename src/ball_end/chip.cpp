@@ -30,9 +30,9 @@ class ChipWork {
     const Eigen::Vector3d way =
         centre_ - surface.centre(at - task.feed_per_tooth * along, along).at;
     way_ = way.norm();
-    normal_ = surface.normal(at);
+    const Eigen::Vector3d normal = surface.normal(at);
     frame_.feed = way / way_;
-    frame_.down = -(normal_ - normal_.dot(frame_.feed) * frame_.feed).normalized();
+    frame_.down = -(normal - normal.dot(frame_.feed) * frame_.feed).normalized();
     frame_.side = frame_.feed.cross(frame_.down);
     material_ = {&surface, task.ball_radius, task.allowance, {}};
     if (task.uncut == Uncut::kRight || task.uncut == Uncut::kStrip)
@@ -209,7 +209,7 @@ class ChipWork {
   ChipCase task_;
   Material material_;
   FeedFrame frame_;
-  Eigen::Vector3d centre_, normal_;
+  Eigen::Vector3d centre_;
   double way_ = 0, reach_ = 0;
 };
 
