@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 #include <stdexcept>
 
 #include "ball_end/ball_region.h"
@@ -14,6 +13,12 @@ namespace {
 
 constexpr double kLookBeyond = 1.1;  // of the stock's reach on the ball
 constexpr double kInside = 1e-5;     // rad, within a piece, where its bounds hold
+constexpr double kHardly = 1.5;      // of where the tooth before ceases to bound the thickest place
+// Chips hardly longer than the way shrink along it to nothing: then it is cut into parts.
+constexpr double kShort = 5;
+constexpr int kParts = 6;
+constexpr int kThirds = 24;    // leave 1e-4 of an interval, at whose peak thickness is flat
+constexpr int kHalvings = 26;  // 1e-9 mm
 // Two Gauss nodes along the way from tooth to tooth: what the ball sweeps is nearly a parabola of
 // it.
 constexpr double kWays[] = {0.2113248654051871, 0.7886751345948129};
@@ -143,11 +148,48 @@ class ChipWork {
     // The chip is thickest at the foremost place of this face.
     const double foremost = largest(changes, 0, [&](double b) { return region.interval(b).high; });
     demand(
-        std::sin(foremost) > way_ / r,
-        "The feed per tooth is too large beside the stepover: the tooth before hardly bounds the "
+        area > 0,
+        "The feed per tooth is too large beside the stepover: the tooth before does not bound the "
         "chip, which has no mean thickness by its face.");
     result.previous_face = r * r * area;
     result.max_thickness = r - std::sqrt(r * r - 2 * r * way_ * std::sin(foremost) + way_ * way_);
+    if (std::sin(foremost) < kShort * way_ / r) parts_ = kParts;
+    if (std::sin(foremost) < kHardly * way_ / r)
+      result.max_thickness = std::max(result.max_thickness, thickest_ray());
+  }
+
+  // Where the tooth before hardly bounds the chip it may be thickest elsewhere: of all rays.
+  double thickest_ray() const {
+    const BallRegion region(material_, frame_, centre_, -angle_of_half(way_));
+    const auto along_b = [&](double b) {
+      const Interval found = region.interval(b);
+      if (found.is_empty()) return 0.0;
+      double low = found.low, high = found.high;
+      for (int i = 0; i < kThirds; ++i) {
+        const double third = (high - low) / 3;
+        if (ray_thickness(b, low + third) < ray_thickness(b, high - third))
+          low += third;
+        else
+          high -= third;
+      }
+      return ray_thickness(b, 0.5 * (low + high));
+    };
+    return largest(state_changes([&](double b) { return region.interval(b).state; }, reach_), 0,
+                   along_b);
+  }
+
+  double ray_thickness(double b, double a) const {
+    const double r = task_.ball_radius, ahead = -way_ * std::sin(a);
+    const Eigen::Vector3d ray =
+        std::sin(a) * frame_.feed +
+        std::cos(a) * (std::cos(b) * frame_.down + std::sin(b) * frame_.side);
+    double inner = ahead + std::sqrt(ahead * ahead + r * r - way_ * way_), outer = r;
+    if (material_.depth(centre_ + inner * ray).depth > 0) return r - inner;
+    for (int i = 0; i < kHalvings; ++i) {
+      const double middle = 0.5 * (inner + outer);
+      (material_.depth(centre_ + middle * ray).depth > 0 ? outer : inner) = middle;
+    }
+    return r - outer;
   }
 
   // Where the local diameter, seen from the tool's place, is that of the tip; `behind`: how far the
@@ -171,8 +213,8 @@ class ChipWork {
   void take_volume(Chip& result) const {
     const double r = task_.ball_radius;
     double volume = 0, at_tip = 0;
-    for (const double way : kWays) {
-      const double behind = (1 - way) * way_;
+    for (int i = 0; i < 2 * parts_; ++i) {
+      const double behind = (1 - (i / 2 + kWays[i % 2]) / parts_) * way_;
       const BallRegion region(material_, frame_, centre_ - behind * frame_.feed,
                               angle_of_half(behind));
       const auto common = [&](double b, const Interval& found) {
@@ -189,7 +231,7 @@ class ChipWork {
             return 8 * found.state + common(b, found).state;
           },
           reach_);
-      const double weight = way_ * r * r / std::size(kWays);
+      const double weight = way_ * r * r / (2 * parts_);
       visit(changes, [&](const Node& node) {
         const Interval found = region.interval(node.b);
         if (found.is_empty()) return;
@@ -211,6 +253,7 @@ class ChipWork {
   FeedFrame frame_;
   Eigen::Vector3d centre_;
   double way_ = 0, reach_ = 0;
+  int parts_ = 1;  // of the way, with nodes of their own
 };
 
 }  // namespace

@@ -99,7 +99,7 @@ TEST(BallEndChip, RefusesWhatIsNone) {
   EXPECT_THROW(on_plane(task(0, 0.2, 0)), std::invalid_argument);
   EXPECT_THROW(on_plane(task(NAN, 0.2, 0)), std::invalid_argument);
   EXPECT_THROW(on_plane(task(0.1, 10, 0)), std::invalid_argument);
-  EXPECT_THROW(on_plane(task(2, 0.2, 0)), std::invalid_argument);
+  EXPECT_THROW(on_plane(task(4, 0.2, 0)), std::invalid_argument);
   EXPECT_THROW(on_cylinder(-5, 0, task(0.1, 0.2, 0)), std::invalid_argument);
   EXPECT_THROW(on_cylinder(45, 48.5, task(0.1, 0.2, 0)), std::invalid_argument);
   EXPECT_THROW(BentSurface({}, 5, Steps::kPlan), std::invalid_argument);
