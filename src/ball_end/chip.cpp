@@ -134,7 +134,7 @@ class ChipWork {
     result.tool_face = task_.ball_radius * task_.ball_radius * area;
   }
 
-  void take_previous_face(Chip& result) const {
+  void take_previous_face(Chip& result) {
     const double r = task_.ball_radius;
     const Eigen::Vector3d before = centre_ - way_ * frame_.feed;
     const BallRegion region(material_, frame_, before, angle_of_half(way_));
