@@ -15,7 +15,7 @@ constexpr double kLookBeyond = 1.1;  // of the stock's reach on the ball
 constexpr double kInside = 1e-5;     // rad, within a piece, where its bounds hold
 constexpr double kHardly = 1.5;      // of where the tooth before ceases to bound the thickest place
 // Chips hardly longer than the way shrink along it to nothing: then it is cut into parts.
-constexpr double kShort = 5;
+constexpr double kShort = 3;
 constexpr int kParts = 6;
 constexpr int kThirds = 24;    // leave 1e-4 of an interval, at whose peak thickness is flat
 constexpr int kHalvings = 26;  // 1e-9 mm
