@@ -105,15 +105,24 @@ class ChipWork {
     return value;
   }
 
-  void take_tool_face(Chip& result) const {
-    const BallRegion region(material_, frame_, centre_, -angle_of_half(way_));
-    const std::vector<double> changes =
-        state_changes([&](double b) { return region.interval(b).state; }, reach_);
+  std::vector<double> changes_of(const BallRegion& region) const {
+    return state_changes([&](double b) { return region.interval(b).state; }, reach_);
+  }
+
+  // Of a region between its changes, on the unit sphere.
+  double area_of(const BallRegion& region, const std::vector<double>& changes) const {
     double area = 0;
     visit(changes, [&](const Node& node) {
       const Interval found = region.interval(node.b);
       if (!found.is_empty()) area += node.weight * (std::sin(found.high) - std::sin(found.low));
     });
+    return area;
+  }
+
+  void take_tool_face(Chip& result) const {
+    const BallRegion region(material_, frame_, centre_, -angle_of_half(way_));
+    const std::vector<double> changes = changes_of(region);
+    const double area = area_of(region, changes);
     // Of the angle from the tool's axis, along the interval at b: its least or its largest cosine.
     const auto cosine = [&](double b, bool is_least) {
       const Interval found = region.interval(b);
@@ -138,13 +147,8 @@ class ChipWork {
     const double r = task_.ball_radius;
     const Eigen::Vector3d before = centre_ - way_ * frame_.feed;
     const BallRegion region(material_, frame_, before, angle_of_half(way_));
-    const std::vector<double> changes =
-        state_changes([&](double b) { return region.interval(b).state; }, reach_);
-    double area = 0;
-    visit(changes, [&](const Node& node) {
-      const Interval found = region.interval(node.b);
-      if (!found.is_empty()) area += node.weight * (std::sin(found.high) - std::sin(found.low));
-    });
+    const std::vector<double> changes = changes_of(region);
+    const double area = area_of(region, changes);
     // The chip is thickest at the foremost place of this face.
     const double foremost = largest(changes, 0, [&](double b) { return region.interval(b).high; });
     demand(
@@ -174,8 +178,7 @@ class ChipWork {
       }
       return ray_thickness(b, 0.5 * (low + high));
     };
-    return largest(state_changes([&](double b) { return region.interval(b).state; }, reach_), 0,
-                   along_b);
+    return largest(changes_of(region), 0, along_b);
   }
 
   double ray_thickness(double b, double a) const {

@@ -10,6 +10,8 @@ from evenload.ball_end.surfaces import core, in_core, is_patch
 
 UNCUT = ("right", "left", "strip", "slot")
 STEPS = ("plan", "centre", "surface")
+# Of a Chip, but for its edge, which is two.
+NUMBERS = "volume", "tool_face", "previous_face", "max_thickness", "tip_share", "tool_diameter"
 
 
 @dataclass(frozen=True)
@@ -94,9 +96,6 @@ def chip(
     return Chip(edge=tuple(found.edge[0].tolist()), **one)
 
 
-NUMBERS = (
-    *("volume", "tool_face", "previous_face", "max_thickness", "tip_share", "tool_diameter"),
-)
 
 
 def chips(

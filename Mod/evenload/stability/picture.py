@@ -4,10 +4,8 @@ from evenload.pictures.figure import new_figure
 from evenload.pictures.figure import save as save_figure
 from evenload.stability import field
 
-UNSTABLE, EDGE, STABLE_POINT, UNSTABLE_POINT, GREY = (
-    *("#fce8e6", "#d93025", "#188038", "#d93025"),
-    "#9aa0a6",
-)
+UNSTABLE, EDGE, GREY = "#fce8e6", "#d93025", "#9aa0a6"
+STABLE_POINT, UNSTABLE_POINT = "#188038", "#d93025"
 SPEEDS = 0.5, 1.8  # of the operation's, that a chart shows
 DEPTHS = 2.5  # times the operation's
 SIZE = 9, 5.5  # inches

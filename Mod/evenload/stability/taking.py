@@ -7,9 +7,8 @@ SAME = 1e-9  # share by which a speed may differ and be the same
 
 
 def take(operation, speed=None, depth=None, cut_mode=None, engagement_deg=None):
-    """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays;
-    the
-    operation's step down, CutMode and EngagementAngle. In one step that can be undone, and
+    """Sets the tool controller's spindle speed, with its feeds so that the feed per tooth stays,
+    and the operation's StepDown, CutMode and EngagementAngle, in one step that can be undone; then
     recomputes.
 
     speed: rev/min; depth: mm; cut_mode: "climb" or "conventional"; engagement_deg: degrees; None:
