@@ -18,6 +18,7 @@ target_compile_definitions(evenload_tests PRIVATE EVENLOAD_SOURCE_DIR="${CMAKE_S
 # Most of a test's time passes in the core, so tests run about as fast however they are compiled: -O1 takes half the time of -O3,
 # and where sanitizers or counters are added to each line -O0 takes half that of -O1.
 target_compile_options(evenload_tests PRIVATE $<IF:$<CONFIG:Release>,-O1,-O0>)
+unite(evenload_tests)
 precompile(evenload_tests <algorithm> <cmath> <cstdio> <functional> <optional> <random> <string> <vector> <gmock/gmock.h>
   <gtest/gtest.h>)
 

@@ -57,6 +57,7 @@ pybind11_add_module(_core MODULE NO_EXTRAS ${binding_sources})
 target_link_libraries(_core PRIVATE evenload_core Eigen3::Eigen)
 # They hand values over, which is no quicker at -O3: the work is done in the core.
 target_compile_options(_core PRIVATE $<$<CONFIG:Release>:-O1>)
+unite(_core)
 precompile(_core <array> <optional> <string> <tuple> <vector> <pybind11/functional.h> <pybind11/numpy.h> <pybind11/pybind11.h>
   <pybind11/stl.h>)
 

@@ -3,9 +3,9 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
 #include "ball_end/ball_region.h"
+#include "support/demand.h"
 
 namespace evenload {
 
@@ -22,10 +22,6 @@ constexpr int kHalvings = 26;  // 1e-9 mm
 // Two Gauss nodes along the way from tooth to tooth: what the ball sweeps is nearly a parabola of
 // it.
 constexpr double kWays[] = {0.2113248654051871, 0.7886751345948129};
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 class ChipWork {
  public:

@@ -8,7 +8,7 @@ namespace evenload {
 namespace {
 
 constexpr double kNearest = 1e-2;  // mm along the pass, from where on a parabola is the distance
-constexpr int kMostSteps = 60;
+constexpr int kMostHalvings = 60;
 
 }  // namespace
 
@@ -16,7 +16,7 @@ double SweptPass::distance(const Eigen::Vector3d& point) const {
   constexpr double kInfinity = std::numeric_limits<double>::infinity();
   double low = -kInfinity, high = kInfinity, s = last_;
   Eigen::Vector3d away = Eigen::Vector3d::Zero();
-  for (int i = 0; i < kMostSteps; ++i) {
+  for (int i = 0; i < kMostHalvings; ++i) {
     const PathPoint place = surface_->centre(through_ + s * along_, along_);
     away = point - place.at;
     const double pull = away.dot(place.first);  // > 0: the nearest place lies ahead

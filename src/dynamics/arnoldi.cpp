@@ -4,11 +4,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "dynamics/complex.h"
+
 namespace evenload {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr int kFirstLook = 10;  // steps before the eigenvalues are looked at
 constexpr int kLookAgain = 4;   // steps between two looks

@@ -2,13 +2,14 @@
 
 #include <Eigen/Dense>
 #include <cmath>
-#include <stdexcept>
+
+#include "dynamics/complex.h"
+#include "support/demand.h"
 
 namespace evenload {
 
 namespace {
 
-using Complex = std::complex<double>;
 using Transfer = Eigen::Matrix4cd;
 
 constexpr int kLooks = 2000;  // for natural frequencies
@@ -16,10 +17,6 @@ constexpr int kBisections = 60;
 constexpr double kSlow = 1e-3;      // rad/s: as at rest
 constexpr double kShortStep = 0.5;  // norm of what is exponentiated by its series
 constexpr int kTerms = 14;
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 void check(const std::vector<BeamSegment>& segments) {
   demand(!segments.empty(), "The tool needs at least one segment.");

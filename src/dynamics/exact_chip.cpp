@@ -8,10 +8,10 @@ namespace evenload {
 namespace {
 
 constexpr int kNewton = 20;
-constexpr double kConverged = 1e-13;  // of the period
+constexpr double kPeriodConverged = 1e-13;  // of the period
 constexpr int kRounds = 40;
 constexpr double kSettled = 1e-9;  // relative, of the motion
-constexpr int kLooks = 2000;       // at a period
+constexpr int kLooksAPeriod = 2000;       // at a period
 
 }  // namespace
 
@@ -38,15 +38,15 @@ double exact_less_velocity(const OrbitSolver& solver, const Orbit& orbit, int to
     way[0] += forces.feed_speed();
     const double step = chip.along.dot(distance(shift)) / chip.along.dot(way);
     shift += step;
-    if (std::abs(step) < kConverged * period) break;
+    if (std::abs(step) < kPeriodConverged * period) break;
   }
   return chip.across.dot(distance(shift)) - chip.thickness;
 }
 
 double thickness_deviation(const OrbitSolver& solver, const Orbit& orbit) {
   double largest = 0;
-  for (int i = 0; i < kLooks; ++i) {
-    const double time = solver.period() * (i + 0.5) / kLooks;
+  for (int i = 0; i < kLooksAPeriod; ++i) {
+    const double time = solver.period() * (i + 0.5) / kLooksAPeriod;
     for (int tooth = 0; tooth < solver.forces().milling().teeth; ++tooth)
       if (solver.forces().is_engaged(tooth, time, orbit.depth))
         largest = std::max(largest, std::abs(exact_less_velocity(solver, orbit, tooth, time)));

@@ -3,15 +3,12 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "dynamics/complex.h"
 #include "dynamics/frequency_domain.h"
 
 namespace evenload {
 
 namespace {
-
-using Complex = std::complex<double>;
-
-constexpr Complex kI{0, 1};
 
 std::vector<Eigen::Vector2cd> even_pitch(const Milling& m, const Receptance& phi, double speed,
                                          double depth, double feed, int harmonics) {

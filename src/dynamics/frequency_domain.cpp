@@ -5,17 +5,16 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dynamics/complex.h"
+
 namespace evenload {
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr Complex kI{0, 1};
 constexpr double kNothing = 1e-12;  // of the axial lag times the order
 constexpr int kNewtonSteps = 60;
 constexpr double kNewtonStep = 1e-7;  // relative, of differences
-constexpr double kConverged = 1e-12;  // relative
+constexpr double kSumConverged = 1e-12;  // relative
 constexpr double kLargestTurn = 0.6;  // rad of the determinant between two frequencies
 constexpr int kMostSplits = 14;       // of the distance between two frequencies
 
@@ -125,7 +124,7 @@ bool FrequencyDomain::find_limit(double speed, double& depth, double& frequency)
         std::max(std::abs(step[0]) / (0.2 * depth), std::abs(step[1]) / (0.02 * frequency));
     depth += step[0] / std::max(1.0, size);
     frequency += step[1] / std::max(1.0, size);
-    if (std::abs(step[0]) < kConverged * depth && std::abs(step[1]) < kConverged * frequency)
+    if (std::abs(step[0]) < kSumConverged * depth && std::abs(step[1]) < kSumConverged * frequency)
       return depth > 0;
   }
   const double left = std::abs(determinant(speed, depth, frequency));

@@ -2,15 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
+
+#include "support/demand.h"
 
 namespace evenload {
 
 namespace {
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 bool is_finite(const std::complex<double>& value) {
   return std::isfinite(value.real()) && std::isfinite(value.imag());

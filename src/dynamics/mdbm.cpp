@@ -3,8 +3,8 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
-#include <stdexcept>
 
+#include "support/demand.h"
 #include "support/parallel.h"
 
 namespace evenload {
@@ -14,10 +14,6 @@ namespace {
 // Of half a cell: with several equations the foot of a cell that the set only passes by lies
 // farther away.
 constexpr double kNear = 1.5;
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 }  // namespace
 

@@ -3,7 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <stdexcept>
+
+#include "support/demand.h"
 
 namespace evenload {
 
@@ -13,10 +14,6 @@ constexpr double kTurn = 2 * M_PI;
 // rad of lag over the depth: less is a straight tooth, whose H differs by as much.
 constexpr double kStraight = 1e-9;
 constexpr double kAngleSum = 1e-6;  // rad by which pitch angles may miss a turn, as rounded numbers
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 bool is_at_least(double value, double least) { return std::isfinite(value) && value >= least; }
 

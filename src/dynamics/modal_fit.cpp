@@ -5,11 +5,11 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "dynamics/complex.h"
+
 namespace evenload {
 
 namespace {
-
-using Complex = std::complex<double>;
 
 constexpr double kFirstDamping = 0.02;
 constexpr double kLeastDamping = 1e-5, kMostDamping = 0.5;

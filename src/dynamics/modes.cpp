@@ -1,17 +1,10 @@
 #include "dynamics/modes.h"
 
 #include <cmath>
-#include <stdexcept>
+
+#include "support/demand.h"
 
 namespace evenload {
-
-namespace {
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
-
-}  // namespace
 
 void check_modes(const std::vector<Mode>& modes) {
   demand(!modes.empty(), "There is no mode: give at least one, from a tap test or a table.");

@@ -17,9 +17,9 @@ constexpr double kFirstStep = 0.004;  // of the largest depth, along the branch
 constexpr double kLongestStep = 0.03;
 constexpr double kShortestStep = 1e-6;
 constexpr int kMostPoints = 1500;
-constexpr int kNewton = 10;
-constexpr double kConverged = 1e-12;
-constexpr double kDifference = 1e-6;  // relative, of the depth
+constexpr int kBranchNewton = 10;
+constexpr double kPointConverged = 1e-12;
+constexpr double kDepthDifference = 1e-6;  // relative, of the depth
 constexpr int kHalvings = 44;
 
 // A place on the branch: the modes' states, and the depth, in m; and the branch's direction there.
@@ -51,7 +51,7 @@ class Follower {
   // The place in the plane across `from.tangent` at a distance along it.
   std::optional<Place> along(const Place& from, double distance) const {
     Eigen::VectorXd at = from.at + distance * from.tangent;
-    for (int i = 0; i < kNewton; ++i) {
+    for (int i = 0; i < kBranchNewton; ++i) {
       if (!(at[size() - 1] > 0)) return std::nullopt;
       Eigen::MatrixXd lhs(size(), size());
       Eigen::VectorXd rhs(size());
@@ -60,7 +60,7 @@ class Follower {
       const Eigen::VectorXd step = lhs.partialPivLu().solve(rhs);
       if (!step.allFinite() || step.norm() > largest_) return std::nullopt;
       at += step;
-      if (step.norm() < kConverged * largest_) return Place{at, tangent(at, from.tangent)};
+      if (step.norm() < kPointConverged * largest_) return Place{at, tangent(at, from.tangent)};
     }
     return std::nullopt;
   }
@@ -102,7 +102,7 @@ class Follower {
   // end - start, and its derivatives in the upper rows of `lhs`.
   Eigen::VectorXd equation(const Eigen::VectorXd& at, Eigen::MatrixXd& lhs) const {
     Orbit here = orbit_of(at), more = here, less = here;
-    const double step = kDifference * here.depth;
+    const double step = kDepthDifference * here.depth;
     more.depth += step;
     less.depth -= step;
     const OrbitSolver::End end = solver_.run(here, {});

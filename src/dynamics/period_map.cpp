@@ -15,7 +15,7 @@ namespace {
 constexpr double kSame = 1e-12;  // relative, of a delay and the period
 // rad of the fastest vibration in an element at the accuracy 1; measured so that errors stay below
 // the accuracy aimed at (tests/cpp/dynamics_stability_test.cpp).
-constexpr double kElement = 7.0;
+constexpr double kMapElement = 7.0;
 constexpr double kMeasured = 30;  // rad of the fastest vibration in the periods measured
 
 }  // namespace
@@ -30,7 +30,7 @@ PeriodMap::PeriodMap(const PeriodicSystem& system, double accuracy, int refineme
   // Each element adds to the error.
   const double share =
       std::min(accuracy, 1.0) / std::max(1.0, system.fastest * system.period / kMeasured);
-  double longest = kElement * std::pow(share, 0.5 / kStages) / system.fastest;
+  double longest = kMapElement * std::pow(share, 0.5 / kStages) / system.fastest;
   // What is looked at lies in an earlier element.
   if (!looks_straight_back_)
     longest = std::min(longest, *std::min_element(system.delays.begin(), system.delays.end()));

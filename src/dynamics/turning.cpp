@@ -2,25 +2,19 @@
 
 #include <algorithm>
 #include <cmath>
-#include <complex>
 #include <limits>
-#include <stdexcept>
+
+#include "dynamics/complex.h"
+#include "support/demand.h"
 
 namespace evenload {
 
 namespace {
 
-using Complex = std::complex<double>;
-
-constexpr Complex kI{0, 1};
 constexpr double kLowest = 0.3, kHighest = 4;  // of the natural frequency, where limits are sought
 constexpr int kLooksPerLobe = 48;
 constexpr int kLeastLooks = 4000;
 constexpr int kBisections = 60;
-
-void demand(bool condition, const char* sentence) {
-  if (!condition) throw std::invalid_argument(sentence);
-}
 
 }  // namespace
 

@@ -6,7 +6,7 @@ namespace evenload {
 namespace {
 
 // Share of the nominal load: rounding.
-constexpr double kRounding = 1e-9;
+constexpr double kNoWeight = 1e-9;
 // Of the nominal load: what is less does not lengthen a contact.
 constexpr double kInContact = 0.05;
 // Windows: shorter contacts are short.
@@ -97,7 +97,7 @@ bool MeanLoad::limit(std::vector<FeedPiece>& pieces, const std::vector<std::size
     if (parts.empty() || parts.back().piece != &piece) parts.push_back({&piece, 0});
     parts.back().sum += sum;
   }
-  if (excess <= kRounding * nominal * window_) return false;
+  if (excess <= kNoWeight * nominal * window_) return false;
   std::sort(parts.begin(), parts.end(),
             [](const Part& a, const Part& b) { return a.piece->feed > b.piece->feed; });
   double sum = 0;  // of the parts that are lowered, all to one feed

@@ -7,8 +7,6 @@
 
 namespace evenload {
 
-namespace {
-
 // A piece in the form that answers squared distances with the fewest operations and without angles.
 struct FastPiece {
   Vec2 a, b;
@@ -48,6 +46,8 @@ struct FastPiece {
     return std::min(squared_norm(q - a), squared_norm(q - b));
   }
 };
+
+namespace {
 
 constexpr std::size_t kCellsPerSide = 512;  // at most; the hints then fill a few MB
 // Of squared distances: a hint stays until a piece is a tenth nearer. In the middle of a round

@@ -19,7 +19,7 @@ constexpr double kTooFar = 1.5, kNearer = 0.6, kGrow = 1.4;
 constexpr double kClosest = 1e-4, kBeside = 1e-3;
 // Arcs are as short as the curve demands so near to them, as a share of their length.
 constexpr double kNear = 0.25;
-constexpr double kStraight = 1e-6;  // rad: the length of such arcs is that of their chords
+constexpr double kNoTurn = 1e-6;  // rad: the length of such arcs is that of their chords
 
 double turn_between(const PlanePoint& a, const PlanePoint& b) {
   return std::atan2(cross(a.direction, b.direction), dot(a.direction, b.direction));
@@ -28,7 +28,7 @@ double turn_between(const PlanePoint& a, const PlanePoint& b) {
 // mm: of an arc between the two.
 double length_between(const PlanePoint& a, const PlanePoint& b, double turn) {
   const double half = 0.5 * turn, chord = distance(a.p, b.p);
-  return std::abs(half) > kStraight ? chord * half / std::sin(half) : chord;
+  return std::abs(half) > kNoTurn ? chord * half / std::sin(half) : chord;
 }
 
 double bend_between(const PlanePoint& a, const PlanePoint& b) {

@@ -12,23 +12,23 @@ namespace evenload {
 namespace {
 
 // rad: lines that turn by less are one.
-constexpr double kStraight = 1e-5;
+constexpr double kNoCorner = 1e-5;
 // Corners at most that a pair of arcs replaces.
 constexpr std::size_t kLongestRow = 128;
 // rad: of either arc.
 constexpr double kMostArc = 0.9 * kPi;
 // Places along an arc that are looked at for being inside.
-constexpr int kLooks = 8;
+constexpr int kLooksAtArc = 8;
 // mm: rounding.
 constexpr double kOutside = 1e-7;
 // Share of the tolerance: of a single corner's arc, so that rounding does no harm.
-constexpr double kSpare = 0.9;
+constexpr double kOfTolerance = 0.9;
 
 bool is_fine(const Segment& before, const Segment& after) {
   if (before.is_arc() || after.is_arc() || before.open || after.open) return false;
   const Vec2 a = before.tangent(0), b = after.tangent(0);
   const double turn = std::atan2(cross(a, b), dot(a, b));
-  return turn > kStraight && turn < kFineCorner;
+  return turn > kNoCorner && turn < kFineCorner;
 }
 
 // Lines in a row with fine corners between them.
@@ -98,8 +98,8 @@ class Row {
         return std::nullopt;
     }
     for (const Segment& arc : {pair->first, pair->second})
-      for (int look = 1; look <= kLooks; ++look)
-        if (!is_inside(arc.point((look - 0.5) / kLooks), i, k)) return std::nullopt;
+      for (int look = 1; look <= kLooksAtArc; ++look)
+        if (!is_inside(arc.point((look - 0.5) / kLooksAtArc), i, k)) return std::nullopt;
     return arcs;
   }
 
@@ -114,7 +114,7 @@ class Row {
     const Vec2 ahead = lines_[i].tangent(0), along = lines_[i + 1].tangent(0), p = lines_[i].b;
     const double turn = std::atan2(cross(ahead, along), dot(ahead, along));
     const double half = std::tan(0.5 * turn);
-    const double widest = kSpare * tolerance_ / (1 / std::cos(0.5 * turn) - 1);
+    const double widest = kOfTolerance * tolerance_ / (1 / std::cos(0.5 * turn) - 1);
     const double reach = std::min(reach_at(i, i + 1), widest * half);
     Arcs arcs{p - reach * ahead, p + reach * along, {}};
     const double radius = reach / half;

@@ -5,7 +5,7 @@
 
 namespace evenload {
 
-inline constexpr double kPi = 3.14159265358979323846;
+inline constexpr double kPi = 3.14159265358979323846, kDegree = kPi / 180;
 
 struct Vec2 {
   double x = 0, y = 0;

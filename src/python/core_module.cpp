@@ -87,7 +87,7 @@ const char* name_of(Termination termination) {
   return "unknown";
 }
 
-py::list moves_of(const Toolpath& path) {
+py::list listed_moves(const Toolpath& path) {
   py::list moves;
   for (const Move& m : path.moves)
     moves.append(
@@ -181,7 +181,7 @@ PYBIND11_MODULE(_core, m) {
 
   py::class_<Toolpath>(m, "Toolpath")
       .def_property_readonly(
-          "moves", &moves_of,
+          "moves", &listed_moves,
           "(kind, x, y, z, sweep, cx, cy, feed); kind 0 rapid, 1 link, 2 entry, 3 cut")
       .def("__len__", [](const Toolpath& toolpath) { return toolpath.moves.size(); })
       .def_readonly("report", &Toolpath::report);

@@ -21,11 +21,6 @@ namespace {
 
 using Callback = std::function<bool(double)>;
 using Values = std::vector<std::complex<double>>;
-using Axis = std::tuple<double, double, int>;
-
-MdbmAxis axis_of(const Axis& axis) {
-  return {std::get<0>(axis), std::get<1>(axis), std::get<2>(axis)};
-}
 
 // Receptances at angular frequencies: rows of (xx, xy, yx, yy).
 Values values_at(const SharedReceptance& receptance, const std::vector<double>& frequencies) {

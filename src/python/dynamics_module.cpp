@@ -88,12 +88,6 @@ void bind_stability(py::module_& m) {
       py::arg("milling"), py::arg("speed"), py::arg("depth"));
 }
 
-MdbmAxis axis_of(const std::tuple<double, double, int>& axis) {
-  return {std::get<0>(axis), std::get<1>(axis), std::get<2>(axis)};
-}
-
-using Axis = std::tuple<double, double, int>;
-
 void bind_chart(py::module_& m) {
   py::class_<StabilityChart>(m, "StabilityChart")
       .def(

@@ -3,7 +3,10 @@
 
 #include <pybind11/pybind11.h>
 
+#include <tuple>
+
 #include "dynamics/frf.h"
+#include "dynamics/mdbm.h"
 
 namespace evenload {
 
@@ -11,6 +14,13 @@ namespace evenload {
 struct SharedReceptance {
   Receptance of;
 };
+
+// Lowest, highest and the cells of the first grid between them.
+using Axis = std::tuple<double, double, int>;
+
+inline MdbmAxis axis_of(const Axis& axis) {
+  return {std::get<0>(axis), std::get<1>(axis), std::get<2>(axis)};
+}
 
 // Adds the module `dynamics`, in kg, m, s, N and rad: modes and milling, multipliers, charts,
 // bisection, frequency response, surfaces, orbits, beams. evenload.dynamics is made from it.

@@ -27,7 +27,7 @@ std::vector<T> with_start(const GCodeProgram& program, T first, const std::vecto
   return result;
 }
 
-py::list moves_of(const GCodeProgram& program) {
+py::list program_moves(const GCodeProgram& program) {
   Move start;
   start.kind = MoveKind::kRapid;
   start.x = program.start_x;
@@ -86,7 +86,7 @@ void bind_gcode(py::module_& m) {
   py::class_<GCodeProgram>(m, "GCodeProgram",
                            "A program read into moves. Lists have one entry per move; the first is "
                            "a rapid to the start.")
-      .def_property_readonly("moves", &moves_of,
+      .def_property_readonly("moves", &program_moves,
                              "(kind, x, y, z, sweep, cx, cy, feed); kind 0 rapid, 3 cut")
       .def_property_readonly(
           "lines", [](const GCodeProgram& p) { return with_start(p, first_of(p.lines), p.lines); },

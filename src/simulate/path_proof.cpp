@@ -12,7 +12,7 @@ namespace evenload {
 namespace {
 
 // mm: a move that descends by less is level.
-constexpr double kLevel = 1e-6;
+constexpr double kNoDescent = 1e-6;
 
 // mm of descent between looks at a gouge on a slope; half of it is the error.
 constexpr double kDescent = 0.004;
@@ -170,7 +170,7 @@ class Material {
     if (std::min(from.z, move.z) >= stock.highest()) return;
     const Segment way = segment_of(from, move);
     const double length = way.length(), descent = from.z - move.z;
-    if (move.kind != MoveKind::kRapid && !(descent > kLevel && descent > kSteep * length)) return;
+    if (move.kind != MoveKind::kRapid && !(descent > kNoDescent && descent > kSteep * length)) return;
     const double radius = std::max(0.0, 0.5 * tool.diameter - limits_.rim);
     const int steps =
         length > 0 ? static_cast<int>(std::ceil(length / (kWay * 0.5 * tool.diameter))) : 0;

@@ -74,7 +74,8 @@ class GCodeLine {
     std::string rest;
     for (const GCodeWord& word : block_.words) {
       if (word.letter == 'G' || word.letter == 'M' || (used_ & bit_of(word.letter))) continue;
-      rest += (rest.empty() ? "" : " ") + text_of(word.text);
+      if (!rest.empty()) rest += ' ';
+      rest += text_of(word.text);
     }
     used_ = present_;
     return rest;

@@ -11,7 +11,7 @@ namespace {
 // From piece to piece the feed rises by no more than this share.
 constexpr double kLevelStep = 0.2;
 // mm: no piece is shorter, unless the turn is.
-constexpr double kShortest = 0.2;
+constexpr double kShortestTurn = 0.2;
 
 }  // namespace
 
@@ -32,7 +32,7 @@ std::vector<LevelPiece> level_pieces(const Descent& helix, double depth, double 
   int lowest = 0;  // step of the feed that the present piece begins with
   for (int i = 0; i < steps; ++i) {
     const double end = length - whole / (steepness * feed(i + 1));
-    if (std::min(end - from, length - end) < kShortest) continue;
+    if (std::min(end - from, length - end) < kShortestTurn) continue;
     pieces.push_back({end, feed(lowest)});
     from = end;
     lowest = i + 1;

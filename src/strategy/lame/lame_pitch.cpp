@@ -27,7 +27,7 @@ constexpr double kSameAngle = 1e-9;  // rad
 constexpr double kAlike = 1e-3;
 constexpr double kSmallStep = 1e-4;  // share of the growth: for its direction
 constexpr double kFirstStep = 2;     // side steps: no turn goes farther
-constexpr int kMostLooks = 8;        // for one step
+constexpr int kMostPitchLooks = 8;        // for one step
 constexpr double kEdge = 5e-4;       // tool radii: how well the edge of the engagement is met
 constexpr double kCrossing = 1e-6;   // of a radius: rounding
 constexpr double kLess = 0.95;       // by which a step is tried again that exceeds the pitch
@@ -128,7 +128,7 @@ double step_at(const LameGrowth& growth, const TurnTask& task, double share, dou
   if (f_high <= 0) return high;
   double f_low = beyond(low);
   if (f_low >= 0) return 0;
-  for (int i = 0; i < kMostLooks; ++i) {
+  for (int i = 0; i < kMostPitchLooks; ++i) {
     const double step = low + (high - low) * f_low / (f_low - f_high);
     const double f = beyond(step);
     if (std::abs(f) < kEdge * r) return step;

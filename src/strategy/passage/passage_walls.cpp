@@ -20,7 +20,7 @@ constexpr double kTightestRoll = 0.1;
 // Times the distance from the middle to the wall: how far along the wall the tool rolls onto it.
 constexpr double kRollLengths[] = {1, 2, 4, 8, 16, 32};
 // rad: of one arc of two.
-constexpr double kMostTurn = 0.6 * kPi;
+constexpr double kMostWallTurn = 0.6 * kPi;
 // mm: how far beyond the wall's offset a roll may stand by rounding.
 constexpr double kWallTolerance = 1e-6;
 
@@ -178,7 +178,7 @@ class Walls {
 
   bool find_arcs(Roll& roll, const Segment& wall) const {
     const std::optional<BiArc> pair = bi_arc({roll.from.p, unit(roll.from.heading)},
-                                             {wall.point(roll.t), wall.tangent(roll.t)}, kMostTurn);
+                                             {wall.point(roll.t), wall.tangent(roll.t)}, kMostWallTurn);
     if (!pair) return false;
     roll.radius = 2 * params_.minimum_radius;
     for (const Segment& arc : {pair->first, pair->second}) {

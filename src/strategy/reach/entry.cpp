@@ -30,7 +30,7 @@ constexpr double kWholeRoom = 1 - 1e-6;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
 // between two looks for them, which no corner of a wall that is as far away at both can use up.
 constexpr double kStretchedRoom = 0.005;
-constexpr double kLook = 0.19;
+constexpr double kEntryLook = 0.19;
 // mm
 constexpr double kAtBorder = 1e-5;
 // Share of the tool's radius: a wider helix would leave a post in its middle.
@@ -64,7 +64,7 @@ double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit,
   double known = 0, next = 0, free = inside(0);
   while (free >= kAtBorder && next < limit) {
     known = next + free;
-    next = std::min(limit, next + std::max(free, kLook * room));
+    next = std::min(limit, next + std::max(free, kEntryLook * room));
     free = inside(next);
   }
   if (free >= kAtBorder) return limit;

@@ -23,10 +23,10 @@ constexpr double kBlockPrice = 0.9;
 // rad: of one arc of two. Back to back takes half a turn; beyond, three pieces are shorter.
 constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
-constexpr double kLook = 0.04;
+constexpr double kLinkLook = 0.04;
 constexpr double kFirstLooks[] = {0.003, 0.01, 0.02};
 // rad: between two looks along an arc; turns as tight as corners need pass a wall and come back
-// within less than kLook.
+// within less than kLinkLook.
 constexpr double kTurnLook = 0.15;
 // mm: between two looks an arc cuts no deeper into a straight wall; that is 0.8 degrees of
 // engagement for a tool of 6 mm.
@@ -176,7 +176,7 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
              double ends) {
   if (moves.empty()) return true;
   const ClearedGround& ground = before.ground;
-  const double look = kLook * ground.tool_radius(), whole = length_of(moves);
+  const double look = kLinkLook * ground.tool_radius(), whole = length_of(moves);
   std::vector<AngularInterval> scratch;
   // Where the tool stands, the end of the way that it came hides what lies ahead: the first looks
   // are nearby.

@@ -6,9 +6,13 @@
 #include <vector>
 
 #include "strategy/moves/move_checks.h"
+#include "strategy/steer/steering_parts.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
+
+using steering_parts::kInContact, steering_parts::kThin;
+
 namespace {
 
 // mm: so near to a wall a place is on it, and a circle touches it.
@@ -27,9 +31,8 @@ constexpr double kExactReach = 1e-4;
 // rad: between the directions of the walls where an arc touches them; beyond it is no gap but a
 // corner.
 constexpr double kMostTaper = 1.0;
-// rad: between two looks along the arc; engaged, less counts as no contact.
+// rad: between two looks along the arc.
 constexpr double kArcLook = 8 * kPi / 180;
-constexpr double kInContact = 0.06 * kPi / 180;
 // A pass that meets no more than this share of the limit gets nowhere.
 constexpr double kLeastMet = 0.5;
 constexpr int kMostShrinking = 50;
@@ -38,9 +41,8 @@ constexpr int kMostShrinking = 50;
 constexpr double kWidening = 2;
 constexpr double kWidened = 0.1;
 constexpr int kMostLeading = 8;
-// mm: thinner material is not seen; what may stay on the other wall, between two arcs that touch
-// it.
-constexpr double kThin = 1e-6, kFilm = 3e-4;
+// mm: what may stay on the other wall, between two arcs that touch it.
+constexpr double kFilm = 3e-4;
 
 // Along a wall, and round to the one that faces it.
 struct Way {

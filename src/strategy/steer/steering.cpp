@@ -30,9 +30,6 @@ constexpr int kPeakLooks = 3;                 // for a peak between two looks al
 constexpr double kHeadOnShares[] = {0.05, 0.2, 0.5};
 constexpr double kWayOutStep = 2 * kDegree;  // between two looks on the way out of the material
 constexpr double kNearlyOut = 3 * kDegree;   // of engagement
-// mm: material thinner than this is not seen; what has been cut must not be found again by
-// rounding.
-constexpr double kThin = 1e-6;
 
 // rad: material that is thinner than a cut is kept by so much on the right of the feed.
 constexpr double kOnRight = 5 * kDegree;

@@ -8,8 +8,6 @@
 
 namespace evenload::steering_parts {
 
-inline constexpr double kDegree = kPi / 180;
-
 // Lengths as shares of the tool's radius.
 inline constexpr double kIdleAfterCut = 0.2;   // without contact for this long: the pass is over
 inline constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: there is nothing
@@ -22,6 +20,9 @@ inline constexpr double kOverload = 0.25 * kDegree;
 // degrees.
 inline constexpr double kCuspWidth = 0.0038;
 inline constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
+// mm: material thinner than this is not seen; what has been cut must not be found again by
+// rounding.
+inline constexpr double kThin = 1e-6;
 // mm: a pose this near to the tool's present place is that place.
 inline constexpr double kHere = 1e-9;
 

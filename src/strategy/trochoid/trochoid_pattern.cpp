@@ -40,7 +40,7 @@ constexpr int kFrontLooks = 16;
 // Lines side by side that clear the ground behind the first front.
 constexpr int kLinesBehind = 8;
 // Share of a full circle that a bent strip may take.
-constexpr double kMostSweep = 0.75;
+constexpr double kMostOfSweep = 0.75;
 // Of the settled advance: what the step is likely to be, since a little of a pass meets more than
 // the rest; what it is so at the least; and the most that it may become.
 constexpr double kLikelyStep = 0.98;
@@ -149,7 +149,7 @@ class Passes {
     const double wish = kMostPasses * side_step(params_.engagement, params_.tool_radius) +
                         4 * (params_.tool_radius + room_);
     if (params_.curvature == 0) return wish;
-    return std::min(wish, kMostSweep * 2 * kPi / std::abs(params_.curvature) - back_);
+    return std::min(wish, kMostOfSweep * 2 * kPi / std::abs(params_.curvature) - back_);
   }
 
   Stage stage(double turn_radius) const {

@@ -19,7 +19,7 @@ namespace evenload {
 namespace {
 
 // mm between two looks at the load of a period.
-constexpr double kLook = 0.1;
+constexpr double kPeriodLook = 0.1;
 // Steps are found to this share of the tool's radius.
 constexpr double kStepShare = 2e-4;
 // Shares of half the room: turn radii of links that are tried at either end.
@@ -229,7 +229,7 @@ RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& 
     runs_[0].moves.push_back(planar);
   }
   profile_ =
-      load_profile(runs_, ground_, kLook, removal_rate_share(params.engagement, params.tool_radius),
+      load_profile(runs_, ground_, kPeriodLook, removal_rate_share(params.engagement, params.tool_radius),
                    params.progress);
 }
 

@@ -16,8 +16,6 @@
 namespace evenload {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 ChipCase task(double feed, double stepover, double degrees, Uncut uncut = Uncut::kRight) {
   return {5, feed, stepover, 0.3, degrees * kDegree, uncut};
 }

@@ -7,16 +7,12 @@
 #include <random>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
-constexpr double kRadius = 3;
 const Bounds kField{{-30, -30}, {30, 30}};
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 struct Swept {
   Segment move;

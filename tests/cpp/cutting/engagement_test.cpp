@@ -7,13 +7,10 @@
 #include <stdexcept>
 
 #include "geometry/vec2.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 TEST(Engagement, HasItsClosedFormsAtKnownAngles) {
   EXPECT_NEAR(side_step(kPi / 3, 3), 1.5, 1e-12);

@@ -12,18 +12,14 @@
 #include <vector>
 
 #include "geometry/vec2.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-constexpr double kDegree = kPi / 180;
 const ForceCoefficients kAluminium{600.46, 180.96, 17.9, 20.42};
 const ForceCoefficients kNoEdge{600, 200, 0, 0};
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 CuttingForce force_of(const ForceModel& model, const std::vector<EngagedArc>& arcs,
                       double feed_per_tooth, double spindle_speed = 6000, double feed_angle = 0) {

@@ -6,16 +6,18 @@
 #include <Eigen/Dense>
 #include <cmath>
 
+#include "dynamics/cases.h"
+
 namespace evenload {
 namespace {
+
+using dynamics_cases::hertz;
 
 BeamMaterial carbide(double loss = 0) { return {580e9, 14450, 0.22, loss}; }
 BeamMaterial steel() { return {205e9, 7850, 0.29, 0}; }
 BeamSegment tool(double length = 0.06, double diameter = 0.01, double loss = 0) {
   return {length, diameter, carbide(loss)};
 }
-double hertz(double frequency) { return 2 * M_PI * frequency; }
-
 EndReceptance modal_holder(double w) {
   EndReceptance result = EndReceptance::Zero();
   const double wn = hertz(900);

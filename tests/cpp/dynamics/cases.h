@@ -12,6 +12,7 @@ namespace evenload::dynamics_cases {
 inline constexpr double kLead = 0.05441398092702654;  // m: 30 degrees at a diameter of 10 mm
 
 inline double degrees(double angle) { return angle * M_PI / 180; }
+inline double hertz(double frequency) { return 2 * M_PI * frequency; }
 inline double rpm(double speed) { return speed * M_PI / 30; }
 
 // The mode of the benchmark of [Insperger & Stepan 2004].

@@ -19,8 +19,6 @@ Receptance modal(const std::vector<Mode>& modes) {
 
 FrequencyDomain domain(const Milling& m, int harmonics) { return {m, modal(m.modes), harmonics}; }
 
-double hertz(double frequency) { return 2 * M_PI * frequency; }
-
 TEST(ZerothOrder, HasTheLimitsOfTheReference) {
   const auto slot_limits = zeroth_order(slot(), modal(slot().modes), hertz(930));
   ASSERT_EQ(slot_limits.size(), 1U);

@@ -8,15 +8,10 @@
 #include <random>
 
 #include "feed/load_profile.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
-
-constexpr double kRadius = 3;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 // A few tangent moves, cuts and links.
 std::vector<PlanarRun> random_runs(std::mt19937& random) {

@@ -9,12 +9,11 @@
 #include <stdexcept>
 
 #include "feed/following_profile.h"
+#include "judge/numbers.h"
 #include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
-
-constexpr double kRadius = 3;
 
 TEST(LoadProfile, SeesATightTurnAwayFromMaterialAfterAJointThatIsNotQuiteTangent) {
   for (const double kink : {0.0, 0.002, 0.01, 0.3}) {

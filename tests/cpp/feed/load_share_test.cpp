@@ -8,18 +8,12 @@
 #include <vector>
 
 #include "cutting/engagement.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
 using Arcs = std::vector<AngularInterval>;
-
-constexpr double kRadius = 3;
-constexpr double kDegree = kPi / 180;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 // What a look at these arcs says, but for the share.
 Load load_of(const Arcs& arcs) {

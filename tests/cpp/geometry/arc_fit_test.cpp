@@ -8,13 +8,10 @@
 
 #include "geometry/boundary_index.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 std::vector<Vec2> sampled(int n, const std::function<Vec2(double)>& at) {
   std::vector<Vec2> points;

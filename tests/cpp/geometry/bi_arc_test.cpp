@@ -5,12 +5,10 @@
 #include <cmath>
 #include <random>
 
+#include "judge/numbers.h"
+
 namespace evenload {
 namespace {
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 TEST(BiArc, LeadsFromPlaceToPlaceWithoutACorner) {
   std::mt19937 random(1);

@@ -7,6 +7,7 @@
 #include "geometry/boundary_index.h"
 #include "geometry/intersect.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -15,10 +16,6 @@ namespace {
 using shapes::circle;
 using shapes::polygon;
 using shapes::rectangle;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 std::vector<Segment> random_segments(unsigned seed, int count) {
   std::mt19937 random(seed);

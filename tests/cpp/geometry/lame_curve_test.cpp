@@ -7,14 +7,12 @@
 #include <random>
 #include <stdexcept>
 
+#include "judge/numbers.h"
+
 namespace evenload {
 namespace {
 
 constexpr std::array<double, 6> kExponents = {0.05, 0.3, 0.7, 1, 1.7, 3};
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 LameCurve curve_of(double a, double b, double exponent, int segments = 4, double rotation = 0) {
   return {{0, 0}, a, b, exponent, segments, rotation};

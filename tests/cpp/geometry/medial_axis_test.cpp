@@ -9,6 +9,7 @@
 
 #include "geometry/boundary_index.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
@@ -17,10 +18,6 @@ using shapes::circle;
 using shapes::Named;
 using shapes::polygon;
 using shapes::rectangle;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 std::vector<std::size_t> degrees(const MedialAxis& axis) {
   std::vector<std::size_t> degree(axis.nodes.size(), 0);

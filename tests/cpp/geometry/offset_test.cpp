@@ -5,6 +5,7 @@
 
 #include "geometry/boundary_index.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "support/errors.h"
 
 namespace evenload {
@@ -14,10 +15,6 @@ using shapes::circle;
 using shapes::Named;
 using shapes::polygon;
 using shapes::rectangle;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 std::vector<Curve> curves_of(const std::vector<Region>& regions) {
   std::vector<Curve> all;

@@ -9,11 +9,12 @@
 
 #include "geometry/boundary_index.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
-constexpr double kGap = 8e-4, kRadius = 3;
+constexpr double kGap = 8e-4;
 
 // A room with a tooth that narrows by `angle` rad from 6.2 mm on and ends where it is `end` mm
 // wide.

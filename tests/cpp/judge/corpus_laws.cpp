@@ -7,7 +7,6 @@
 namespace evenload::corpus {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr double kSameShare = 0.035;  // of times and lengths, of a case and its moved image
 
 std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.y); }

@@ -1,9 +1,16 @@
 // What is asked of every path through a pocket of the corpus.
 #pragma once
 
+#include <gtest/gtest.h>
+
+#include <string>
+
 #include "judge/judged.h"
 
 namespace evenload::corpus {
+
+// A test that runs for each case bears the name of the case.
+inline std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 inline constexpr double kMostOver = 2 * kPi / 180;    // rad above the engagement angle
 inline constexpr double kMostLinked = 1 * kPi / 180;  // rad, of a link

@@ -7,8 +7,6 @@
 
 namespace evenload::narrow_pockets {
 
-constexpr double kDegree = kPi / 180;
-
 Case pocket_of(std::vector<Vertex> outer, std::vector<Curve> islands) {
   Case pocket = corpus::load("slot62");
   pocket.region = make_region(Curve(std::move(outer), true), std::move(islands));

@@ -13,6 +13,8 @@ using corpus::Case;
 // For a tool of 6 mm at 60 degrees.
 Case pocket_of(std::vector<Vertex> outer, std::vector<Curve> islands = {});
 Case slot(double width, double angle = 0);  // 40 mm long
+// The middle line of a straight one, from (0, 0) along x.
+inline Curve line(double length) { return Curve({{{0, 0}}, {{length, 0}}}, false); }
 // Two rooms of 18 x 20 mm, 12 mm apart.
 Case two_rooms(double width);
 Case ring(double width);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
@@ -14,8 +15,7 @@ using path_check::Stock;
 using shapes::circle;
 using shapes::rectangle;
 
-constexpr double kDegree = kPi / 180;
-constexpr double kRadius = 3, kFloor = -2;
+constexpr double kFloor = -2;
 
 class Path {
  public:

@@ -7,10 +7,11 @@
 #include <random>
 #include <stdexcept>
 
+#include "judge/numbers.h"
+
 namespace evenload {
 namespace {
 
-constexpr double kRadius = 3;
 const ProofTool kTool{2 * kRadius, 0};
 
 Move rapid(double x, double y, double z) { return {MoveKind::kRapid, x, y, z, 0, 0, 0, 0}; }

@@ -7,7 +7,6 @@
 
 namespace evenload::simulate_paths {
 
-inline constexpr double kDegree = kPi / 180;
 inline constexpr double kDepth = 3;    // mm
 inline constexpr double kFeed = 255;   // mm/min
 inline constexpr double kFine = 0.05;  // mm: the resolution that users get

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <vector>
 
+#include "judge/numbers.h"
 #include "toolpath/helix.h"
 
 namespace evenload {
@@ -27,7 +28,7 @@ std::vector<Descent> helices() {
   return {helix_of(2.7, {}), helix_of(0.06, {}), helix_of(1.4, {3, 4}), helix_of(0.2, {-0.1, 9})};
 }
 
-constexpr double kRadius = 3, kDepth = 3, kSteepness = 0.0524;
+constexpr double kDepth = 3, kSteepness = 0.0524;
 const LevelTurnFeeds kFeeds{255, 488, 1.5 * 255};
 
 TEST(WayRound, RunsWithoutGapsOrKinksToWhereTheHelixArrives) {

@@ -10,16 +10,13 @@
 #include <stdexcept>
 
 #include "geometry/vec2.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 MachineProfile unlimited() {
   MachineProfile profile;

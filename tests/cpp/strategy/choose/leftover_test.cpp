@@ -7,13 +7,13 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
 using shapes::rectangle;
 
-constexpr double kRadius = 3;
 const Bounds kEverywhere{{0, 0}, {60, 30}};
 
 // A floor of 60 mm x 30 mm, cleared but for two squares of 2 mm.

@@ -23,8 +23,6 @@ namespace {
 using corpus::Case;
 using path_check::Findings;
 
-constexpr double kDegree = kPi / 180;
-
 LameToolpath spiral(const Case& pocket, const ClearingParams& params, const LameParams& lame = {}) {
   Progress watch;
   return clear_with_lame_spiral({pocket.region}, params, lame, watch);

@@ -12,13 +12,10 @@
 #include "geometry/boundary_index.h"
 #include "geometry/region.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 Curve polygon(int corners, double radius, double turn = 0, Vec2 centre = {}) {
   std::vector<Vertex> vertices;

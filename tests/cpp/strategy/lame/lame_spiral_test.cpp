@@ -16,8 +16,6 @@
 namespace evenload {
 namespace {
 
-constexpr double kDegree = kPi / 180;
-
 LameCurve curve_of(double a, double b, double exponent, int segments = 4, double rotation = 0) {
   return {{0, 0}, a, b, exponent, segments, rotation};
 }

@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/turn_demands.h"
 #include "strategy/moves/wider_bi_arc.h"
@@ -22,10 +23,6 @@ using shapes::rectangle;
 
 constexpr double kToolRadius = 3;
 constexpr double kTheta = kPi / 3;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
 
 const Region& room() {
   static const Region all = make_region(rectangle(-50, -50, 50, 50));

@@ -24,8 +24,6 @@ using narrow_pockets::slot;
 using narrow_pockets::two_rooms;
 using path_check::Findings;
 
-constexpr double kDegree = kPi / 180;
-
 TEST(Skipping, LeavesThePassagesAndReportsTheirPlaceWidthAndArea) {
   const Case pocket = two_rooms(6.5);
   const Toolpath path = clear(pocket, NarrowPassages::kSkip);

@@ -31,8 +31,6 @@ using narrow_pockets::ring;
 using narrow_pockets::slot;
 using narrow_pockets::two_rooms;
 
-constexpr double kDegree = kPi / 180;
-
 TEST(ReducedFeed, CutsSlotsHardlyWiderThanTheToolFullyAndInFewMoves) {
   for (const double width : {6.01, 6.02, 6.05, 6.1, 6.2, 7.0})
     for (const double angle : {0.0, 0.3}) {

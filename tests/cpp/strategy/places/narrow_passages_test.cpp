@@ -11,18 +11,18 @@
 namespace evenload {
 namespace {
 
-Region region_of(std::vector<Vertex> outer, std::vector<Curve> islands = {}) {
+Region area_of(std::vector<Vertex> outer, std::vector<Curve> islands = {}) {
   return make_region(Curve(std::move(outer), true), std::move(islands));
 }
 
 Region rectangle(double x0, double y0, double x1, double y1) {
-  return region_of({{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}});
+  return area_of({{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}});
 }
 
 // Two rooms of 10 x 10 mm, joined by a neck 6 mm long and `width` mm wide.
 Region two_rooms(double width) {
   const double h = width / 2;
-  return region_of({{{0, -5}},
+  return area_of({{{0, -5}},
                     {{10, -5}},
                     {{10, -h}},
                     {{16, -h}},
@@ -82,7 +82,7 @@ TEST(NarrowPlaces, FindTheNeckThatJoinsTwoRooms) {
 // A dead end is a passage once it is deeper than a corner of 60 degrees.
 TEST(NarrowPlaces, TakeShortDeadEndsForCorners) {
   const auto with_dead_end = [](double depth) {
-    return region_of({{{0, 0}},
+    return area_of({{{0, 0}},
                       {{10, 0}},
                       {{10, 4}},
                       {{10 + depth, 4}},
@@ -101,7 +101,7 @@ TEST(NarrowPlaces, TakeShortDeadEndsForCorners) {
 TEST(NarrowPlaces, TakeCornersSharperThanSixtyDegreesForPassages) {
   const auto wedge = [](double degrees) {
     const double half = degrees * kPi / 360, x = 20 * std::cos(half), y = 20 * std::sin(half);
-    return region_of({{{0, 0}}, {{x, -y}}, {{x + 20, -y}}, {{x + 20, y}}, {{x, y}}});
+    return area_of({{{0, 0}}, {{x, -y}}, {{x + 20, -y}}, {{x + 20, y}}, {{x, y}}});
   };
   EXPECT_EQ(find_narrow_places(wedge(61), 0.9).passages.size(), 0u);
   EXPECT_EQ(find_narrow_places(wedge(55), 0.9).passages.size(), 1u);
@@ -109,7 +109,7 @@ TEST(NarrowPlaces, TakeCornersSharperThanSixtyDegreesForPassages) {
 
 TEST(NarrowPlaces, GoRoundAnIslandThatNoRoomTouches) {
   const Region ring =
-      region_of({{{10, 0}, 1}, {{-10, 0}, 1}}, {Curve({{{9.8, 0}, 1}, {{-9.8, 0}, 1}}, true)});
+      area_of({{{10, 0}, 1}, {{-10, 0}, 1}}, {Curve({{{9.8, 0}, 1}, {{-9.8, 0}, 1}}, true)});
   const NarrowPlaces places = find_narrow_places(ring, 0.9);
   ASSERT_EQ(places.passages.size(), 1u);
   EXPECT_EQ(places.passages.front().loops.size(), 2u);
@@ -118,7 +118,7 @@ TEST(NarrowPlaces, GoRoundAnIslandThatNoRoomTouches) {
 
 // Between wall and island: one passage with two mouths of one room.
 TEST(NarrowPlaces, NameARoomTwiceThatAPassageLeavesAndComesBackTo) {
-  const Region region = region_of({{{0, 0}}, {{30, 0}}, {{30, 20}}, {{0, 20}}},
+  const Region region = area_of({{{0, 0}}, {{30, 0}}, {{30, 20}}, {{0, 20}}},
                                   {Curve({{{10, 1}}, {{20, 1}}, {{20, 10}}, {{10, 10}}}, true)});
   const NarrowPlaces places = find_narrow_places(region, 0.9);
   ASSERT_EQ(places.rooms.size(), 1u);

@@ -22,6 +22,7 @@ using corpus::Case;
 using corpus::clear;
 using corpus::expect_within_limits;
 using corpus::judge;
+using corpus::name_of;
 using corpus::kDeepestGouge;
 using corpus::kLeastClimb;
 using corpus::kMostLeft;
@@ -29,11 +30,7 @@ using corpus::kMostOver;
 using path_check::check_path;
 using path_check::Findings;
 
-constexpr double kDegree = kPi / 180;
-
 std::string text(Vec2 p) { return std::to_string(p.x) + ", " + std::to_string(p.y); }
-
-std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 // One pass was made for ever: what it took was a film that its smoothing left again.
 TEST(SlowCorpus, ABlobWithFilmsIsCleared) {

@@ -19,11 +19,8 @@ namespace {
 using corpus::at_home;
 using corpus::Case;
 using corpus::Home;
+using corpus::name_of;
 using path_check::Findings;
-
-constexpr double kDegree = kPi / 180;
-
-std::string name_of(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
 class EveryPocket : public testing::TestWithParam<std::string> {};
 INSTANTIATE_TEST_SUITE_P(Pocket, EveryPocket, testing::ValuesIn(corpus::clearable()), name_of);

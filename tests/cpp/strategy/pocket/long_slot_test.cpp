@@ -8,6 +8,7 @@
 #include "cutting/engagement.h"
 #include "geometry/shapes.h"
 #include "geometry/slot_around.h"
+#include "judge/narrow_pockets.h"
 #include "judge/path_check.h"
 #include "strategy/places/allowed_ground.h"
 #include "strategy/pocket/trochoid.h"
@@ -15,7 +16,8 @@
 namespace evenload {
 namespace {
 
-constexpr double kDegree = kPi / 180;
+using narrow_pockets::line;
+
 constexpr double kLeastRepeated = 15;  // mm of slot along which a pattern is repeated
 constexpr TrochoidKind kOurs = TrochoidKind::kConstantEngagement;
 
@@ -27,8 +29,6 @@ ClearingParams usual_params() {
   params.roll_radius = 1;
   return params;
 }
-
-Curve line(double length) { return Curve({{{0, 0}}, {{length, 0}}}, false); }
 
 Curve half_circle(double radius) {
   return Curve({{{radius, 0}, std::tan(kPi / 4)}, {{-radius, 0}}}, false);

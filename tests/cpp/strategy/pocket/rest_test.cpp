@@ -18,7 +18,6 @@ namespace {
 
 using shapes::rectangle;
 
-constexpr double kDegree = kPi / 180;
 constexpr double kResolution = 0.02;  // mm
 // Above the limit: where a cusp between two sweeps of the larger tool comes under the edge, a
 // sample of the simulator stands for the whole step before it.

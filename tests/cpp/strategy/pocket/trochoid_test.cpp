@@ -11,6 +11,7 @@
 #include "cutting/engagement.h"
 #include "geometry/shapes.h"
 #include "geometry/slot_around.h"
+#include "judge/narrow_pockets.h"
 #include "judge/path_check.h"
 #include "strategy/trochoid/trochoid_pattern.h"
 #include "support/errors.h"
@@ -19,9 +20,8 @@
 namespace evenload {
 namespace {
 
+using narrow_pockets::line;
 using shapes::rectangle;
-
-constexpr double kDegree = kPi / 180;
 
 ClearingParams params_at(double degrees = 60) {
   ClearingParams params;
@@ -31,8 +31,6 @@ ClearingParams params_at(double degrees = 60) {
   params.roll_radius = 1;
   return params;
 }
-
-Curve line(double length) { return Curve({{{0, 0}}, {{length, 0}}}, false); }
 
 TrochoidalPath clear(const Region& region, const ClearingParams& params,
                      TrochoidKind kind = TrochoidKind::kConstantEngagement) {

@@ -16,7 +16,7 @@
 namespace evenload {
 namespace {
 
-Region rectangle(double x0, double y0, double x1, double y1) {
+Region rectangular(double x0, double y0, double x1, double y1) {
   return make_region(Curve({{{x0, y0}}, {{x1, y0}}, {{x1, y1}}, {{x0, y1}}}, true));
 }
 
@@ -24,7 +24,7 @@ Circle widest(const Region& region) { return largest_circle(region, 1e-6); }
 
 TEST(Entry, IsTheWishedHelixWhereThereIsRoomAndShrinksElsewhere) {
   ClearingParams params;
-  const Region wide = rectangle(0, 0, 20, 20), tight = rectangle(0, 0, 20, 2);
+  const Region wide = rectangular(0, 0, 20, 20), tight = rectangular(0, 0, 20, 2);
   const auto helix = [&](const Region& region) {
     const std::optional<Entry> entry = descend_within(Area({region}), widest(region), params);
     EXPECT_EQ(entry->descent.kind, DescentKind::kHelix);
@@ -59,7 +59,7 @@ TEST(Entry, RampsAlongNarrowSlotsInWhateverDirectionTheyRun) {
 
 TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   ClearingParams params;
-  const Region tiny = rectangle(0, 0, 1.22, 0.16);
+  const Region tiny = rectangular(0, 0, 1.22, 0.16);
   const Area centres({tiny});
   ASSERT_GT(widest(tiny).radius, 0.02 * 0.5 * params.tool_diameter);  // a helix would fit
   const std::optional<Entry> entry = descend_within(centres, widest(tiny), params);
@@ -71,15 +71,15 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
   params.entry = EntryKind::kHelix;
   EXPECT_EQ(descend_within(centres, widest(tiny), params)->descent.kind, DescentKind::kHelix);
   params.entry = EntryKind::kAutomatic;
-  for (const Region& other : {rectangle(0, 0, 0.7, 0.7), rectangle(0, 0, 0.25, 2.5)})
+  for (const Region& other : {rectangular(0, 0, 0.7, 0.7), rectangular(0, 0, 0.25, 2.5)})
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
               DescentKind::kRamp);
   // Longer ones have passes; round ones are filled by a helix.
-  for (const Region& other : {rectangle(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
+  for (const Region& other : {rectangular(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
                               make_region(shapes::circle({0, 0}, 0.45))})
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
               DescentKind::kHelix);
-  const Region larger = rectangle(0, 0, 1, 1);
+  const Region larger = rectangular(0, 0, 1, 1);
   EXPECT_EQ(descend_within(Area({larger}), widest(larger), params)->descent.kind,
             DescentKind::kHelix);
 }
@@ -111,7 +111,7 @@ TEST(Entry, KeepsItsHelixRoundWhereThatRemovesAsMuchAsACut) {
   ClearingParams params;
   params.levels = {-3};
   params.engagement_angle = kPi / 6;
-  const Region wide = rectangle(0, 0, 40, 40);
+  const Region wide = rectangular(0, 0, 40, 40);
   std::optional<Entry> entry = descend_within(Area({wide}), widest(wide), params);
   stretch_helix(*entry, Area({wide}), params);
   EXPECT_EQ(norm(entry->descent.stretch), 0);
@@ -145,7 +145,7 @@ TEST(Entry, StretchesAHelixAlongASlotFromItsMiddleAndFromEitherRoundEnd) {
 
 TEST(Entry, FillsARoomOfHundredthsOfAMillimetreWithARoundHelix) {
   ClearingParams params;
-  const Region slot = rectangle(0, 0, 20, 0.2), room = rectangle(0, 0, 20, 2);
+  const Region slot = rectangular(0, 0, 20, 0.2), room = rectangular(0, 0, 20, 2);
   const auto filled = [&](const Region& region) {
     std::optional<Entry> entry = descend_within(Area({region}), widest(region), params);
     fill_narrow_room(*entry, widest(region), params);
@@ -185,7 +185,7 @@ TEST(Entry, CountsWhatOfItsGroundNothingClearedBefore) {
     ground.add_disc({0, apart}, 5);
     EXPECT_NEAR(area_cut_by(helix, ground), whole - shared(5.7, 5, apart), 0.005 * whole);
   }
-  std::vector<Region> half{rectangle(-20, -20, 0, 20)};
+  std::vector<Region> half{rectangular(-20, -20, 0, 20)};
   std::vector<Vertex> vertices = half.front().outer.vertices();
   for (Vertex& v : vertices) v.open = true;
   half.front().outer = Curve(vertices, true);
@@ -196,12 +196,12 @@ TEST(Entry, CountsWhatOfItsGroundNothingClearedBefore) {
 }
 
 TEST(Entry, IsNeverAPlunge) {
-  const Region dot = rectangle(0, 0, 4e-4, 4e-4);
+  const Region dot = rectangular(0, 0, 4e-4, 4e-4);
   EXPECT_FALSE(descend_within(Area({dot}), widest(dot), {}));
 }
 
 struct TwoPockets {
-  std::vector<Region> regions{rectangle(0, 0, 20, 20), rectangle(30, 0, 60, 30)};
+  std::vector<Region> regions{rectangular(0, 0, 20, 20), rectangular(30, 0, 60, 30)};
   ClearingParams params;
   TwoPockets() {
     params.levels = {-1, -2};

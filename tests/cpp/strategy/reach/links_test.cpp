@@ -7,6 +7,7 @@
 #include <random>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "strategy/moves/move_ends.h"
 
 namespace evenload {
@@ -14,11 +15,7 @@ namespace {
 
 using shapes::rectangle;
 
-constexpr double kRadius = 3, kTurn = 0.9;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * (static_cast<double>(random()) / 4294967296.0);
-}
+constexpr double kTurn = 0.9;
 
 GroundBefore now(const ClearedGround& ground) { return {ground, ground.size()}; }
 

@@ -11,12 +11,11 @@
 
 #include "geometry/box_tree.h"
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "strategy/trochoid/pattern_cache.h"
 
 namespace evenload {
 namespace {
-
-constexpr double kRadius = 3;
 
 ClearingParams params_of_slots() {
   ClearingParams params;

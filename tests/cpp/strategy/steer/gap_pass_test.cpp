@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/links.h"
@@ -16,7 +17,7 @@
 namespace evenload {
 namespace {
 
-constexpr double kDegree = kPi / 180, kRadius = 3, kTheta = 30 * kDegree;
+constexpr double kTheta = 30 * kDegree;
 constexpr double kLength = 4;  // mm of the gaps
 
 struct Gap {

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 #include "judge/path_check.h"
 #include "strategy/steer/stage.h"
 
@@ -16,15 +17,9 @@ namespace {
 
 using shapes::rectangle;
 
-constexpr double kDegree = kPi / 180;
-constexpr double kRadius = 3;
 // mm: meeting a wall within the tolerance of offsets, far below what the output can tell.
 constexpr double kGap = 2e-6;
 constexpr int kRandomFronts = 500;
-
-double uniform(std::mt19937& random, double low, double high) {
-  return low + (high - low) * static_cast<double>(random()) / std::mt19937::max();
-}
 
 void expect_tangent(const std::vector<Segment>& moves) {
   for (std::size_t i = 1; i < moves.size(); ++i) {

@@ -9,13 +9,13 @@
 #include <vector>
 
 #include "geometry/shapes.h"
+#include "judge/numbers.h"
 
 namespace evenload {
 namespace {
 
 using shapes::rectangle;
 
-constexpr double kRadius = 3;
 constexpr int kMostPasses = 50;
 
 // The same laws as those of WallSamples, but every question goes through all the samples.

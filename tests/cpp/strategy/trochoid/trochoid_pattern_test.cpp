@@ -18,7 +18,6 @@
 namespace evenload {
 namespace {
 
-constexpr double kDegree = kPi / 180;
 constexpr TrochoidKind kKinds[] = {TrochoidKind::kConstantEngagement, TrochoidKind::kCircular,
                                    TrochoidKind::kCycloid};
 
