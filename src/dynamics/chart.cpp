@@ -71,9 +71,15 @@ StabilityChart::StabilityChart(const Milling& milling, MdbmAxis speeds, MdbmAxis
       mdbm_(problem_of(milling, speeds, depths, threads_)) {}
 
 std::vector<StabilityChart::Curve> StabilityChart::curves(Progress& progress) const {
+  struct Stretch {
+    std::size_t curve, first, last;
+  };
   std::vector<Curve> result;
+  std::vector<Stretch> stretches;  // of all curves: short ones would leave threads without work
   for (const std::vector<double>& line : evenload::curves(mdbm_)) {
     const std::size_t count = line.size() / 2;
+    for (std::size_t first = 0; first < count; first += kStretch)
+      stretches.push_back({result.size(), first, std::min(first + kStretch, count) - 1});
     Curve curve;
     curve.kinds.resize(count);
     curve.chatter_frequencies.resize(count);
@@ -81,14 +87,14 @@ std::vector<StabilityChart::Curve> StabilityChart::curves(Progress& progress) co
       curve.speeds.push_back(line[2 * i]);
       curve.depths.push_back(line[2 * i + 1]);
     }
-    parallel_for((count + kStretch - 1) / kStretch, threads_,
-                 [&](std::size_t number) {
-                   const std::size_t first = number * kStretch;
-                   describe(milling_, first, std::min(first + kStretch, count) - 1, curve);
-                 },
-                 progress);
     result.push_back(std::move(curve));
   }
+  parallel_for(stretches.size(), threads_,
+               [&](std::size_t number) {
+                 const Stretch& at = stretches[number];
+                 describe(milling_, at.first, at.last, result[at.curve]);
+               },
+               progress);
   return result;
 }
 

@@ -26,7 +26,7 @@ class StabilityChart {
   // above 0 and for negative depths. threads: 0 = as many as the machine has.
   StabilityChart(const Milling& milling, MdbmAxis speeds, MdbmAxis depths, int threads);
 
-  void begin(Progress& progress) { mdbm_.begin(progress); }
+  void begin(Progress& progress, int every = 1) { mdbm_.begin(progress, every); }
   void halve(Progress& progress) { mdbm_.halve(progress); }
   const Mdbm& mdbm() const { return mdbm_; }
   std::vector<Curve> curves(Progress& progress) const;

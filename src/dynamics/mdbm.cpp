@@ -3,6 +3,7 @@
 #include <Eigen/Dense>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "support/demand.h"
 #include "support/parallel.h"
@@ -141,8 +142,23 @@ bool Mdbm::is_kept(const Index& cell) const {
          std::all_of(xi, xi + axes(), [](double x) { return std::abs(x) <= kNear; });
 }
 
-// Keeps those of the candidates that hold the set, and all that are found from them on.
-void Mdbm::judge(std::vector<Index> candidates, Progress& progress) {
+// Keeps those of the candidates, `width` wide, that hold the set, and all that are found from them
+// on. Where it is cancelled all stays as it was.
+void Mdbm::judge(std::vector<Index> candidates, std::int64_t width, Progress& progress) {
+  const std::int64_t before = std::exchange(stride_, width);
+  try {
+    std::vector<Index> kept = all_that_hold(std::move(candidates), progress);
+    std::sort(kept.begin(), kept.end());
+    cells_ = std::move(kept);
+  } catch (...) {
+    stride_ = before;
+    throw;
+  }
+  drop_poles();
+  evaluations_.push_back(static_cast<std::int64_t>(nodes_.size()) + looks_between_);
+}
+
+std::vector<Mdbm::Index> Mdbm::all_that_hold(std::vector<Index> candidates, Progress& progress) {
   CellSet seen;
   std::vector<Index> kept;
   for (const Index& cell : candidates) seen.emplace(cell, true);
@@ -163,38 +179,38 @@ void Mdbm::judge(std::vector<Index> candidates, Progress& progress) {
     }
     candidates = std::move(next);
   }
-  std::sort(kept.begin(), kept.end());
-  cells_ = std::move(kept);
-  drop_poles();
-  evaluations_.push_back(static_cast<std::int64_t>(nodes_.size()) + looks_between_);
+  return kept;
 }
 
-void Mdbm::begin(Progress& progress) {
+void Mdbm::begin(Progress& progress, int every) {
+  const std::int64_t width = std::int64_t{every} << kMostHalvings;
   std::vector<Index> all{Index{}};
   for (int a = 0; a < axes(); ++a) {
+    const int cells = problem_.axes[static_cast<std::size_t>(a)].cells;
+    demand(every >= 1 && cells % every == 0,
+           "A first look at every so manieth line of the grid needs a number that divides the cells.");
     const std::vector<Index> before = std::move(all);
     all.clear();
     for (Index cell : before)
-      for (int i = 0; i < problem_.axes[static_cast<std::size_t>(a)].cells; ++i) {
-        cell[a] = i * stride_;
+      for (int i = 0; i < cells / every; ++i) {
+        cell[a] = i * width;
         all.push_back(cell);
       }
   }
-  judge(std::move(all), progress);
+  judge(std::move(all), width, progress);
 }
 
 void Mdbm::halve(Progress& progress) {
   demand(stride_ > 1, "The bisection cannot halve its cells more than twenty times.");
   std::vector<Index> children;
-  stride_ /= 2;
   for (const Index& cell : cells_)
-    for (int number = 0; number < 1 << axes(); ++number) children.push_back(corner(cell, number));
-  try {
-    judge(std::move(children), progress);
-  } catch (...) {
-    stride_ *= 2;
-    throw;
-  }
+    for (int number = 0; number < 1 << axes(); ++number) {
+      Index child = cell;
+      for (int a = 0; a < axes(); ++a)
+        if (number >> a & 1) child[a] += stride_ / 2;
+      children.push_back(child);
+    }
+  judge(std::move(children), stride_ / 2, progress);
 }
 
 std::vector<double> Mdbm::points() const {

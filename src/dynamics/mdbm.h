@@ -50,8 +50,9 @@ class Mdbm {
   explicit Mdbm(MdbmProblem problem);
 
   // Evaluates the first grid; then each call halves the cells. Throws Cancelled where `progress`
-  // says so, and keeps what it has.
-  void begin(Progress& progress);
+  // says so, and keeps what it has. With `every` above 1, which must divide the axes' cells, begin
+  // takes each so manieth of the grid's lines, for a quick look before begin at 1 takes them all.
+  void begin(Progress& progress, int every = 1);
   void halve(Progress& progress);
 
   int axes() const { return static_cast<int>(problem_.axes.size()); }
@@ -88,7 +89,8 @@ class Mdbm {
   bool is_pole(std::vector<Index> cells, int equation);
   void drop_poles();
   bool is_pole(const Index& cell, int equation);
-  void judge(std::vector<Index> candidates, Progress& progress);
+  void judge(std::vector<Index> candidates, std::int64_t width, Progress& progress);
+  std::vector<Index> all_that_hold(std::vector<Index> candidates, Progress& progress);
 
   MdbmProblem problem_;
   std::int64_t stride_;

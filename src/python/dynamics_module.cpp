@@ -97,12 +97,12 @@ void bind_chart(py::module_& m) {
           py::arg("milling"), py::arg("speeds"), py::arg("depths"), py::arg("threads"))
       .def(
           "begin",
-          [](StabilityChart& chart, const Callback& progress) {
+          [](StabilityChart& chart, const Callback& progress, int every) {
             Progress asked = progress_of(progress);
             const py::gil_scoped_release unlocked;
-            chart.begin(asked);
+            chart.begin(asked, every);
           },
-          py::arg("progress"))
+          py::arg("progress"), py::arg("every") = 1)
       .def(
           "halve",
           [](StabilityChart& chart, const Callback& progress) {

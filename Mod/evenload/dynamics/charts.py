@@ -1,5 +1,6 @@
 """Stability charts, by multipliers or in the frequency domain."""
 
+import functools
 import math
 import time
 
@@ -10,6 +11,7 @@ from evenload.dynamics.modes import core, rpm
 KINDS = ("Hopf", "flip", "fold")
 METHODS = ("semi-discretisation", "multi-frequency", "zeroth-order")
 FIRST_CELLS = 64, 32  # of speeds and depths, by default
+FIRST_LOOK = 2  # each second line of the first grid is enough for a first picture
 FREQUENCY_CELLS = (20, 12, 8)  # speed, depth and frequency, of the multi-frequency solution
 HARMONICS = 8
 LOBE_POINTS = 4000
@@ -75,17 +77,16 @@ def levels(milling, speeds, depths, tolerance, threads, progress, only_last=Fals
     milling._demand_modes("A chart by multipliers")
     speeds, depths = axis_of(speeds, "speeds"), axis_of(depths, "depths", FIRST_CELLS[1])
     milling.check_depth(depths[1])
-    halvings = _halvings(speeds[2], tolerance)
     start = time.perf_counter()
     work = core().StabilityChart(milling.in_si(), *_in_si(speeds, depths), threads)
-    told = _Told(progress, halvings + 2)
-    for level in range(halvings + 1):
-        told.part = level
-        if level == 0:
-            work.begin(told.callback)
-        else:
-            work.halve(told.callback)
-        if only_last and level < halvings:
+    steps = [work.begin] + [work.halve] * _halvings(speeds[2], tolerance)
+    if not only_last and speeds[2] % FIRST_LOOK == depths[2] % FIRST_LOOK == 0:
+        steps.insert(0, functools.partial(work.begin, every=FIRST_LOOK))
+    told = _Told(progress, len(steps) + 1)
+    for number, step in enumerate(steps):
+        told.part = number
+        step(told.callback)
+        if only_last and number < len(steps) - 1:
             continue
         found = Chart(milling, speeds, depths, "semi-discretisation")
         for n, a, kinds, frequencies in work.curves(told.callback):

@@ -174,7 +174,8 @@ class Milling:
         return charts.chart(self, speeds, depths, method, tolerance, **options)
 
     def chart_levels(self, speeds, depths, tolerance=1 / 512, threads=0, progress=None):
-        """The same chart by multipliers, yielded after the first grid and after each halving."""
+        """The same chart by multipliers, yielded after a look at each second line of the first grid
+        (where its cells are even in number), after the grid and after each halving."""
         return charts.levels(self, speeds, depths, tolerance, threads, progress)
 
     # ---- forced vibration ----

@@ -208,6 +208,24 @@ TEST(Mdbm, StopsWhereItIsCancelledAndKeepsWhatItHas) {
   EXPECT_EQ(mdbm.points(), found(kSquare, 2, circle).points());
 }
 
+TEST(Mdbm, LooksAtEverySecondLineFirstAndThenFindsWhatItWouldHave) {
+  Mdbm mdbm({kSquare, 1, false, circle, 2});
+  Progress progress;
+  mdbm.begin(progress, 2);
+  const std::int64_t first = mdbm.evaluations().back();
+  EXPECT_FALSE(mdbm.points().empty());
+  Progress cancelled([](double) { return false; });
+  const std::vector<double> points = mdbm.points();
+  EXPECT_THROW(mdbm.begin(cancelled), Cancelled);
+  EXPECT_EQ(mdbm.points(), points);
+  mdbm.begin(progress);
+  const Mdbm at_once = found(kSquare, 0, circle);
+  EXPECT_EQ(mdbm.points(), at_once.points());
+  EXPECT_EQ(mdbm.evaluations().back(), at_once.evaluations().back());
+  EXPECT_LT(2 * first, mdbm.evaluations().back());
+  EXPECT_THROW(mdbm.begin(progress, 3), std::invalid_argument);
+}
+
 TEST(Mdbm, RefusesBoxesThatAreNone) {
   EXPECT_THROW(found({}, 1, circle), std::invalid_argument);
   EXPECT_THROW(found({{1, 1, 4}, {0, 1, 4}}, 1, circle), std::invalid_argument);
