@@ -17,6 +17,7 @@
 #include "python/clearing_params.h"
 #include "python/dynamics_module.h"
 #include "python/engagement_profile.h"
+#include "python/findings.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
 #include "python/lame_module.h"
@@ -177,7 +178,9 @@ PYBIND11_MODULE(_core, m) {
       .def_readonly("passes", &Report::passes)
       .def_readonly("links", &Report::links)
       .def_readonly("retracts", &Report::retracts)
-      .def_readonly("notes", &Report::notes);
+      .def_property_readonly(
+          "findings", [](const Report& r) { return findings_for_python(r.findings); },
+          "what was not done, where and why: (code, (x, y) or None, numbers) each");
 
   py::class_<Toolpath>(m, "Toolpath")
       .def_property_readonly(

@@ -1,10 +1,10 @@
 // What generators return: moves with feeds, and what was and was not done.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "geometry/vec2.h"
+#include "toolpath/finding.h"
 
 namespace evenload {
 
@@ -21,7 +21,7 @@ struct Move {
 
 enum class Termination {
   kComplete,    // everything within reach is cleared
-  kIncomplete,  // usable, but something was left: see notes
+  kIncomplete,  // usable, but something was left: see findings
   kCancelled,   // what existed when the user stopped it
 };
 
@@ -38,7 +38,7 @@ struct Report {
   int passes = 0;
   int links = 0;
   int retracts = 0;
-  std::vector<std::string> notes;  // what was not done, where, why
+  std::vector<Finding> findings;  // what was not done, where, why
 };
 
 struct Toolpath {

@@ -31,8 +31,8 @@ COURSES = ("semi_axis_a_course", "semi_axis_b_course", "exponent_course")
 MOST_PIECES = 6  # of a course
 RESTING = 0.2  # of its pieces
 ON_HULL = 1e-9  # mm
-REDUCED_FEED = "Cut at reduced feed"
-NO_HOLE = "does not hold the pre-drilled hole, was left uncut"
+REDUCED_FEED = ("passage_reduced", "passage_reduced_too_narrow")
+NO_HOLE = "region_without_hole"
 THIN_WALL = 0.005  # mm: walls narrower than twice this do not count
 LEAST_PIECE = 1e-6  # mm2: less is rounding
 
@@ -204,31 +204,31 @@ def pieces(shape):
     return [piece for piece in getattr(shape, "geoms", [shape]) if piece.area > LEAST_PIECE]
 
 
-def slotted_passages(notes):
-    """How many passages were cut as wide as the tool; each has a note."""
-    return sum(note.startswith(REDUCED_FEED) for note in notes)
+def slotted_passages(findings):
+    """How many passages were cut as wide as the tool; findings: the codes of a report."""
+    return sum(code in REDUCED_FEED for code in findings)
 
 
-def is_slotted(notes):
+def is_slotted(findings):
     """True where passages were cut as wide as the tool, which is neither climb nor conventional."""
-    return slotted_passages(notes) > 0
+    return slotted_passages(findings) > 0
 
 
-def limits_for(case, notes, limits):
-    """Those of the limits that apply to what was chosen; notes: those of the report."""
+def limits_for(case, findings, limits):
+    """Those of the limits that apply to what was chosen; findings: the codes of a report."""
     chosen = case.get("choices", {})
     without = set()
     if "feed_control" in chosen:
         without.add("rate")
     if chosen.get("narrow_passages") == "skip and report":
         without.add("rest")
-    if is_slotted(notes):
+    if is_slotted(findings):
         without.add("over")
     if not chosen.get("arcs", True):
         without.add("kinks")
-    if any(NO_HOLE in note for note in notes):
+    if NO_HOLE in findings:
         without.add("rest")
     kept = {name: limit for name, limit in limits.items() if name not in without}
     if "entry" in kept:  # the room behind each such passage has an entry of its own
-        kept["entry"] *= 1 + slotted_passages(notes)
+        kept["entry"] *= 1 + slotted_passages(findings)
     return kept

@@ -79,7 +79,7 @@ def judge(case, twice):
     if not path.moves:
         skipped = case.get("choices", {}).get("narrow_passages") == "skip and report"
         return {"refused": "all of it is narrow"} if skipped else {"wrong": "no path"}
-    answer = {"compute": compute, "notes": list(path.report.notes)}
+    answer = {"compute": compute, "findings": [code for code, _, _ in path.report.findings]}
     answer["figures"] = figures_of(case, path, scene)
     above = [fault.split()[0] for fault in faults(case, answer)]
     if set(above) & set(figures.MEANS):
@@ -122,10 +122,10 @@ def faults(case, answer):
     limits = LIMITS if case.get("operation", "adaptive") == "adaptive" else {**LIMITS, **STRICTER}
     found = [
         "%s %.4g above %g" % (name, answer["figures"][name], limit)
-        for name, limit in choices.limits_for(case, answer["notes"], limits).items()
+        for name, limit in choices.limits_for(case, answer["findings"], limits).items()
         if not answer["figures"][name] <= limit
     ]
-    slotted = choices.is_slotted(answer["notes"])
+    slotted = choices.is_slotted(answer["findings"])
     if answer["figures"]["climb"] < LEAST_CLIMB and not slotted:
         found.append("climb %.4g below %g" % (answer["figures"]["climb"], LEAST_CLIMB))
     if answer["compute"] > SECONDS:

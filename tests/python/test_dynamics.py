@@ -94,7 +94,7 @@ def test_threads_give_the_same_chart():
 def test_levels_come_one_by_one_and_can_be_cancelled():
     levels = list(case("half_down").chart_levels((5000, 25000, 16), (0.1, 4, 8), 1 / 64))
     assert len(levels) == 4  # half of the first grid's lines, the grid, two halvings
-    at_once = case("half_down").chart((5000, 25000, 16), (0.1, 4, 8), 1 / 64)
+    at_once = case("half_down").chart((5000, 25000, 16), (0.1, 4, 8), tolerance=1 / 64)
     assert levels[-1].evaluations == at_once.evaluations
     counts = [level.evaluations for level in levels]
     assert counts == sorted(set(counts))

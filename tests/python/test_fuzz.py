@@ -26,8 +26,8 @@ pytestmark = pytest.mark.core
 FINE = {**{name: 0.0 for name in fuzz.LIMITS}, "climb": 1.0, "ratio": 1.1}
 
 
-def faults(figures, case=None, compute=1.0, notes=()):
-    answer = {"figures": {**FINE, **figures}, "compute": compute, "notes": list(notes)}
+def faults(figures, case=None, compute=1.0, findings=()):
+    answer = {"figures": {**FINE, **figures}, "compute": compute, "findings": list(findings)}
     return fuzz.faults(case or {}, answer)
 
 
@@ -93,7 +93,7 @@ def test_figures_that_do_not_apply_to_a_choice_are_not_judged():
     assert fault.startswith("rest")
     (fault,) = faults(high, {"choices": {"narrow_passages": "skip and report"}})
     assert fault.startswith("rate")
-    (fault,) = faults(high, {}, notes=["The region near (1, 2), which %s: do." % choices.NO_HOLE])
+    (fault,) = faults(high, {}, findings=[choices.NO_HOLE])
     assert fault.startswith("rate")
 
 
@@ -153,19 +153,19 @@ def test_what_fuzzing_found_stays_mended(name):
 
 def test_places_cut_at_a_reduced_feed_may_exceed_the_angle_but_not_the_rate():
     limits = {"over": 2, "rate": 1.05, "rest": 0.05}
-    note = "Cut at reduced feed, too narrow for trochoids: the passage near (1, 2)."
-    assert choices.limits_for({}, [note], limits) == {"rate": 1.05, "rest": 0.05}
-    assert choices.limits_for({}, ["Turned more tightly."], limits) == limits
-    assert not faults({"climb": 0.9}, notes=[note])
-    assert faults({"climb": 0.9}, notes=["Turned more tightly."])
+    code = "passage_reduced_too_narrow"
+    assert choices.limits_for({}, [code], limits) == {"rate": 1.05, "rest": 0.05}
+    assert choices.limits_for({}, ["tight_turns"], limits) == limits
+    assert not faults({"climb": 0.9}, findings=[code])
+    assert faults({"climb": 0.9}, findings=["tight_turns"])
 
 
 def test_rooms_joined_by_passages_at_a_reduced_feed_may_have_an_entry_each():
-    note = "Cut at reduced feed: the passage near (1, 2), 6.01 mm wide at its narrowest."
+    code = "passage_reduced"
     assert choices.limits_for({}, [], {"entry": 2.0}) == {"entry": 2.0}
-    assert choices.limits_for({}, [note] * 3, {"entry": 2.0}) == {"entry": 8.0}
+    assert choices.limits_for({}, [code] * 3, {"entry": 2.0}) == {"entry": 8.0}
     assert faults({"entry": 2.01})
-    assert not faults({"entry": 2.01}, notes=[note])
+    assert not faults({"entry": 2.01}, findings=[code])
 
 
 def test_corners_of_the_centres_are_counted_where_walls_have_them_and_between_islands():

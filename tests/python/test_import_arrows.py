@@ -28,7 +28,7 @@ ARROWS = {
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
-    *("planar", "tool", "waiting", "window", "words"),
+    *("findings", "planar", "tool", "waiting", "window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
 DOORS = {"__init__", "batch", "job_simulation", "job_stability", "proof", "simulation_pictures"}

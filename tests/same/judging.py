@@ -46,7 +46,7 @@ def that_apply(case, results, found):
 
     limits = fuzz.LIMITS
     for result in results:
-        limits = choices.limits_for(case, result.get("notes", ()), limits)
+        limits = choices.limits_for(case, result.get("findings", ()), limits)
     without = set(fuzz.LIMITS) - set(limits)
     return [name for name in max(found, key=len) if name not in without]
 

@@ -316,7 +316,7 @@ class Operation(host.operation_base()):
         obj.RemovedVolume = report.removed_volume
         obj.UncutArea = report.uncut_area
         obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.Report = "\n".join(told(note) for note in [*done.notes, *report.notes])
+        obj.Report = "\n".join(told(note) for note in done.notes)
         for name, value in done.own.items():
             self._quietly(obj, name, value)
 

@@ -7,6 +7,7 @@ cleared. Any other is cut as if nothing had been cut before; where something has
 
 from dataclasses import dataclass, field, replace
 
+from evenload import findings
 from evenload.geometry.floor import LEAST_OVERLAP, SAME_HEIGHT, face_of
 from evenload.operations import checks
 from evenload.words import listed
@@ -48,7 +49,6 @@ class JoinedReport:
 
     termination: str
     max_engagement: float  # rad
-    notes: list
     cutting_time: float = 0.0  # s
     ideal_time: float = 0.0
     removed_volume: float = 0.0  # mm3
@@ -109,12 +109,10 @@ def joined(cuts):
         return cuts[0].toolpath
     paths = [cut.toolpath for cut in cuts]
     reports = [path.report for path in paths]
-    notes = [note for cut in cuts for note in _notes(cut)]
     incomplete = (r.termination for r in reports if r.termination != COMPLETE)
     report = JoinedReport(
         next(incomplete, COMPLETE),
         max(r.max_engagement for r in reports),
-        list(dict.fromkeys(notes)),
         **{name: sum(getattr(r, name) for r in reports) for name in SUMS},
     )
     report.retracts += max(0, sum(1 for path in paths if len(path)) - 1)
@@ -122,7 +120,12 @@ def joined(cuts):
 
 
 def notes(cuts):
-    """What Report says of floors that are cut to different depths."""
+    """What Report says of floors that are cut to different depths, and of what the core found."""
+    found = [note for cut in cuts for note in _found(cut, len(cuts) > 1)]
+    return _depths_of_floors(cuts), list(dict.fromkeys(found))
+
+
+def _depths_of_floors(cuts):
     depths = _distinct(cut.levels[-1] for cut in cuts)
     if len(depths) < 2:
         return []
@@ -136,10 +139,12 @@ def notes(cuts):
     ]
 
 
-def _notes(cut):
-    """A toolpath's notes; where nothing is cut they say of what."""
-    said = list(cut.toolpath.report.notes)
-    return said if len(cut.toolpath) else ["%s: %s" % (_names(cut.floors), n) for n in said]
+def _found(cut, is_one_of_several):
+    """Sentences on a toolpath; where nothing is cut of one of several they say of which."""
+    said = findings.sentences(cut.toolpath.report.findings)
+    if len(cut.toolpath) or not is_one_of_several:
+        return said
+    return ["%s: %s" % (_names(cut.floors), sentence) for sentence in said]
 
 
 def _names(floors):

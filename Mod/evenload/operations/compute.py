@@ -28,7 +28,7 @@ class Computation:
     tool: object  # tool.Tool
     data: object  # tool.CuttingData
     hole: tuple  # (x, y, diameter) in mm, or None
-    notes: list  # sentences for the report, before the core's own
+    notes: list  # sentences for the report
     own: dict  # {name: value} of results and fitted settings of its kind of operation
 
 
@@ -66,8 +66,9 @@ def run(proxy, obj):
         raise Cancelled(_area_in_reach(obj, core, tool, regions))
     toolpath = by_depth.joined(cuts)
     _check_entries(tool, toolpath)
-    notes += _spindle_notes(obj, data) + by_depth.notes(cuts) + _floor_notes(floors)
-    notes += stock_checks.notes_of(obj) + force.notes(obj, tool)
+    of_depths, found = by_depth.notes(cuts)
+    notes += _spindle_notes(obj, data) + of_depths + _floor_notes(floors)
+    notes += stock_checks.notes_of(obj) + force.notes(obj, tool) + found
     own = proxy.results_of(cuts)
     return Computation(floors, regions, cuts, toolpath, tool, data, hole, notes, own)
 

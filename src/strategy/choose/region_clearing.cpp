@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 #include <utility>
 
 #include "feed/load_profile.h"
@@ -98,16 +96,11 @@ class RegionClearing {
   void report_uncut() {
     if (!leftover_.prepared()) prepare_leftover();
     result_.uncut_area = leftover_.area(ground_);
-    if (result_.uncut_area > 0) {
-      const Vec2 at = shown(*leftover_.place());
-      std::ostringstream note;
-      note << std::fixed << std::setprecision(2) << "Left uncut: " << result_.uncut_area
-           << " mm² near (" << at.x << ", " << at.y << "), "
-           << (params_.wall_pass
-                   ? "where the tool has too little room to turn within the engagement limit."
-                   : "for the turned-off WallPass, or where the tool has too little room to turn.");
-      result_.notes.push_back(note.str());
-    }
+    if (result_.uncut_area > 0)
+      result_.findings.push_back(
+          {params_.wall_pass ? FindingCode::kLeftUncut : FindingCode::kLeftWithoutWallPass,
+           shown(*leftover_.place()),
+           {result_.uncut_area}});
   }
 
   // Whether the walls are so close together that no wished turn fits. In corners none does, and
@@ -249,7 +242,7 @@ class RegionClearing {
                             "The pre-drilled hole is too tight to start from: drill it wider, or "
                             "choose the entry 'Automatic' or 'Helix'.");
       result_.runs.clear();
-      result_.notes.push_back("The pre-drilled hole is too tight to start from: it was not used.");
+      result_.findings.push_back({FindingCode::kHoleTooTight});
     }
     if (params_.entry == EntryKind::kPredrilledHole) {
       samples_.update(everywhere.low, everywhere.high);
@@ -316,12 +309,11 @@ class RegionClearing {
     std::optional<Entry> entry = descend_within(exact_, room, params_);
     if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
-      result_.notes.push_back("No helix fits: the tool comes down along a ramp instead.");
+      result_.findings.push_back({FindingCode::kRampForHelix});
     if (params_.entry == EntryKind::kRamp && choice_.leads_nowhere(*entry))
       if (std::optional<Entry> helix = helix_within(exact_, room, params_)) {
         entry = std::move(helix);
-        result_.notes.push_back(
-            "No cut leads on from a ramp: the tool comes down by a helix instead.");
+        result_.findings.push_back({FindingCode::kHelixForRamp});
       }
     // Who asks for a helix shall have the one that was asked for, where it fits.
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||

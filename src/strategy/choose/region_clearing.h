@@ -4,7 +4,6 @@
 
 #include <functional>
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -12,6 +11,7 @@
 #include "strategy/task/clearing_params.h"
 #include "strategy/task/turn_report.h"
 #include "support/progress.h"
+#include "toolpath/finding.h"
 #include "toolpath/planar.h"
 
 namespace evenload {
@@ -22,7 +22,7 @@ struct RegionResult {
   int passes = 0;
   int links = 0;
   TightTurns tight_turns;
-  std::vector<std::string> notes;
+  std::vector<Finding> findings;
 };
 
 struct RegionTask {
@@ -36,7 +36,7 @@ struct RegionTask {
   bool stretch_helix = false;
   bool round_helix = false;  // not stretched at all: other entries clear enough
   bool is_part = false;      // more is cleared later: what is left is neither measured nor noted
-  bool mirrored = false;     // places named in notes and errors are to be mirrored back
+  bool mirrored = false;     // places of findings and errors are to be mirrored back
   // Where links may go: a superset of `centres` whose border are the walls; empty: `centres`.
   std::vector<Region> around;
   // Made already, elsewhere; with a pre-drilled hole elsewhere they are the way in.

@@ -92,10 +92,7 @@ LameParams without_straight_courses(LameParams p) {
 
 void leave_rest(const LameOpening& opening, RegionResult& result) {
   result.uncut_area = std::max(0.0, opening.reached_area - opening.cleared_area);
-  std::ostringstream note;
-  note << std::fixed << std::setprecision(1) << "Left uncut: " << result.uncut_area
-       << " mm² that the spiral does not reach, for Rest is 'Leave'.";
-  result.notes.push_back(note.str());
+  result.findings.push_back({FindingCode::kLeftBesideSpiral, {}, {result.uncut_area}});
 }
 
 // mm^2 that the tool reaches at all.
@@ -109,7 +106,7 @@ double reached_area(const std::vector<Region>& regions, const ClearingParams& cl
 
 // Regions with narrow passages are cleared without an opening: `reached` mm^2 is of the others, and
 // becomes that of all.
-void note_missing_spirals(const std::vector<Region>& regions, const ClearingParams& clearing,
+void tell_missing_spirals(const std::vector<Region>& regions, const ClearingParams& clearing,
                           double& reached, LameToolpath& result) {
   const bool left = clearing.entry == EntryKind::kPredrilledHole && regions.size() > 1;
   const bool open = std::any_of(regions.begin(), regions.end(), [](const Region& region) {
@@ -123,10 +120,8 @@ void note_missing_spirals(const std::vector<Region>& regions, const ClearingPara
   } else if (result.figures) {
     return;
   }
-  result.report.notes.push_back(
-      std::string(result.figures ? "A region has no spiral" : "No spiral was made") +
-      ": with narrow passages it is cleared at constant engagement; set NarrowPassages to 'Skip "
-      "and report' for a spiral.");
+  result.report.findings.push_back(
+      {result.figures ? FindingCode::kRegionWithoutSpiral : FindingCode::kNoSpiral});
 }
 
 // Of several regions the one that is refused is named.
@@ -178,13 +173,11 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
   finer.feed_steps = kSpiralFeedSteps;
   static_cast<Toolpath&>(result) = clear_by(clearer, regions, finer, progress);
   if (!progress.cancelled() && clearing.narrow_passages != NarrowPassages::kSkip)
-    note_missing_spirals(regions, clearing, reached, result);
+    tell_missing_spirals(regions, clearing, reached, result);
   if (clearing.feed_control == FeedControl::kConstantFeed &&
       result.report.termination == Termination::kComplete &&
       result.report.cutting_time > kSlow * result.report.ideal_time)
-    result.report.notes.push_back(
-        "At a constant feed the uneven turns of this spiral are slow: the feed control 'Constant "
-        "removal rate' or the operation Adaptive is faster.");
+    result.report.findings.push_back({FindingCode::kSlowSpiral});
   result.cleared_share = reached > 0 ? by_spirals / reached : 0;
   return result;
 }

@@ -175,8 +175,7 @@ class Opening {
       first.radius = helix_radius(params_, {first.centre, room});
       // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
       if (params_.entry == EntryKind::kRamp)
-        made_.result.notes.push_back(
-            "Entry is a helix, not a ramp: in this pocket the spiral begins as a circle.");
+        tell(FindingCode::kHelixForSpiral);
     }
     if (shapes_.has_wished_size() &&
         std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
@@ -249,7 +248,7 @@ class Opening {
   void check_share(double share) {
     if (share >= kLeastShare) return;
     if (!shapes_.has_wished_size()) refuse(small_share_sentence(share, lame_));
-    made_.result.notes.push_back(small_size_note(share));
+    tell(FindingCode::kSpiralOfSetSize, share);
   }
 
   void begin_run(const Descent& descent) {
@@ -281,8 +280,9 @@ class Opening {
     return std::max(0.5 * params_.hole_diameter - radius_, kTightestCircle * radius_);
   }
 
-  void note_unused_hole(const std::string& reason) {
-    made_.result.notes.push_back("The pre-drilled hole was not used: " + reason + ".");
+  void tell(FindingCode code) { made_.result.findings.push_back({code}); }
+  void tell(FindingCode code, double number) {
+    made_.result.findings.push_back({code, {}, {number}});
   }
 
   // Clears a region of tool centres at constant engagement, as the way to the spiral.
@@ -295,12 +295,13 @@ class Opening {
         throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*first.hole),
                             kHoleBesideChannel);
       first.hole.reset();
-      note_unused_hole("a spiral around an island begins beside its wall");
+      tell(FindingCode::kHoleBesideIsland);
     }
     Progress half([&](double done) { return progress_.report(kFirstHalf * done); });
-    std::vector<std::string> notes = std::move(made_.result.notes);
+    const std::vector<Finding> before = std::move(made_.result.findings);
     made_.result = clear_region(first, beside_spiral(params_), half);
-    for (std::string& note : notes) made_.result.notes.push_back(std::move(note));
+    std::vector<Finding>& found = made_.result.findings;
+    found.insert(found.end(), before.begin(), before.end());
     made_.result.uncut_area = 0;  // of the first region only: told of at the end
     for (const PlanarRun& run : made_.result.runs) {
       add_descent(run.descent, ground_);
@@ -319,11 +320,11 @@ class Opening {
                                 growth.growth.stages.front().from.exponent, turns.largest_pitch};
     if (!lame_.exponent_course.empty() &&
         growth.growth.stages.front().from.exponent == growth.growth.stages.back().to.exponent)
-      made_.result.notes.push_back(kIdleCourse);
+      tell(FindingCode::kIdleCourse);
     if (const double radius = tightest(turns.moves); radius < (1 - kRadius) * wished_radius(growth))
-      made_.result.notes.push_back(tight_turn_note(radius));
+      tell(FindingCode::kTightSpiral, radius);
     if (lame_.pitch && turns.smallest_pitch < *lame_.pitch * (1 - 1e-6))
-      made_.result.notes.push_back(small_pitch_note(turns.smallest_pitch));
+      tell(FindingCode::kSmallPitch, turns.smallest_pitch);
   }
 
   // mm: what the turns' arcs must have, unless the first curve is tighter itself, as an entry may
@@ -388,7 +389,7 @@ void Opening::clear_stock_around_island() {
     refuse(kKinds);
   if (task_.hole && params_.entry == EntryKind::kPredrilledHole)
     throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleAtIsland);
-  if (task_.hole) note_unused_hole("a spiral around an island in open stock comes from outside");
+  if (task_.hole) tell(FindingCode::kHoleInOpenStock);
   const std::vector<LameCurve> lasts =
       last_curves(task_.centres.islands.front().reversed(), LameSide::kAround);
   Region around = stock();
@@ -460,7 +461,7 @@ void Opening::clear_ring() {
   check_share(with_channel_to(growth.growth.stages.back().to));
   const double by_spiral = by_spiral_to(growth.growth);
   if (by_spiral < kLeastRingShare) refuse(small_share_sentence(by_spiral, lame_));
-  if (by_spiral < kLeastShare) made_.result.notes.push_back(channel_note(by_spiral));
+  if (by_spiral < kLeastShare) tell(FindingCode::kSpiralAfterChannel, by_spiral);
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
   if (progress_.cancelled() || made_.result.runs.empty()) return;
   made_.cleared_area = outside - kept_area();

@@ -34,28 +34,4 @@ std::string small_share_sentence(double share, const LameParams& lame) {
   return "A Lamé spiral would clear only " + cleared + ": take the operation Adaptive.";
 }
 
-std::string small_size_note(double share) {
-  return "The spiral clears only " + part_of_pocket(share) + ", for SemiAxisA or SemiAxisB is set.";
-}
-
-std::string channel_note(double share) {
-  return "The spiral clears only " + part_of_pocket(share) +
-         ": the channel along its island, from which it begins, takes most of the rest.";
-}
-
-std::string small_pitch_note(double pitch) {
-  std::ostringstream note;
-  note << std::fixed << std::setprecision(3) << "Pitch is smaller than set in some turns, down to "
-       << pitch << " mm: the engagement angle allows no more there.";
-  return note.str();
-}
-
-std::string tight_turn_note(double radius) {
-  std::ostringstream note;
-  note << std::fixed << std::setprecision(3)
-       << "The spiral turns more tightly than MinimumRadius, down to " << radius
-       << " mm: raise ExponentStart or ExponentEnd, or make the courses more even.";
-  return note.str();
-}
-
 }  // namespace evenload

@@ -33,8 +33,6 @@ inline constexpr const char* kNoCourse =
 inline constexpr const char* kNoLoadOfCourse =
     "With these courses no Lamé spiral keeps to the engagement angle: make SemiAxisACourse, "
     "SemiAxisBCourse and ExponentCourse more even, or leave them empty.";
-inline constexpr const char* kIdleCourse =
-    "ExponentCourse changes nothing: the first and the last exponent are the same.";
 
 // Of pre-drilled holes.
 inline constexpr const char* kHoleOutside =
@@ -56,12 +54,5 @@ inline constexpr const char* kHoleAtIsland =
 std::string no_curve_sentence(const Curve& outline, const LameWishes& wishes);
 // Where the spiral would clear too small a share.
 std::string small_share_sentence(double share, const LameParams& lame);
-// The same where the set size is kept to.
-std::string small_size_note(double share);
-// Where turns are closer than the set pitch, down to `pitch` mm.
-std::string channel_note(double share);
-std::string small_pitch_note(double pitch);
-// Where a set exponent or course makes turns tighter than MinimumRadius, down to `radius` mm.
-std::string tight_turn_note(double radius);
 
 }  // namespace evenload

@@ -126,7 +126,7 @@ class PassageClearing {
     result_.passes += cleared.passes;
     result_.links += cleared.links;
     result_.tight_turns.add(cleared.tight_turns);
-    for (std::string& note : cleared.notes) result_.notes.push_back(std::move(note));
+    for (Finding& finding : cleared.findings) result_.findings.push_back(std::move(finding));
   }
 
   double share_done() const {

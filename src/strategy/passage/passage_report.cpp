@@ -2,15 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 
 #include "geometry/box_tree.h"
 #include "geometry/medial_axis.h"
 #include "strategy/choose/leftover.h"
 #include "strategy/places/area.h"
 #include "strategy/reach/entry.h"
+#include "strategy/task/mirror.h"
 #include "toolpath/helix.h"
 #include "toolpath/small_arc.h"
 
@@ -169,18 +168,14 @@ void tell(const std::vector<PassageReport>& passages, const ClearedGround& groun
   for (const PassageReport& passage : passages) {
     const double left = left_in(passage, ground);
     if (left == 0 && passage.feed == 0) continue;  // the tool has reached it from a room
-    std::ostringstream note;
-    note << std::fixed << std::setprecision(2);
-    note << (passage.feed > 0 ? "Cut at reduced feed" : "Skipped")
-         << (passage.no_turns ? ", too narrow for trochoids" : "") << ": the passage near ("
-         << (mirror ? -passage.at.x : passage.at.x) << ", " << passage.at.y << "), "
-         << passage.width << " mm wide at its narrowest";
-    if (passage.feed > 0)
-      note << ", with up to " << std::setprecision(0) << passage.engagement * 180 / kPi
-           << "° engaged, down to " << std::setprecision(1) << passage.feed << " mm/min";
-    if (left > 0) note << "; " << std::setprecision(2) << left << " mm² stay uncut there";
-    note << ".";
-    report.notes.push_back(note.str());
+    const bool is_cut = passage.feed > 0;
+    const FindingCode code =
+        passage.no_turns
+            ? (is_cut ? FindingCode::kPassageReducedTooNarrow : FindingCode::kPassageSkippedTooNarrow)
+            : (is_cut ? FindingCode::kPassageReduced : FindingCode::kPassageSkipped);
+    Finding finding{code, mirror ? mirrored(passage.at) : passage.at, {passage.width, left}};
+    if (is_cut) finding.numbers.insert(finding.numbers.end(), {passage.engagement, passage.feed});
+    report.findings.push_back(std::move(finding));
     report.uncut_area += left;
   }
 }

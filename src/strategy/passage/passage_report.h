@@ -1,7 +1,6 @@
 // Which passages of a pocket are narrow, and what the report says of them.
 #pragma once
 
-#include <string>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -50,7 +49,7 @@ void note_engagement(const std::vector<PlanarRun>& runs, const std::vector<LoadS
 // Notes the lowest feed in each passage.
 void note_feeds(const std::vector<PlanarRun>& runs, std::vector<PassageReport>& passages);
 
-// One sentence per passage; adds to `report` what is left in them. `ground`: cleared by the whole
+// One finding per passage; adds to `report` what is left in them. `ground`: cleared by the whole
 // path. `mirror`: the regions are mirror images.
 void tell(const std::vector<PassageReport>& passages, const ClearedGround& ground, bool mirror,
           Report& report);

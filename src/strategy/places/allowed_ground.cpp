@@ -2,9 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <optional>
-#include <sstream>
 
 #include "geometry/box_tree.h"
 #include "geometry/intersect.h"
@@ -183,12 +181,6 @@ std::vector<Region> grown_together(const std::vector<Region>& regions, double ro
 
 }  // namespace
 
-std::string near(Vec2 p) {
-  std::ostringstream text;
-  text << std::fixed << std::setprecision(2) << "near (" << p.x << ", " << p.y << ")";
-  return text.str();
-}
-
 std::vector<Region> bared(std::vector<Region> regions) {
   const auto bare = [](const Curve& curve) {
     std::vector<Vertex> vertices = curve.vertices();
@@ -212,7 +204,7 @@ bool has_open_edges(const std::vector<Region>& regions) {
 
 std::vector<Region> allowed_ground(const std::vector<Region>& regions, double tool_diameter,
                                    const std::function<Vec2(Vec2)>& shown,
-                                   std::vector<std::string>& notes) {
+                                   std::vector<Finding>& findings) {
   const double most = (1 + kOutsideRoom) * tool_diameter;
   std::vector<Roomy> grounds;
   for (const Region& region : regions) {
@@ -229,8 +221,8 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
       continue;
     }
     if (ground.room <= 0 && is_open_somewhere(ground.region))
-      notes.push_back("The open edges " + near(shown(first_open_place(ground.region.outer))) +
-                      " leave no clear room outside: they were taken for walls.");
+      findings.push_back({FindingCode::kOpenEdgesTakenForWalls,
+                          shown(first_open_place(ground.region.outer))});
     result.push_back(std::move(ground.ground));
   }
   if (open_all_round.empty()) return result;

@@ -2,9 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
-#include <string>
 
 #include "cutting/engagement.h"
 #include "feed/feed_control.h"
@@ -78,9 +75,8 @@ LevelTurn fastest_level_turn(const std::vector<PlanarRun>& runs, const ClearingP
   return fastest;
 }
 
-std::string place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample,
-                     const std::function<Vec2(Vec2)>& shown) {
-  return near(shown(runs[sample.run].moves[sample.move].segment.point(sample.t)));
+Vec2 place_of(const std::vector<PlanarRun>& runs, const LoadSample& sample) {
+  return runs[sample.run].moves[sample.move].segment.point(sample.t);
 }
 
 // Regions in which a pattern is repeated have steps of their own.
@@ -230,7 +226,6 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
   std::vector<PlanarRun> fed = runs;
   const std::vector<double> feed = set_load_by_region(fed, profile, params, progress);
   runs = std::move(fed);
-  std::ostringstream note;
   if (params.feed_control == FeedControl::kConstantRemovalRate) {
     const double nominal = params.feed * largest_chip_thickness(params.engagement_angle, 1);
     const auto chip = [&](std::size_t i) { return feed[i] * profile[i].chip / nominal; };
@@ -239,21 +234,17 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     const bool helix_is_worse = turn.run && turn.feed / nominal > chip(worst);
     const double thickest = helix_is_worse ? turn.feed / nominal : chip(worst);
     if (thickest > kThickChip)
-      note << "Chips get up to " << std::fixed << std::setprecision(2) << thickest
-           << " times as thick as in a straight cut at the engagement angle, "
-           << (helix_is_worse ? near(shown(turn.run->descent.centre))
-                              : place_of(whole, profile[worst], shown))
-           << ": lower MaximumFeed, or choose another FeedControl, where that is too much.";
+      report.findings.push_back({FindingCode::kThickChips,
+                                 shown(helix_is_worse ? turn.run->descent.centre
+                                                      : place_of(whole, profile[worst])),
+                                 {thickest}});
   } else if (params.feed_control == FeedControl::kConstantForce) {
     const auto share = [&](std::size_t i) { return profile[i].share; };
     const std::size_t worst = worst_of(profile, share);
     if (share(worst) >= 1 / kLeastForceFeed)
-      note << "No feed down to a tenth of the nominal keeps the force at that of a straight cut at "
-              "the engagement angle "
-           << place_of(whole, profile[worst], shown)
-           << ": raise EngagementAngle or HorizFeed, or choose another FeedControl.";
+      report.findings.push_back(
+          {FindingCode::kStrongForce, shown(place_of(whole, profile[worst]))});
   }
-  if (note.tellp() > 0) report.notes.push_back(note.str());
 }
 
 }  // namespace evenload

@@ -16,7 +16,7 @@ namespace evenload {
 LoadShare load_share(const ClearingParams& params, bool mirrored);
 
 // Sets every feed of `runs`, and splits moves where the feed changes. `profile`: made with
-// `load_share`; an empty one gives constant feeds. Adds to the report's notes what a user of the
+// `load_share`; an empty one gives constant feeds. Adds to the report's findings what a user of the
 // control should know: how thick chips get at a constant removal rate, and where a constant force
 // could not be held. `shown`: where a place of the path is shown to the user. Throws Cancelled by
 // the steps of `progress` that it makes; `runs` are as they were then.

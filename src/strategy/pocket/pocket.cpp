@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
 #include <sstream>
 #include <stdexcept>
 
@@ -180,7 +179,7 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
   const double radius = 0.5 * params.tool_diameter;
   Toolpath path;
   const std::vector<Region> allowed =
-      allowed_ground(regions, params.tool_diameter, shown, path.report.notes);
+      allowed_ground(regions, params.tool_diameter, shown, path.report.findings);
   progress.report(0);
   const std::vector<Region> centres = places_of_tool(allowed, params);
   if (centres.empty())
@@ -190,17 +189,16 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
     for (const Region& region : allowed)
       if (offset({region}, -(radius + params.stock_to_leave + kWallGap)).empty()) {
         const Bounds box = bounds_of({region});
-        path.report.notes.push_back("The pocket " + near(shown(0.5 * (box.low + box.high))) +
-                                    " was skipped. " + too_large({region}, params));
+        path.report.findings.push_back({FindingCode::kPocketSkipped,
+                                        shown(0.5 * (box.low + box.high)),
+                                        {params.tool_diameter, largest_fitting_tool({region}, params)}});
         path.report.termination = Termination::kIncomplete;
       }
 
   const bool rest = params.stock.has_value();
   if (rest && params.narrow_passages == NarrowPassages::kReducedFeed) {
     params.narrow_passages = NarrowPassages::kTrochoid;
-    path.report.notes.push_back(
-        "What earlier operations left in narrow passages is cut by trochoids, not at a reduced "
-        "feed.");
+    path.report.findings.push_back({FindingCode::kRestByTrochoids});
   }
   std::vector<PassageReport> passages;
   const std::vector<Part> parts = parts_of(centres, params, passages, progress);
@@ -212,10 +210,9 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
     hole = hole_place(parts, *params.entry_point, &hole_region);
     const bool skipped = is_in_passage(*params.entry_point, passages);
     if (!hole && params.entry == EntryKind::kAutomatic)
-      path.report.notes.push_back("The pre-drilled hole " + near(shown(*params.entry_point)) +
-                                  (skipped ? " lies in a narrow passage that is skipped"
-                                           : " is too near to a wall to come down in") +
-                                  ": it was not used.");
+      path.report.findings.push_back(
+          {skipped ? FindingCode::kHoleInSkippedPassage : FindingCode::kHoleTooNearWall,
+           shown(*params.entry_point)});
     if (!hole && params.entry == EntryKind::kPredrilledHole)
       throw GeometryError(
           GeometryErrorCode::kEntryOutside, shown(*params.entry_point),
@@ -243,19 +240,16 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
   for (std::size_t i = 0; i < parts.size() && !progress.cancelled(); ++i) {
     const Region& region = parts[i].centres;
     if (!rest && params.entry == EntryKind::kPredrilledHole && i != hole_region) {
-      path.report.notes.push_back(
-          "The region " + near(shown(region.outer.vertices().front().p)) +
-          ", which does not hold the pre-drilled hole, was left uncut: choose the entry "
-          "'Automatic', or drill it and use an operation of its own.");
+      path.report.findings.push_back(
+          {FindingCode::kRegionWithoutHole, shown(region.outer.vertices().front().p)});
       path.report.termination = Termination::kIncomplete;
       for (const Region& reached : offset({region}, radius))
         path.report.uncut_area += reached.area();
       continue;
     }
     if (hole && i != hole_region)
-      path.report.notes.push_back(
-          "The region " + near(shown(region.outer.vertices().front().p)) +
-          " does not hold the pre-drilled hole: it has an entry of its own.");
+      path.report.findings.push_back(
+          {FindingCode::kRegionWithOwnEntry, shown(region.outer.vertices().front().p)});
     RegionTask task;
     task.centres = region;
     task.material = material;
@@ -274,13 +268,13 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
     path.report.passes += result.passes * levels;
     path.report.links += result.links * levels;
     tight_turns.add(result.tight_turns);
-    for (std::string& note : result.notes) path.report.notes.push_back(std::move(note));
+    for (Finding& found : result.findings) path.report.findings.push_back(std::move(found));
     for (PlanarRun& run : result.runs) runs.push_back(std::move(run));
   }
 
-  if (const std::optional<std::string> note =
-          tight_turns_note(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
-    path.report.notes.push_back(*note);
+  if (const std::optional<Finding> tight =
+          finding_of(tight_turns, std::max(params.roll_radius, params.minimum_radius)))
+    path.report.findings.push_back(*tight);
 
   // Who cancels does not want to wait for feeds: constant ones, then.
   std::vector<LoadSample> profile;
@@ -306,8 +300,8 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
   apply_feed_limits(runs);
   note_feeds(runs, passages);
   if (!progress.cancelled()) tell(passages, ground, mirror, path.report);
-  if (const std::optional<std::string> note = helix_note(runs, params))
-    path.report.notes.push_back(*note);
+  if (const std::optional<Finding> narrowed = narrowed_helix(runs, params))
+    path.report.findings.push_back(*narrowed);
 
   const double depth = params.top - params.levels.back();
   for (const PlanarRun& run : runs) {
@@ -346,7 +340,7 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
   if (path.report.uncut_area > 0) path.report.termination = Termination::kIncomplete;
   if (progress.cancelled()) {
     path.report.termination = Termination::kCancelled;
-    path.report.notes.push_back("Cancelled before everything was cut.");
+    path.report.findings.push_back({FindingCode::kCancelled});
   }
   return path;
 }
@@ -368,9 +362,9 @@ std::vector<Region> reachable_ground(const std::vector<Region>& regions, double 
   require(stock_to_leave >= 0 && std::isfinite(stock_to_leave),
           "The stock to leave must not be negative.");
   const double radius = 0.5 * tool_diameter;
-  std::vector<std::string> notes;
+  std::vector<Finding> untold;
   const auto as_it_is = [](Vec2 p) { return p; };
-  const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, as_it_is, notes);
+  const std::vector<Region> allowed = allowed_ground(regions, tool_diameter, as_it_is, untold);
   return offset(shrunk_to_tips(allowed, radius + stock_to_leave, kWallGap), radius);
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cstddef>
 #include <stdexcept>
-#include <string>
 
 namespace evenload {
 namespace {
@@ -38,9 +37,9 @@ void add(Toolpath& path, Toolpath&& more) {
   sum.link_length += part.link_length;
   sum.passes += part.passes;
   sum.links += part.links;
-  for (const std::string& note : part.notes)
-    if (std::find(sum.notes.begin(), sum.notes.end(), note) == sum.notes.end())
-      sum.notes.push_back(note);
+  for (const Finding& finding : part.findings)
+    if (std::find(sum.findings.begin(), sum.findings.end(), finding) == sum.findings.end())
+      sum.findings.push_back(finding);
 }
 
 }  // namespace
@@ -73,8 +72,7 @@ Toolpath clear_rest(const std::vector<Region>& regions,
   }
   if (path.moves.empty() && path.report.termination == Termination::kComplete &&
       !progress.cancelled())
-    path.report.notes.push_back(
-        "Nothing was left to cut: earlier cuts have cleared all that this tool can reach.");
+    path.report.findings.push_back({FindingCode::kNothingLeft});
   return path;
 }
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <sstream>
 
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
@@ -200,7 +199,7 @@ double widest_helix(const ClearingParams& params) {
   return kWidestHelix * 0.5 * params.tool_diameter;
 }
 
-std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
+std::optional<Finding> narrowed_helix(const std::vector<PlanarRun>& runs,
                                       const ClearingParams& params) {
   const double widest = 2 * widest_helix(params);
   const auto is_widest = [&](const PlanarRun& run) {
@@ -208,10 +207,7 @@ std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
   };
   if (params.helix_diameter <= widest || std::none_of(runs.begin(), runs.end(), is_widest))
     return std::nullopt;
-  std::ostringstream note;
-  note << "HelixDiameter " << params.helix_diameter << " mm was taken as " << widest
-       << " mm: a wider helix would leave a post in its middle.";
-  return note.str();
+  return Finding{FindingCode::kHelixNarrowed, {}, {params.helix_diameter, widest}};
 }
 
 double helix_radius(const ClearingParams& params, const Circle& room) {

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <vector>
 
 #include "cutting/cleared_ground.h"
@@ -25,7 +24,7 @@ double helix_radius(const ClearingParams& params, const Circle& room);
 // mm: the largest radius of a helix that leaves no post in its middle.
 double widest_helix(const ClearingParams& params);
 // What to tell the user where a helix of `runs` had to be narrower than wished for that reason.
-std::optional<std::string> helix_note(const std::vector<PlanarRun>& runs,
+std::optional<Finding> narrowed_helix(const std::vector<PlanarRun>& runs,
                                       const ClearingParams& params);
 
 // A helix in `room`. Where none fits, or the room is tiny and not round, a ramp round the border of

@@ -5,7 +5,6 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <string>
 #include <utility>
 
 #include "feed/load_profile.h"
@@ -17,7 +16,6 @@
 #include "strategy/slots/slot_rooms.h"
 #include "strategy/slots/slot_way.h"
 #include "strategy/trochoid/slot.h"
-#include "strategy/trochoid/trochoid_notes.h"
 #include "strategy/trochoid/trochoid_pattern.h"
 #include "support/errors.h"
 
@@ -70,13 +68,14 @@ class SlotClearing {
   RegionResult run() {
     repeat(Use::kSlots);
     if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
-      opening_.notes.push_back(circles_note(shown_place(task_, *circles_at_)));
+      opening_.findings.push_back(
+          {FindingCode::kCirclesForPattern, shown_place(task_, *circles_at_)});
     if (!is_repeated()) {
       passes_.feed_steps = params_.feed_steps;
       passes_.move_price = params_.move_price;
     }
     RegionResult result = clear_rest();
-    if (!is_repeated() && !progress_.cancelled()) result.notes.push_back(told_fallback());
+    if (!is_repeated() && !progress_.cancelled()) result.findings.push_back(fallback());
     return result;
   }
 
@@ -110,24 +109,20 @@ class SlotClearing {
 
   // ---- where no pattern is repeated ----
 
-  std::string told_fallback() const {
+  Finding fallback() const {
     const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
                                         : task_.centres.outer.vertices()[0].p;
-    return fallback_note(patterns_.kind(), shown_place(task_, place), why_none());
+    return {why_none(), shown_place(task_, place), {static_cast<double>(patterns_.kind())}};
   }
 
-  std::string why_none() const {
-    if (task_.rest || !task_.before.empty())
-      return "where earlier cuts left the material in pieces of any shape";
-    if (!longest_stretch_) {
-      if (find_slots(centres_, std::numeric_limits<double>::infinity()).empty())
-        return "where no walls stay equally far apart, straight or as arcs about one centre, for "
-               "as long as the slot is wide";
-      return "where the walls are more than four tool diameters apart";
-    }
-    if (is_too_short_) return "where the slot is too short for a few periods";
-    if (ways_.empty()) return "where the tool has too little room to turn in the slot";
-    return "where no ground for a first period could be cleared";
+  FindingCode why_none() const {
+    if (task_.rest || !task_.before.empty()) return FindingCode::kNoPatternAfterCuts;
+    if (!longest_stretch_)
+      return find_slots(centres_, std::numeric_limits<double>::infinity()).empty()
+                 ? FindingCode::kNoPatternBetweenWalls
+                 : FindingCode::kNoPatternSoWide;
+    if (is_too_short_) return FindingCode::kNoPatternSoShort;
+    return ways_.empty() ? FindingCode::kNoPatternWithoutRoom : FindingCode::kNoPatternWithoutStart;
   }
 
   // ---- the ways ----
@@ -369,7 +364,7 @@ class SlotClearing {
     opening_.links += end.links;
     if (opening_.tight_turns.rooms > 0) end.tight_turns.rooms = 0;  // the same region's
     opening_.tight_turns.add(end.tight_turns);
-    opening_.notes.insert(opening_.notes.end(), end.notes.begin(), end.notes.end());
+    opening_.findings.insert(opening_.findings.end(), end.findings.begin(), end.findings.end());
   }
 
   // Repeats the pattern from the period `first` on; returns the last one.
@@ -493,9 +488,12 @@ class SlotClearing {
   // Once for all ways of one pattern.
   void note_residual(const Way& way) {
     if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
-    const std::string note = unsettled_note(iterations(way), way.pattern.residuals.back());
-    std::vector<std::string>& notes = opening_.notes;
-    if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    const Finding finding{
+        FindingCode::kAdvanceUnsettled,
+        {},
+        {static_cast<double>(iterations(way)), way.pattern.residuals.back()}};
+    std::vector<Finding>& found = opening_.findings;
+    if (std::find(found.begin(), found.end(), finding) == found.end()) found.push_back(finding);
   }
 
   const RegionTask& task_;

@@ -3,9 +3,9 @@
 
 #include <limits>
 #include <optional>
-#include <string>
 
 #include "geometry/vec2.h"
+#include "toolpath/finding.h"
 
 namespace evenload {
 
@@ -17,7 +17,7 @@ struct TightTurns {
   void add(const TightTurns& more);
 };
 
-// One sentence, however many rooms there are; nothing where no turn was too tight. `wish` mm.
-std::optional<std::string> tight_turns_note(const TightTurns& turns, double wish);
+// One finding, however many rooms there are; nothing where no turn was too tight. `wish` mm.
+std::optional<Finding> finding_of(const TightTurns& turns, double wish);
 
 }  // namespace evenload

@@ -15,6 +15,15 @@ constexpr double kThinnest = 1e-6;   // mm, that the simulator sees
 
 }  // namespace
 
+std::vector<Finding> findings_of(const Report& report, FindingCode code) {
+  std::vector<Finding> result;
+  for (const Finding& finding : report.findings)
+    if (finding.code == code) result.push_back(finding);
+  return result;
+}
+
+bool tells(const Report& report, FindingCode code) { return !findings_of(report, code).empty(); }
+
 Toolpath clear(const Case& pocket, const ClearingParams& params) {
   Progress progress;
   return clear_pocket({pocket.region}, params, progress);

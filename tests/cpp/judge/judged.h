@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "judge/corpus.h"
 #include "judge/path_check.h"
@@ -10,6 +11,9 @@
 namespace evenload::corpus {
 
 Toolpath clear(const Case& pocket, const ClearingParams& params);
+// What a path's report says by that code.
+std::vector<Finding> findings_of(const Report& report, FindingCode code);
+bool tells(const Report& report, FindingCode code);
 // With the case's hole, if it has one.
 path_check::Findings judge(const Case& pocket, const Toolpath& path,
                            const path_check::Settings& settings = {});

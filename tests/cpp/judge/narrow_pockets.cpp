@@ -7,6 +7,14 @@
 
 namespace evenload::narrow_pockets {
 
+namespace {
+
+int told(const Toolpath& path, FindingCode code) {
+  return static_cast<int>(corpus::findings_of(path.report, code).size());
+}
+
+}  // namespace
+
 Case pocket_of(std::vector<Vertex> outer, std::vector<Curve> islands) {
   Case pocket = corpus::load("slot62");
   pocket.region = make_region(Curve(std::move(outer), true), std::move(islands));
@@ -61,8 +69,7 @@ Toolpath clear(const Case& pocket, NarrowPassages choice, FeedControl control) {
 
 path_check::Findings expect_cleared(const Case& pocket, const Toolpath& path) {
   const path_check::Findings found = corpus::judge(pocket, path);
-  EXPECT_EQ(path.report.termination, Termination::kComplete)
-      << (path.report.notes.empty() ? "" : path.report.notes.back());
+  EXPECT_EQ(path.report.termination, Termination::kComplete);
   EXPECT_LE(found.gouge, 0.005);
   EXPECT_LE(found.left_share, 0.0005);
   EXPECT_LE(found.link_engagement, 1 * kDegree);
@@ -77,9 +84,12 @@ int entries(const Toolpath& path) {
   return count;
 }
 
-int notes_with(const Toolpath& path, const std::string& words) {
-  const auto has = [&](const std::string& note) { return note.find(words) != std::string::npos; };
-  return static_cast<int>(std::count_if(path.report.notes.begin(), path.report.notes.end(), has));
+int skipped(const Toolpath& path) {
+  return told(path, FindingCode::kPassageSkipped) + told(path, FindingCode::kPassageSkippedTooNarrow);
+}
+
+int reduced(const Toolpath& path) {
+  return told(path, FindingCode::kPassageReduced) + told(path, FindingCode::kPassageReducedTooNarrow);
 }
 
 Case cross(double width) {

@@ -28,6 +28,8 @@ Toolpath clear(const Case& pocket, NarrowPassages choice,
 // Answers what the judge found.
 path_check::Findings expect_cleared(const Case& pocket, const Toolpath& path);
 int entries(const Toolpath& path);
-int notes_with(const Toolpath& path, const std::string& words);
+// How many passages it skipped, or cut at a reduced feed, says its report.
+int skipped(const Toolpath& path);
+int reduced(const Toolpath& path);
 
 }  // namespace evenload::narrow_pockets

@@ -21,6 +21,7 @@ namespace evenload {
 namespace {
 
 using corpus::Case;
+using corpus::tells;
 using path_check::Findings;
 
 LameToolpath spiral(const Case& pocket, const ClearingParams& params, const LameParams& lame = {}) {
@@ -49,13 +50,6 @@ std::vector<Move> first_cuts(const Toolpath& path) {
     if (move.kind != MoveKind::kCut && !cuts.empty()) break;
   }
   return cuts;
-}
-
-bool tells(const Toolpath& path, const std::string& words) {
-  const auto& notes = path.report.notes;
-  return std::any_of(notes.begin(), notes.end(), [&](const std::string& note) {
-    return note.find(words) != std::string::npos;
-  });
 }
 
 // What is said where the spiral is refused; nothing where it is made.
@@ -225,8 +219,8 @@ TEST(LameClearing, LeavesTheRestWhereThatIsWished) {
   EXPECT_EQ(path.report.termination, Termination::kIncomplete);
   EXPECT_NEAR(found.left_share, 1 - path.cleared_share, 0.002);
   EXPECT_NEAR(path.report.uncut_area, found.left_area, 0.05 * found.left_area);
-  ASSERT_FALSE(path.report.notes.empty());
-  EXPECT_NE(path.report.notes.front().find("Rest is 'Leave'"), std::string::npos);
+  ASSERT_FALSE(path.report.findings.empty());
+  EXPECT_EQ(path.report.findings.front().code, FindingCode::kLeftBesideSpiral);
 }
 
 TEST(LameClearing, OfARingLeavesWhatNeitherChannelNorSpiralReach) {
@@ -381,9 +375,9 @@ TEST(LameClearing, NamesTheCoursesThatLeadNowhereOrChangeNothing) {
   EXPECT_NE(refusal({pocket.region}, pocket.params(), lame).find("more even"), std::string::npos);
   lame = {};
   lame.exponent_course = {0, 0.2, 1};
-  EXPECT_FALSE(tells(spiral(pocket, pocket.params(), lame), "ExponentCourse"));
+  EXPECT_FALSE(tells(spiral(pocket, pocket.params(), lame).report, FindingCode::kIdleCourse));
   lame.exponent_end = 1;
-  EXPECT_TRUE(tells(spiral(pocket, pocket.params(), lame), "ExponentCourse changes nothing"));
+  EXPECT_TRUE(tells(spiral(pocket, pocket.params(), lame).report, FindingCode::kIdleCourse));
 }
 
 TEST(LameClearing, TellsOfTurnsThatASetExponentOrCourseMakesTooTight) {
@@ -391,7 +385,7 @@ TEST(LameClearing, TellsOfTurnsThatASetExponentOrCourseMakesTooTight) {
   ClearingParams params = pocket.params();
   params.minimum_radius = 0.9;
   const auto told = [&](const LameParams& lame) {
-    return tells(spiral(pocket, params, lame), "more tightly than MinimumRadius, down to");
+    return tells(spiral(pocket, params, lame).report, FindingCode::kTightSpiral);
   };
   LameParams lame;
   EXPECT_FALSE(told(lame));
@@ -413,10 +407,7 @@ TEST(LameClearing, ASmallerPitchMakesMoreTurnsAndALargerOneIsToldOf) {
   lame.pitch = 3;
   const LameToolpath coarse = spiral(pocket, pocket.params(), lame);
   EXPECT_NEAR(coarse.report.cut_length, fitted.report.cut_length, 0.01 * fitted.report.cut_length);
-  const auto& notes = coarse.report.notes;
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.find("Pitch is smaller than set") == 0;
-  }));
+  EXPECT_TRUE(tells(coarse.report, FindingCode::kSmallPitch));
 }
 
 TEST(LameClearing, BeginsInAHole) {
@@ -439,8 +430,8 @@ TEST(LameClearing, BeginsWithAHelixInPlaceOfARampAndSaysSo) {
   params.entry = EntryKind::kRamp;
   const LameToolpath path = spiral(pocket, params);
   EXPECT_EQ(path.report.retracts, helix.report.retracts);
-  EXPECT_TRUE(tells(path, "Entry is a helix, not a ramp"));
-  EXPECT_FALSE(tells(helix, "not a ramp"));
+  EXPECT_TRUE(tells(path.report, FindingCode::kHelixForSpiral));
+  EXPECT_FALSE(tells(helix.report, FindingCode::kHelixForSpiral));
 }
 
 TEST(LameClearing, SaysSoWhereNoSpiralIsMade) {
@@ -464,13 +455,13 @@ TEST(LameClearing, SaysSoWhereNoSpiralIsMade) {
   const LameToolpath none = clear_with_lame_spiral({make_region(outline)}, params, {}, watch);
   EXPECT_FALSE(none.figures);
   EXPECT_EQ(none.cleared_share, 0);
-  EXPECT_TRUE(tells(none, "No spiral was made"));
+  EXPECT_TRUE(tells(none.report, FindingCode::kNoSpiral));
   const Region square = make_region(box(0, 60, 40, 40));
   const LameToolpath one =
       clear_with_lame_spiral({make_region(outline), square}, params, {}, watch);
   ASSERT_TRUE(one.figures);
   EXPECT_LT(one.cleared_share, 0.4);  // of both
-  EXPECT_TRUE(tells(one, "A region has no spiral"));
+  EXPECT_TRUE(tells(one.report, FindingCode::kRegionWithoutSpiral));
 }
 
 TEST(LameClearing, RefusesRingsThatAreMostlyChannel) {
@@ -484,7 +475,7 @@ TEST(LameClearing, RefusesRingsThatAreMostlyChannel) {
   const LameToolpath narrow = clear_with_lame_spiral({ring(30, 18)}, params, {}, progress);
   EXPECT_LT(narrow.cleared_share, kLeastShare);
   EXPECT_EQ(narrow.report.uncut_area, 0);
-  EXPECT_TRUE(tells(narrow, "the channel along its island"));
+  EXPECT_TRUE(tells(narrow.report, FindingCode::kSpiralAfterChannel));
 }
 
 TEST(LameClearing, NamesThePlaceOfARefusedRegion) {
@@ -512,14 +503,16 @@ TEST(LameClearing, TellsOfAHoleThatIsNotUsedAndRefusesOneThatMustBe) {
   params.hole_diameter = 8;
   Progress watch;
   params.entry = EntryKind::kAutomatic;
-  EXPECT_TRUE(tells(clear_with_lame_spiral({ring(42, 20)}, params, {}, watch), "was not used"));
+  EXPECT_TRUE(tells(clear_with_lame_spiral({ring(42, 20)}, params, {}, watch).report,
+                    FindingCode::kHoleBesideIsland));
   Case island = corpus::load("lame_square_island");
   island.hole = corpus::Hole{{20, 20}, 8};
   params = island.params();
   params.entry = EntryKind::kPredrilledHole;
   EXPECT_NE(refusal({island.region}, params).find("comes from outside"), std::string::npos);
   params.entry = EntryKind::kAutomatic;
-  EXPECT_TRUE(tells(clear_with_lame_spiral({island.region}, params, {}, watch), "was not used"));
+  EXPECT_TRUE(tells(clear_with_lame_spiral({island.region}, params, {}, watch).report,
+                    FindingCode::kHoleInOpenStock));
 }
 
 TEST(LameClearing, AtAConstantFeedEndsRounderWhereThatIsQuicker) {
@@ -534,13 +527,13 @@ TEST(LameClearing, AtAConstantFeedEndsRounderWhereThatIsQuicker) {
   EXPECT_LE(found.gouge, 0.005);
   EXPECT_GT(path.figures->last.exponent, even.figures->last.exponent + 0.1);
   EXPECT_LE(path.report.cutting_time, 1.3 * path.report.ideal_time);
-  EXPECT_FALSE(tells(path, "the operation Adaptive is faster"));
+  EXPECT_FALSE(tells(path.report, FindingCode::kSlowSpiral));
   LameParams lame;
   lame.exponent_end = even.figures->last.exponent;  // what is set is kept, slow as it is
   const LameToolpath slow = spiral(pocket, params, lame);
   EXPECT_EQ(slow.figures->last.exponent, *lame.exponent_end);
   EXPECT_GT(slow.report.cutting_time, 1.2 * path.report.cutting_time);
-  EXPECT_TRUE(tells(slow, "the operation Adaptive is faster"));
+  EXPECT_TRUE(tells(slow.report, FindingCode::kSlowSpiral));
 }
 
 TEST(LameClearing, AtAConstantFeedEndsRounderAroundIslandsAndInRingsToo) {
@@ -652,7 +645,8 @@ TEST(LameClearing, NamesTheSetValueThatSpoilsTheSpiral) {
   EXPECT_NE(refusal({square}, params, lame).find("SemiAxisA"), std::string::npos);
   lame.semi_axis_a = lame.semi_axis_b = 5;
   Progress watch;
-  EXPECT_TRUE(tells(clear_with_lame_spiral({square}, params, lame, watch), "clears only"));
+  EXPECT_TRUE(tells(clear_with_lame_spiral({square}, params, lame, watch).report,
+                    FindingCode::kSpiralOfSetSize));
   ClearingParams off = params;
   off.entry = EntryKind::kPredrilledHole;
   off.entry_point = Vec2{13.5, 13.5};

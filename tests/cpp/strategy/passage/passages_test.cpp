@@ -18,7 +18,8 @@ using narrow_pockets::Case;
 using narrow_pockets::clear;
 using narrow_pockets::entries;
 using narrow_pockets::expect_cleared;
-using narrow_pockets::notes_with;
+using narrow_pockets::reduced;
+using narrow_pockets::skipped;
 using narrow_pockets::pocket_of;
 using narrow_pockets::slot;
 using narrow_pockets::two_rooms;
@@ -28,14 +29,11 @@ TEST(Skipping, LeavesThePassagesAndReportsTheirPlaceWidthAndArea) {
   const Case pocket = two_rooms(6.5);
   const Toolpath path = clear(pocket, NarrowPassages::kSkip);
   EXPECT_EQ(path.report.termination, Termination::kIncomplete);
-  double x = 0, y = 0, width = 0, area = 0;
-  ASSERT_EQ(notes_with(path, "Skipped: "), 1);
-  ASSERT_EQ(std::sscanf(path.report.notes.back().c_str(),
-                        "Skipped: the passage near (%lf, %lf), %lf mm wide at its narrowest; "
-                        "%lf mm² stay uncut there.",
-                        &x, &y, &width, &area),
-            4)
-      << path.report.notes.back();
+  ASSERT_EQ(skipped(path), 1);
+  const Finding& told = path.report.findings.back();
+  ASSERT_EQ(told.code, FindingCode::kPassageSkipped);
+  const auto [x, y] = *told.where;
+  const double width = told.numbers[0], area = told.numbers[1];
   EXPECT_NEAR(x, 26, 1);
   EXPECT_NEAR(y, 0, 0.1);
   EXPECT_NEAR(width, 6.5, 0.006);
@@ -52,7 +50,7 @@ TEST(Skipping, SkipsAPocketThatIsNarrowThroughout) {
   EXPECT_TRUE(path.moves.empty());
   EXPECT_NEAR(path.report.uncut_area, 40 * 6.2 - (4 - kPi) * 9, 3);
   EXPECT_EQ(path.report.termination, Termination::kIncomplete);
-  EXPECT_EQ(notes_with(path, "Skipped: "), 1);
+  EXPECT_EQ(skipped(path), 1);
 }
 
 // Law: counts are those of all levels.
@@ -80,8 +78,9 @@ TEST(Clearing, NamesTheTightestTurnOfAllRoomsOnce) {
   params.narrow_passages = NarrowPassages::kSkip;
   params.roll_radius = 7;  // the tool's centre has a room of 12 x 14 mm
   const Toolpath path = corpus::clear(pocket, params);
-  EXPECT_EQ(notes_with(path, "Turned more tightly"), 1);
-  EXPECT_EQ(notes_with(path, "of 2 rooms, down to"), 1);
+  const std::vector<Finding> told = corpus::findings_of(path.report, FindingCode::kTightTurns);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].numbers[2], 2) << "rooms";
 }
 
 TEST(Skipping, SaysThatAPredrilledHoleLiesInASkippedPassage) {
@@ -99,18 +98,18 @@ TEST(Skipping, SaysThatAPredrilledHoleLiesInASkippedPassage) {
   params.narrow_passages = NarrowPassages::kSkip;
   params.entry = EntryKind::kAutomatic;
   const Toolpath path = corpus::clear(pocket, params);
-  EXPECT_EQ(notes_with(path,
-                       "near (26.00, 0.00) lies in a narrow passage that is skipped: it was "
-                       "not used."),
-            1);
+  const std::vector<Finding> told =
+      corpus::findings_of(path.report, FindingCode::kHoleInSkippedPassage);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_LT(distance(*told[0].where, {26, 0}), 1e-9);
   EXPECT_EQ(entries(path), 2);
 }
 
 TEST(Skipping, SkipsNothingThatIsTwiceTheMinimumRadiusWide) {
   Case pocket = slot(6 + 2 * 0.9);
-  EXPECT_EQ(notes_with(clear(pocket, NarrowPassages::kSkip), "Skipped"), 0);
+  EXPECT_EQ(skipped(clear(pocket, NarrowPassages::kSkip)), 0);
   pocket = slot(6 + 2 * 0.9 - 0.01);
-  EXPECT_EQ(notes_with(clear(pocket, NarrowPassages::kSkip), "Skipped"), 1);
+  EXPECT_EQ(skipped(clear(pocket, NarrowPassages::kSkip)), 1);
 }
 
 TEST(Skipping, LeavesCornersToTheWallPass) {
@@ -153,7 +152,8 @@ TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
           clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
       EXPECT_LE(expect_cleared(pocket, path).removal_rate, 1.05 * nominal_rate(pocket));
       EXPECT_LT(path.moves.size(), 1000u);
-      EXPECT_EQ(notes_with(path, "Cut at reduced feed, too narrow for trochoids: the passage"), 1);
+      EXPECT_EQ(
+          corpus::findings_of(path.report, FindingCode::kPassageReducedTooNarrow).size(), 1U);
     }
   }
 }
@@ -176,7 +176,7 @@ TEST(NarrowChoice, ClearsShortRoomsHardlyWiderThanTheToolByTheirDescentAlone) {
     expect_cleared(pocket, path);
     EXPECT_EQ(path.report.max_engagement, 0);
     EXPECT_EQ(entries(path), 1);
-    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0);
+    EXPECT_EQ(reduced(path), 0);
     for (const Move& move : path.moves) EXPECT_NE(move.kind, MoveKind::kCut);
   }
 }
@@ -196,7 +196,7 @@ TEST(NarrowChoice, CutsByTrochoidsWithinTheLimitWhereTheyHaveRoom) {
   for (const Case& pocket :
        {slot(6.2), two_rooms(6.1), two_rooms(6.2), corpus::load("acute_wedge")}) {
     const Toolpath path = clear(pocket, NarrowPassages::kTrochoid);
-    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 0) << pocket.name;
+    EXPECT_EQ(reduced(path), 0) << pocket.name;
     EXPECT_LE(judge(pocket, path).cut_engagement, pocket.engagement_angle + 2 * kDegree);
   }
 }

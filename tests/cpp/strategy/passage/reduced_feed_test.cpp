@@ -25,7 +25,7 @@ using narrow_pockets::cross;
 using narrow_pockets::dead_end;
 using narrow_pockets::entries;
 using narrow_pockets::expect_cleared;
-using narrow_pockets::notes_with;
+using narrow_pockets::reduced;
 using narrow_pockets::open_slot;
 using narrow_pockets::ring;
 using narrow_pockets::slot;
@@ -58,17 +58,15 @@ TEST(ReducedFeed, LowersTheFeedToTheNominalRemovalRateAndSaysSo) {
   EXPECT_NEAR(lowest, pocket.feed / 4, 0.01 * pocket.feed);
   EXPECT_LE(highest, pocket.feed);
   EXPECT_NEAR(path.report.max_engagement, kPi, 1 * kDegree);
-  ASSERT_EQ(path.report.notes.size(), 1u);
-  double x = 0, y = 0, width = 0, degrees = 0, feed = 0;
-  ASSERT_EQ(std::sscanf(path.report.notes.front().c_str(),
-                        "Cut at reduced feed: the passage near (%lf, %lf), %lf mm wide at its "
-                        "narrowest, with up to %lf° engaged, down to %lf mm/min.",
-                        &x, &y, &width, &degrees, &feed),
-            5)
-      << path.report.notes.front();
-  EXPECT_TRUE(pocket.region.contains({x, y}));
+  ASSERT_EQ(path.report.findings.size(), 1U);
+  const Finding& told = path.report.findings.front();
+  ASSERT_EQ(told.code, FindingCode::kPassageReduced);
+  const double width = told.numbers[0], left = told.numbers[1], engaged = told.numbers[2],
+               feed = told.numbers[3];
+  EXPECT_TRUE(pocket.region.contains(*told.where));
+  EXPECT_EQ(left, 0);
   EXPECT_NEAR(width, 6.1, 0.006);
-  EXPECT_NEAR(degrees, 180, 1);
+  EXPECT_NEAR(engaged, kPi, 1 * kDegree);
   EXPECT_NEAR(feed, lowest, 0.06);
 }
 
@@ -98,7 +96,7 @@ TEST(ReducedFeed, JoinsRoomsByTheirNeckAndClearsBothWithinTheLimit) {
     const Toolpath path = clear(pocket, NarrowPassages::kReducedFeed);
     expect_cleared(pocket, path);
     EXPECT_EQ(entries(path), 2);
-    EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 1);
+    EXPECT_EQ(reduced(path), 1);
   }
 }
 
@@ -109,7 +107,7 @@ TEST(ReducedFeed, CutsDeadEndsAndRings) {
       const Toolpath path = clear(pocket, NarrowPassages::kReducedFeed);
       expect_cleared(pocket, path);
       EXPECT_EQ(entries(path), 1);
-      EXPECT_EQ(notes_with(path, "Cut at reduced feed"), 1);
+      EXPECT_EQ(reduced(path), 1);
     }
   }
 }

@@ -30,9 +30,9 @@ Region open_above(double tip) {
                     {{0, 30}, 0, false}});
 }
 
-std::vector<Region> allowed(const Region& region, std::vector<std::string>& notes) {
+std::vector<Region> allowed(const Region& region, std::vector<Finding>& found) {
   return allowed_ground(
-      {region}, kTool, [](Vec2 p) { return p; }, notes);
+      {region}, kTool, [](Vec2 p) { return p; }, found);
 }
 
 bool contains(const std::vector<Region>& ground, Vec2 p) {
@@ -40,9 +40,9 @@ bool contains(const std::vector<Region>& ground, Vec2 p) {
 }
 
 TEST(AllowedGround, IsARoomBeyondOpenEdgesAndNowhereElse) {
-  std::vector<std::string> notes;
-  const std::vector<Region> ground = allowed(open_above(kPi / 2), notes);
-  EXPECT_TRUE(notes.empty());
+  std::vector<Finding> found;
+  const std::vector<Region> ground = allowed(open_above(kPi / 2), found);
+  EXPECT_TRUE(found.empty());
   EXPECT_TRUE(contains(ground, {20, 30 + 0.99 * kRoom}));
   EXPECT_FALSE(contains(ground, {20, 30 + 1.01 * kRoom}));
   EXPECT_FALSE(contains(ground, {-0.1, 31}));
@@ -55,8 +55,8 @@ TEST(AllowedGround, GoesOnAsTheWallBesideATip) {
     SCOPED_TRACE(degrees);
     const double tip = degrees * kPi / 180;
     const Vec2 past = {-std::cos(tip), std::sin(tip)};  // along the wall beneath, beyond the tip
-    std::vector<std::string> notes;
-    const std::vector<Region> ground = allowed(open_above(tip), notes);
+    std::vector<Finding> found;
+    const std::vector<Region> ground = allowed(open_above(tip), found);
     const Vec2 end = Vec2{0, 30} + 0.9 * kRoom * past, aside = {past.y, -past.x};
     EXPECT_TRUE(contains(ground, end + 0.05 * aside));
     EXPECT_FALSE(contains(ground, end - 0.05 * aside));
@@ -65,8 +65,8 @@ TEST(AllowedGround, GoesOnAsTheWallBesideATip) {
 }
 
 TEST(AllowedGround, EndsSquareToAnOpenEdgeWhereAnObtuseWallBegins) {
-  std::vector<std::string> notes;
-  const std::vector<Region> ground = allowed(open_above(2.0), notes);
+  std::vector<Finding> found;
+  const std::vector<Region> ground = allowed(open_above(2.0), found);
   EXPECT_TRUE(contains(ground, {0.1, 40}));
   EXPECT_FALSE(contains(ground, {-0.1, 40}));
 }
@@ -81,9 +81,9 @@ TEST(AllowedGround, IsCutOffWhereOtherWallsAreInTheWayOfATip) {
                                    {{12, 10}, 0, false},
                                    {{24, 30}, 0, true},
                                    {{0, 30}, 0, false}});
-  std::vector<std::string> notes;
-  const std::vector<Region> ground = allowed(region, notes);
-  EXPECT_TRUE(notes.empty());
+  std::vector<Finding> found;
+  const std::vector<Region> ground = allowed(region, found);
+  EXPECT_TRUE(found.empty());
   EXPECT_TRUE(contains(ground, {12, 40}));
   EXPECT_TRUE(contains(ground, {48, 40}));
   EXPECT_FALSE(contains(ground, {30, 40}));
@@ -146,9 +146,9 @@ Region open_beneath(double x, double y) {
                     {{x, y + 20}, 0, false}});
 }
 
-std::vector<Region> allowed(const std::vector<Region>& regions, std::vector<std::string>& notes) {
+std::vector<Region> allowed(const std::vector<Region>& regions, std::vector<Finding>& found) {
   return allowed_ground(
-      regions, kTool, [](Vec2 p) { return p; }, notes);
+      regions, kTool, [](Vec2 p) { return p; }, found);
 }
 
 TEST(AllowedGround, OfRegionsThatAreOpenAllRoundIsOneWhereTheirRoomsMeet) {
@@ -156,10 +156,10 @@ TEST(AllowedGround, OfRegionsThatAreOpenAllRoundIsOneWhereTheirRoomsMeet) {
     SCOPED_TRACE(gap);
     Region with_boss = plateau(0, 0, Open::kAll);
     with_boss = make_region(with_boss.outer, {shapes::rectangle(5, 5, 9, 9)});
-    std::vector<std::string> notes;
+    std::vector<Finding> found;
     const std::vector<Region> ground =
-        allowed({with_boss, plateau(25 + gap, 0, Open::kAll)}, notes);
-    EXPECT_TRUE(notes.empty());
+        allowed({with_boss, plateau(25 + gap, 0, Open::kAll)}, found);
+    EXPECT_TRUE(found.empty());
     ASSERT_EQ(ground.size(), gap < 2 * kRoom ? 1u : 2u);
     std::size_t islands = 0;
     for (const Region& region : ground) islands += region.islands.size();
@@ -177,17 +177,17 @@ TEST(AllowedGround, EndsBeforeOtherRegionsAndTheirRooms) {
   };
   for (const double gap : {8.0, 10.0, 14.0, 20.0, 31.0}) {
     SCOPED_TRACE(gap);
-    std::vector<std::string> notes;
+    std::vector<Finding> found;
     const Region below = plateau(0, 0, Open::kAbove);
     const std::vector<Region> walled = allowed(
-        {below, region_of({{{0, 20 + gap}, 0}, {{25, 20 + gap}, 0}, {{10, 60}, 0}})}, notes);
-    EXPECT_TRUE(notes.empty());
+        {below, region_of({{{0, 20 + gap}, 0}, {{25, 20 + gap}, 0}, {{10, 60}, 0}})}, found);
+    EXPECT_TRUE(found.empty());
     EXPECT_GT(room_above(walled, 20, 60), 0.89 * std::min(gap, kRoom));
     EXPECT_LT(room_above(walled, 20, 60), gap);
 
-    const std::vector<Region> facing = allowed({below, open_beneath(0, 20 + gap)}, notes);
+    const std::vector<Region> facing = allowed({below, open_beneath(0, 20 + gap)}, found);
     const bool is_wide = gap > 2.1 * kTool;
-    EXPECT_EQ(notes.size(), is_wide ? 0u : 2u);
+    EXPECT_EQ(found.size(), is_wide ? 0u : 2u);
     const double room = is_wide ? std::min(0.5 * gap, kRoom) : 0;
     EXPECT_GE(room_above(facing, 20, 60), 0.89 * room);
     EXPECT_LE(room_above(facing, 20, 60), room + 0.02);
@@ -197,10 +197,10 @@ TEST(AllowedGround, EndsBeforeOtherRegionsAndTheirRooms) {
 TEST(AllowedGround, IsWholeBesideRegionsThatAreOpenToTheSameSide) {
   for (const double wall : {0.5, 2.0, 5.0, 14.0}) {
     SCOPED_TRACE(wall);
-    std::vector<std::string> notes;
+    std::vector<Finding> found;
     const std::vector<Region> ground =
-        allowed({plateau(0, 0, Open::kAbove), plateau(25 + wall, 0, Open::kAbove)}, notes);
-    EXPECT_TRUE(notes.empty());
+        allowed({plateau(0, 0, Open::kAbove), plateau(25 + wall, 0, Open::kAbove)}, found);
+    EXPECT_TRUE(found.empty());
     ASSERT_EQ(ground.size(), 2u);
     for (const Region& region : ground) EXPECT_NEAR(bounds_of({region}).high.y, 20 + kRoom, 1e-9);
   }
@@ -208,24 +208,24 @@ TEST(AllowedGround, IsWholeBesideRegionsThatAreOpenToTheSameSide) {
 
 // A floor in a recess of an island's top, or the other way round.
 TEST(AllowedGround, OfAnIslandsOwnFloorIsKeptFromThatRoundIt) {
-  std::vector<std::string> notes;
+  std::vector<Finding> found;
   const Region around =
       make_region(plateau(0, 0, Open::kAll).outer, {shapes::rectangle(3, 3, 22, 17)});
   const Region within = region_of({{{8, 5}, 0}, {{17, 5}, 0}, {{17, 14}, 0}, {{8, 14}, 0}});
-  const std::vector<Region> ground = allowed({around, within}, notes);
-  EXPECT_TRUE(notes.empty());
+  const std::vector<Region> ground = allowed({around, within}, found);
+  EXPECT_TRUE(found.empty());
   ASSERT_EQ(ground.size(), 2u);
   EXPECT_NEAR(bounds_of({ground.back()}).low.x, -kRoom, 1e-9);
 }
 
 // What has no room of its own takes none from others.
 TEST(AllowedGround, IsNarrowedByNoRegionThatIsTakenForWalled) {
-  std::vector<std::string> notes;
+  std::vector<Finding> found;
   const Region walled = region_of({{{0, 0}, 0}, {{25, 0}, 0}, {{25, 20}, 0}, {{0, 20}, 0}});
   const std::vector<Region> ground =
-      allowed({walled, plateau(28, 0, Open::kAll), plateau(62, 0, Open::kAll)}, notes);
-  ASSERT_EQ(notes.size(), 1u);
-  EXPECT_NE(notes[0].find("taken for walls"), std::string::npos);
+      allowed({walled, plateau(28, 0, Open::kAll), plateau(62, 0, Open::kAll)}, found);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].code, FindingCode::kOpenEdgesTakenForWalls);
   ASSERT_EQ(ground.size(), 3u);
   // The second ends at 53.
   EXPECT_GT(bounds_of({ground.back()}).low.x, 53);

@@ -289,21 +289,17 @@ TEST(Clearing, RepeatsThePatternThatServesASlotBest) {
   EXPECT_LE(report.cutting_time, 1.2 * report.ideal_time);
 }
 
-// The note on tight turns names the wish, the tightest turn and a place of the path.
+// What is told of tight turns names the wish, the tightest turn and a place of the path.
 TEST(Clearing, TellsWhereItTurnsMoreTightlyThanWishedButNotOfCorners) {
   for (const CutMode mode : {CutMode::kClimb, CutMode::kConventional}) {
     const Case pocket = corpus::load("slot9");
     ClearingParams params = pocket.params();
     params.cut_mode = mode;
     const Toolpath path = clear(pocket, params);
-    double wish = 0, tightest = 0;
-    Vec2 at;
-    for (const std::string& note : path.report.notes)
-      std::sscanf(
-          note.c_str(),
-          "Turned more tightly than the wished %lf mm in narrow places, down to %lf mm near "
-          "(%lf, %lf).",
-          &wish, &tightest, &at.x, &at.y);
+    const std::vector<Finding> told = corpus::findings_of(path.report, FindingCode::kTightTurns);
+    ASSERT_EQ(told.size(), 1U);
+    const double tightest = told[0].numbers[0], wish = told[0].numbers[1];
+    const Vec2 at = *told[0].where;
     EXPECT_EQ(wish, params.roll_radius);
     EXPECT_GT(tightest, 0);
     EXPECT_LT(tightest, wish);
@@ -314,8 +310,7 @@ TEST(Clearing, TellsWhereItTurnsMoreTightlyThanWishedButNotOfCorners) {
   // Corners are always turned into more tightly.
   for (const char* name : {"circle12", "square60", "lshape"}) {
     const Case wide = corpus::load(name);
-    for (const std::string& note : clear(wide, wide.params()).report.notes)
-      EXPECT_NE(note.rfind("Turned more tightly", 0), 0u) << name << ": " << note;
+    EXPECT_FALSE(corpus::tells(clear(wide, wide.params()).report, FindingCode::kTightTurns)) << name;
   }
 }
 
@@ -361,10 +356,7 @@ TEST(WayIn, IsAHelixWhereNoCutLeadsOnFromARamp) {
   EXPECT_TRUE(std::any_of(path.moves.begin(), path.moves.end(), [](const Move& move) {
     return move.kind == MoveKind::kEntry && move.sweep != 0;
   }));
-  const auto says_so = [](const std::string& note) {
-    return note.rfind("No cut leads on", 0) == 0;
-  };
-  EXPECT_EQ(std::count_if(path.report.notes.begin(), path.report.notes.end(), says_so), 1);
+  EXPECT_EQ(corpus::findings_of(path.report, FindingCode::kHelixForRamp).size(), 1U);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
   task.opening.runs = {whole.runs.front()};
   task.opening.runs.front().moves.resize(taken);
   task.opening.passes = 7;
-  task.opening.notes = {"Begun."};
+  task.opening.findings = {{FindingCode::kCirclesForPattern}};
   const RegionResult rest = clear_region(task, params, progress);
 
   ASSERT_GE(rest.runs.front().moves.size(), taken);
@@ -70,7 +70,7 @@ TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
     for (std::size_t i = 1; i < run.moves.size(); ++i)
       EXPECT_LT(distance(run.moves[i - 1].segment.b, run.moves[i].segment.a), 1e-6);
   EXPECT_GT(rest.passes, 7);
-  EXPECT_EQ(rest.notes.front(), "Begun.");
+  EXPECT_EQ(rest.findings.front().code, FindingCode::kCirclesForPattern);
   EXPECT_EQ(rest.uncut_area, 0);
 }
 
@@ -219,10 +219,7 @@ TEST(PocketTest, AHoleTooTightToStartFromIsNotUsedWhereTheEntryIsAutomatic) {
   Progress progress;
   const Toolpath path = clear_pocket(regions, params, progress);
   EXPECT_EQ(path.report.uncut_area, 0);
-  const std::vector<std::string>& notes = path.report.notes;
-  EXPECT_TRUE(std::any_of(notes.begin(), notes.end(), [](const std::string& note) {
-    return note.find("too tight to start from: it was not used") != std::string::npos;
-  }));
+  EXPECT_TRUE(corpus::tells(path.report, FindingCode::kHoleTooTight));
   params.entry = EntryKind::kPredrilledHole;
   EXPECT_THROW(clear_pocket(regions, params, progress), GeometryError);
 }

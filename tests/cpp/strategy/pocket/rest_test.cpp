@@ -119,8 +119,8 @@ TEST(RestMachining, HasNothingToDoAfterTheSameTool) {
   EXPECT_TRUE(path.moves.empty());
   EXPECT_EQ(path.report.termination, Termination::kComplete);
   EXPECT_EQ(path.report.uncut_area, 0);
-  ASSERT_EQ(path.report.notes.size(), 1u);
-  EXPECT_NE(path.report.notes.front().find("Nothing was left to cut"), std::string::npos);
+  ASSERT_EQ(path.report.findings.size(), 1U);
+  EXPECT_EQ(path.report.findings.front().code, FindingCode::kNothingLeft);
 }
 
 TEST(RestMachining, OfAFullPocketIsClearingItByAHelix) {

@@ -11,6 +11,7 @@
 #include "cutting/engagement.h"
 #include "geometry/shapes.h"
 #include "geometry/slot_around.h"
+#include "judge/judged.h"
 #include "judge/narrow_pockets.h"
 #include "judge/path_check.h"
 #include "strategy/trochoid/trochoid_pattern.h"
@@ -49,11 +50,17 @@ path_check::Findings judge(const Region& region, const ClearingParams& params,
   return path_check::check_path(stock, 0.5 * params.tool_diameter, result.path.moves);
 }
 
-// The first note with these words; empty where there is none.
-std::string note_with(const TrochoidalPath& result, const std::string& words) {
-  for (const std::string& note : result.path.report.notes)
-    if (note.find(words) != std::string::npos) return note;
-  return "";
+bool tells(const TrochoidalPath& result, FindingCode code) {
+  return corpus::tells(result.path.report, code);
+}
+
+// Why no pattern is repeated; nothing where one is.
+std::optional<Finding> fallback_of(const TrochoidalPath& result) {
+  for (const Finding& finding : result.path.report.findings)
+    if (finding.code >= FindingCode::kNoPatternAfterCuts &&
+        finding.code <= FindingCode::kNoPatternWithoutStart)
+      return finding;
+  return std::nullopt;
 }
 
 // What every path must keep, whatever its pattern.
@@ -70,8 +77,8 @@ void expect_good(const Region& region, const ClearingParams& params, const Troch
       params.cut_mode == CutMode::kClimb ? found.conventional_length : found.climb_length;
   EXPECT_LT(wrong, 0.005 * (found.climb_length + found.conventional_length));
   EXPECT_EQ(result.path.report.termination, Termination::kComplete);
-  EXPECT_EQ(note_with(result, "Left uncut"), "");
-  EXPECT_EQ(note_with(result, "No trochoid").empty(), result.report.step > 0);
+  EXPECT_FALSE(tells(result, FindingCode::kLeftUncut));
+  EXPECT_EQ(fallback_of(result).has_value(), result.report.step == 0);
 }
 
 TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
@@ -85,11 +92,11 @@ TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
       expect_good(region, params, result);
       EXPECT_GT(result.report.length, 15);
       EXPECT_GT(result.report.step, 0);
-      const bool has_circles = !note_with(result, "circles are repeated").empty();
+      const bool has_circles = tells(result, FindingCode::kCirclesForPattern);
       EXPECT_EQ(has_circles, width < 6.5 && degrees < 90);
       EXPECT_EQ(result.report.iterations > 1, !has_circles);
       EXPECT_GT(result.report.removal_rate, 0);
-      EXPECT_EQ(note_with(result, "the trochoid's advance still differed") != "",
+      EXPECT_EQ(tells(result, FindingCode::kAdvanceUnsettled),
                 result.report.residual >= kSettled * 3);
     }
 }
@@ -227,18 +234,16 @@ TEST(ClearSlot, TakesAsLongWhereverTheSlotLies) {
   }
 }
 
-void expect_fallback(const Region& region, TrochoidKind kind, const std::string& words,
+void expect_fallback(const Region& region, TrochoidKind kind, FindingCode why,
                      CutMode mode = CutMode::kClimb) {
   ClearingParams params = params_at();
   params.cut_mode = mode;
   const TrochoidalPath result = clear(region, params, kind);
   EXPECT_EQ(result.report.step, 0);
-  const std::string note = note_with(result, "No trochoid");
-  EXPECT_NE(note.find(words), std::string::npos) << note;
-  const std::string unused = kind == TrochoidKind::kCircular  ? "Pattern Circular was not used"
-                             : kind == TrochoidKind::kCycloid ? "Pattern Cycloid was not used"
-                                                              : "pass by pass.";
-  EXPECT_NE(note.find(unused), std::string::npos) << note;
+  const std::optional<Finding> told = fallback_of(result);
+  ASSERT_TRUE(told);
+  EXPECT_EQ(told->code, why);
+  EXPECT_EQ(told->numbers, std::vector{static_cast<double>(kind)});
 }
 
 TEST(ClearSlot, KeepsTheLimitWhereTheFirstPeriodBeginsWhateverTheTolerance) {
@@ -259,32 +264,33 @@ TEST(ClearSlot, RepeatsCirclesWherePostsWouldMakeCornersOfTheTurns) {
   const Region narrow = slot_around(line(40), 6.2, SlotEnds::kSquare);
   const TrochoidalPath path = clear(narrow, params);
   expect_good(narrow, params, path);
-  EXPECT_NE(note_with(path, "circles are repeated there"), "");
+  EXPECT_TRUE(tells(path, FindingCode::kCirclesForPattern));
   EXPECT_EQ(path.report.iterations, 0);
-  EXPECT_EQ(note_with(clear(narrow, params, TrochoidKind::kCircular), "circles are repeated"), "");
+  EXPECT_FALSE(
+      tells(clear(narrow, params, TrochoidKind::kCircular), FindingCode::kCirclesForPattern));
   const TrochoidalPath wider = clear(slot_around(line(40), 7, SlotEnds::kSquare), params);
-  EXPECT_EQ(note_with(wider, "circles are repeated"), "");
+  EXPECT_FALSE(tells(wider, FindingCode::kCirclesForPattern));
   EXPECT_GT(wider.report.iterations, 0);
 }
 
 TEST(ClearSlot, TellsOfTurnsMoreTightThanWishedOncePerRegion) {
   const Region slot = slot_around(line(60), 9, SlotEnds::kSquare);
-  const std::string note = note_with(clear(slot, params_at()), "Turned more tightly");
-  EXPECT_NE(note, "");
-  EXPECT_EQ(note.find("rooms"), std::string::npos) << note;
+  const std::vector<Finding> told =
+      corpus::findings_of(clear(slot, params_at()).path.report, FindingCode::kTightTurns);
+  ASSERT_EQ(told.size(), 1U);
+  EXPECT_EQ(told[0].numbers[2], 1) << "rooms";
 }
 
 TEST(ClearSlot, TellsWhereAndWhyNoPatternIsRepeated) {
   const TrochoidKind ours = TrochoidKind::kConstantEngagement, circles = TrochoidKind::kCircular,
                      cycloid = TrochoidKind::kCycloid;
   const Region taper = make_region(shapes::polygon({{0, -4}, {50, -7}, {50, 7}, {0, 4}}));
-  expect_fallback(taper, ours, "no walls stay equally far apart");
+  expect_fallback(taper, ours, FindingCode::kNoPatternBetweenWalls);
   expect_fallback(make_region(shapes::rectangle(0, 0, 60, 32)), circles,
-                  "more than four tool diameters apart");
+                  FindingCode::kNoPatternSoWide);
   const Region brief = slot_around(line(4), 9, SlotEnds::kRound);
-  expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short");
-  expect_fallback(brief, cycloid, "near (2.00, 0.00), where the slot is too short",
-                  CutMode::kConventional);
+  expect_fallback(brief, cycloid, FindingCode::kNoPatternSoShort);
+  expect_fallback(brief, cycloid, FindingCode::kNoPatternSoShort, CutMode::kConventional);
 }
 
 TEST(ClearSlot, TellsOnceWhatIsLeftUncutWhenAllIsDone) {
@@ -293,10 +299,8 @@ TEST(ClearSlot, TellsOnceWhatIsLeftUncutWhenAllIsDone) {
   const TrochoidalPath result = clear(slot_around(line(50), 9, SlotEnds::kSquare), params);
   EXPECT_GT(result.report.length, 15);
   EXPECT_GT(result.path.report.uncut_area, 0);
-  int told = 0;
-  for (const std::string& note : result.path.report.notes)
-    told += note.find("Left uncut") != std::string::npos;
-  EXPECT_EQ(told, 1);
+  EXPECT_EQ(
+      corpus::findings_of(result.path.report, FindingCode::kLeftWithoutWallPass).size(), 1U);
 }
 
 TEST(ClearSlot, TellsOfEachRegionByItself) {
@@ -307,8 +311,9 @@ TEST(ClearSlot, TellsOfEachRegionByItself) {
   const TrochoidalPath alone = clear(slot, params_at());
   const TrochoidalPath both =
       clear_slot({slot, brief}, TrochoidKind::kConstantEngagement, params_at(), progress);
-  EXPECT_NE(note_with(both, "No trochoid").find("near (82.00, 0.00)"), std::string::npos);
-  EXPECT_EQ(note_with(alone, "No trochoid"), "");
+  ASSERT_TRUE(fallback_of(both));
+  EXPECT_LT(distance(*fallback_of(both)->where, {82, 0}), 0.005);
+  EXPECT_FALSE(fallback_of(alone));
   // Figures are of the longest way, whichever region comes last.
   const Region half =
       shapes::moved(slot_around(line(30), 12, SlotEnds::kRound), 0, false, 1, {0, 40});

@@ -9,6 +9,7 @@
 
 #include "geometry/shapes.h"
 #include "judge/corpus.h"
+#include "judge/judged.h"
 #include "strategy/pocket/constant_engagement.h"
 #include "toolpath/helix.h"
 #include "toolpath/ramp.h"
@@ -214,12 +215,6 @@ struct TwoPockets {
   }
 };
 
-bool says(const Toolpath& path, const std::string& words) {
-  return std::any_of(
-      path.report.notes.begin(), path.report.notes.end(),
-      [&](const std::string& note) { return note.find(words) != std::string::npos; });
-}
-
 TEST(Entry, OfOneRegionByItsHoleLeavesTheOtherItsHelixAndSaysSo) {
   const Toolpath path = TwoPockets().clear();
   EXPECT_EQ(path.report.termination, Termination::kComplete);
@@ -234,14 +229,14 @@ TEST(Entry, OfOneRegionByItsHoleLeavesTheOtherItsHelixAndSaysSo) {
     }
   }
   EXPECT_TRUE(helix);
-  EXPECT_TRUE(says(path, "does not hold the pre-drilled hole: it has an entry of its own."));
+  EXPECT_TRUE(corpus::tells(path.report, FindingCode::kRegionWithOwnEntry));
 }
 
 TEST(Entry, TellsThatAHelixWiderThanTheToolWasNarrowed) {
   TwoPockets pockets;
   for (const double wish : {5.4, 5.88, 6.0, 12.0}) {
     pockets.params.helix_diameter = wish;
-    EXPECT_EQ(says(pockets.clear(), "HelixDiameter"), wish > 5.88) << wish;
+    EXPECT_EQ(corpus::tells(pockets.clear().report, FindingCode::kHelixNarrowed), wish > 5.88) << wish;
   }
 }
 
