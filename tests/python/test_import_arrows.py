@@ -59,7 +59,8 @@ WITHOUT_FREECAD = {
         "stability.field",
         "stability.picture",
     ),
-    *("settings.labels", "settings.own", "settings.pages", "settings.parameters"),
+    *("settings.labels", "settings.notes", "settings.own", "settings.pages"),
+    *("settings.parameters",),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
     "settings.table",
 }
