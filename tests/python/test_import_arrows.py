@@ -24,7 +24,16 @@ ARROWS = {
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
     },
-    "gui": {"host", "ground", "settings", "operations", "stability", "dynamics", "pictures"},
+    "gui": {
+        "host",
+        "ground",
+        "settings",
+        "operations",
+        "simulation",
+        "stability",
+        "dynamics",
+        "pictures",
+    },
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
@@ -60,7 +69,7 @@ WITHOUT_FREECAD = {
         "stability.picture",
     ),
     *("settings.labels", "settings.notes", "settings.own", "settings.pages"),
-    *("settings.parameters",),
+    *("settings.parameters", "gui.load_colours"),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
     "settings.table",
 }

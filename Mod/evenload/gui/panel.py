@@ -1,6 +1,5 @@
 """What the panels of all operations share: base geometry, settings, results."""
 
-import weakref
 
 import FreeCAD
 import FreeCADGui
@@ -8,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload.gui.base_page import BaseGeometryPage
+from evenload.gui.slots import slot
 from evenload.operations.base import SENTENCES
 from evenload.settings.setting import BOOL, CHOICE, INTEGER, NUMBER, NUMBERS, POINT, UNITS
 from evenload.settings.table import boxes_of
@@ -30,24 +30,6 @@ def values_in(text):
         return [float(word) for word in words if word.strip()]
     except ValueError:
         return None
-
-
-def slot(method, *arguments):
-    """A slot that calls method(*arguments), whatever its signal tells, and does not keep the
-    method's object alive.
-
-    A page and its widgets that held each other would stay until Python looks for cycles. By then
-    Qt may have made other widgets in the places of those, and PySide would take these for the old
-    ones: FreeCAD 0.20's Job panel fails to open then.
-    """
-    weakly = weakref.WeakMethod(method)
-
-    def call(*_):
-        living = weakly()
-        if living is not None:
-            living(*arguments)
-
-    return call
 
 
 def create(operation):
