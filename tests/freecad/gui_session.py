@@ -15,11 +15,13 @@ from gui_tools import (  # noqa: E402
     OUT,
     answering,
     click,
+    fold_all,
     later,
     picture,
     press,
     result,
     run,
+    unfold_all,
     widgets,
 )
 
@@ -145,13 +147,17 @@ def choice_cancelled(two_jobs):
 
 def other_panel(doc, job, model, floor, command):
     """The panel of another kind of operation: what it shows, takes and computes."""
+    fold_all()
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
     FreeCADGui.runCommand(command)
     later(800)
     op = job.Operations.Group[-1]
     page = op.ViewObject.Proxy.panel.featurePages[-1]
+    first = [name for name, widget in page.widgets.items() if widget.isVisible()]
+    unfold_all(page)
     seen = {
+        "first": first,
         "view": type(op.ViewObject.Proxy).__name__,
         "icon": os.path.isfile(op.ViewObject.Proxy.getIcon()),
         "shown": [name for name, widget in page.widgets.items() if widget.isVisible()],
@@ -163,7 +169,7 @@ def other_panel(doc, job, model, floor, command):
     press(QtGui.QDialogButtonBox.Apply)
     later(500)
     seen["valid"], seen["commands"] = op.isValid(), len(op.Path.Commands)
-    seen["results"] = page.results.text()
+    seen["results"] = page.status.text()
     seen["own_after_apply"] = list(op.OwnValues)
     picture(command)
     if op.Proxy.fitted:
@@ -230,6 +236,7 @@ def session():
         settings.SetBool("WarningSuppressVelocity", True)
         settings.SetBool("WarningSuppressSelectionMode", True)
     FreeCAD.Units.setSchema(6)  # metric, with mm/min
+    fold_all()
     reopened()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     later(800)
@@ -265,6 +272,8 @@ def session():
     result["base_list"] = [
         base_page.form.baseList.item(i).text() for i in range(base_page.form.baseList.count())
     ]
+    result["first"] = [name for name, widget in page.widgets.items() if widget.isVisible()]
+    unfold_all(page)
     result["shown"] = [name for name, widget in page.widgets.items() if widget.isVisible()]
     result["tolerance_text"] = page.widgets["Tolerance"].text()
     picture("panel")
@@ -305,7 +314,7 @@ def session():
     later(500)
     result["commands"] = len(op.Path.Commands)
     result["valid"] = op.isValid()
-    result["results_text"] = page.results.text()
+    result["results_text"] = page.status.text()
     result["angle_after_apply"] = op.EngagementAngle.Value
     picture("applied")
     press(QtGui.QDialogButtonBox.Ok)

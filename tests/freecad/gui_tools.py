@@ -18,7 +18,9 @@ LAST_ERROR = "The session ends."  # stands in the report view, or its errors wer
 result = {}
 # Sentences that the script provokes: the only errors that the report view may hold at the end.
 result["provoked"] = []
-faulthandler.dump_traceback_later(240, file=open(os.path.join(OUT, "hang.txt"), "w"), exit=True)
+_last_words = open(os.path.join(OUT, "hang.txt"), "w")  # of a FreeCAD that hangs or crashes
+faulthandler.enable(_last_words)
+faulthandler.dump_traceback_later(240, file=_last_words, exit=True)
 
 
 def later(milliseconds=300):
@@ -110,6 +112,18 @@ def answering(answer):
         yield seen
     finally:
         timer.stop()
+
+
+def fold_all():
+    """Has the parts of panels that are opened from now on be folded, as with a fresh FreeCAD."""
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/EvenLoad").RemGroup("Panels")
+
+
+def unfold_all(page):
+    """Unfolds all parts of an operation's page."""
+    for fold in page.folds.values():
+        fold.unfold()
+    later(100)
 
 
 def report_view():

@@ -9,6 +9,7 @@ import pytest
 import random_jobs
 from evenload import host, proof
 from evenload.operations import adaptive
+from evenload.settings.notes import CHECKED
 from FreeCAD import Placement, Rotation, Vector
 
 PARTS = 60
@@ -99,7 +100,7 @@ def test_a_part_has_a_checked_path_or_a_sentence(seed, tmp_path):
         op.Base = [(model, (name,))]
         doc.recompute()
         if op.isValid():
-            assert proof.CHECKED in op.Report and proof.check(op) == []
+            assert CHECKED in op.Report and proof.check(op) == []
         else:
             assert op.Path.Commands == [] and len(op.Report) > 20
             assert "EvenLoad failed" not in op.Report

@@ -10,6 +10,7 @@ import pytest
 import random_jobs
 from evenload import host, proof
 from evenload import tool as tools
+from evenload.settings.notes import CHECKED
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, face_of, rectangle, sketch_of
 
@@ -67,7 +68,7 @@ def test_a_path_with_a_fault_makes_the_operation_invalid(bench, monkeypatch):
 def test_the_report_says_whether_a_path_was_checked(bench):
     on = bench(block_with(face_of(SQUARE)))
     op = on.done(on.operation())
-    assert op.Report.splitlines()[-1] == proof.CHECKED
+    assert op.Report.splitlines()[-1] == CHECKED
     op.Check = False
     assert on.done(op).Report.splitlines()[-1] == "Not checked against the model: %s is off." % (
         "Check"
@@ -143,7 +144,7 @@ def test_stock_above_the_start_depth_is_named_or_cut_before(bench):
     first = on.operation(StartDepth=2.0, FinalDepth=0.0, StepDown=2.0)
     on.job.Operations.Group = [first, op]
     on.done(first)
-    assert proof.CHECKED in on.done(op).Report
+    assert CHECKED in on.done(op).Report
 
 
 def test_faces_under_the_stock_are_refused(bench):

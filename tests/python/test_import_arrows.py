@@ -24,7 +24,16 @@ ARROWS = {
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
     },
-    "gui": {"host", "ground", "settings", "operations", "stability", "dynamics", "pictures"},
+    "gui": {
+        "host",
+        "ground",
+        "settings",
+        "operations",
+        "simulation",
+        "stability",
+        "dynamics",
+        "pictures",
+    },
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
@@ -59,7 +68,8 @@ WITHOUT_FREECAD = {
         "stability.field",
         "stability.picture",
     ),
-    *("settings.labels", "settings.own", "settings.pages", "settings.parameters"),
+    *("settings.labels", "settings.notes", "settings.own", "settings.pages"),
+    *("settings.parameters", "gui.load_colours"),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
     "settings.table",
 }

@@ -3,6 +3,7 @@
 from importlib import import_module
 
 import FreeCAD
+import FreeCADGui
 
 from evenload import compiled
 
@@ -39,6 +40,40 @@ class Command:
         import_module("evenload.gui." + self.panel).create()
 
 
+class ShowLoad:
+    """Colours the path of the selected operation by its load, or takes the colours away again."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": "EvenLoad_ShowLoad",
+            "MenuText": _translated("EvenLoad Show Load"),
+            "ToolTip": _translated(
+                "Colours the path of the selected operation by engagement, removal rate, feed, "
+                "chip thickness or force, or takes the colours away again"
+            ),
+        }
+
+    def IsActive(self):
+        return _selected_path() is not None
+
+    def Activated(self):
+        missing = compiled.missing()
+        if missing:
+            FreeCAD.Console.PrintError(missing + "\n")
+            return
+        # Not before: it loads the simulator and the Path / CAM workbench.
+        import_module("evenload.gui.load_view").toggle(_selected_path())
+
+
+def _selected_path():
+    """The one selected operation, dressup or array that has a path; None without."""
+    selected = FreeCADGui.Selection.getSelection()
+    if len(selected) != 1 or hasattr(selected[0], "Operations"):  # a job
+        return None
+    path = getattr(selected[0], "Path", None)
+    return selected[0] if getattr(path, "Size", 0) > 0 else None
+
+
 COMMANDS = {
     "EvenLoad_Adaptive": Command(
         "adaptive",
@@ -58,6 +93,7 @@ COMMANDS = {
         "EvenLoad Lamé Spiral",
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
     ),
+    "EvenLoad_ShowLoad": ShowLoad(),
     "EvenLoad_StabilityChart": Command(
         "stability",
         "EvenLoad_StabilityChart",

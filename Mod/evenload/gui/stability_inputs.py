@@ -4,7 +4,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload import materials
-from evenload.gui.panel import slot
+from evenload.gui.slots import slot
 
 _translate = FreeCAD.Qt.translate
 

@@ -3,7 +3,7 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui.panel import slot
+from evenload.gui.slots import slot
 
 _translate = FreeCAD.Qt.translate
 

@@ -4,7 +4,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.dynamics import Mode, vibration
-from evenload.gui.panel import slot
+from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button
 from evenload.gui.stability_tap import TapTestDialog
 

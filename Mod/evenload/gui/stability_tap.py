@@ -7,7 +7,7 @@ from PySide import QtCore, QtGui
 
 from evenload.dynamics import Frf, pictures
 from evenload.gui.images import image_of
-from evenload.gui.panel import slot
+from evenload.gui.slots import slot
 
 _translate = FreeCAD.Qt.translate
 

@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
-from evenload.gui.panel import slot
+from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
 from evenload.gui.stability_view import ChartView

@@ -6,6 +6,7 @@ from evenload import host
 from evenload.gui import adaptive, lame_spiral, trochoid
 from evenload.gui.icons import ICONS
 from evenload.gui.selection import select
+from evenload.gui.slots import telling_slot
 
 _gui = host.gui()
 
@@ -51,6 +52,11 @@ class ViewProvider(_gui.op.ViewProvider):
     def getSelectionFactory(self):
         return select
 
+    def setupTaskPanel(self, panel):
+        """FreeCAD calls this with the panel that it is about to show."""
+        panel.accept = _unless_refused(panel.accept, panel.featurePages[-1].may_close)
+        super().setupTaskPanel(panel)
+
 
 class TrochoidViewProvider(ViewProvider):
     page = trochoid.OperationPage
@@ -62,6 +68,14 @@ class LameSpiralViewProvider(ViewProvider):
     page = lame_spiral.OperationPage
     icon = "EvenLoad_LameSpiral.svg"
     OpName = "EvenLoad Lame Spiral"
+
+
+def _unless_refused(accept, may_close):
+    """What FreeCAD calls at OK: the panel stays open where it may not close. Bound methods, whose
+    objects are not kept alive.
+    """
+    accept, may_close = telling_slot(accept), telling_slot(may_close)
+    return lambda: accept() if may_close() else False
 
 
 PROVIDERS = {each.OpName: each for each in (TrochoidViewProvider, LameSpiralViewProvider)}

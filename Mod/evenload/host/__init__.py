@@ -34,6 +34,7 @@ from evenload.host.window import (
     WORKBENCH,
     add_to_workbench,
     gui,
+    show_field,
     show_job,
     show_value,
 )
@@ -75,6 +76,7 @@ __all__ = [
     "register_operation",
     "set_rapid_feed",
     "set_stock_margin",
+    "show_field",
     "show_job",
     "show_value",
     "text_of",

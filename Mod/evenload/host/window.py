@@ -32,6 +32,29 @@ def show_value(box):
     (box.updateWidget if ASSETS else box.updateSpinBox)()
 
 
+FIELDS = {
+    "StartDepth": "startDepth",
+    "FinalDepth": "finalDepth",
+    "StepDown": "stepDown",
+    "SafeHeight": "safeHeight",
+    "ClearanceHeight": "clearanceHeight",
+}
+
+
+def show_field(panel, name):
+    """Shows the field that an operation's panel has for one of FreeCAD's own properties, on
+    whichever page it is; tells whether there is one.
+    """
+    for page in panel.featurePages:
+        field = getattr(page.form, FIELDS.get(name, ""), None)
+        if field is not None:
+            if hasattr(panel.form, "setCurrentWidget"):  # pages in one box, as by default
+                panel.form.setCurrentWidget(page.form)
+            field.setFocus()
+            return True
+    return False
+
+
 def show_job(job):
     """Gives a job and what belongs to it the view providers that they lack when a script made them.
 

@@ -11,18 +11,21 @@ import Path
 from evenload import commands, host, waiting, window
 from evenload import tool as tools
 from evenload.geometry import body, depths, shape
-from evenload.operations import chatter, compute, job_model, rest
+from evenload.operations import chatter, checks, compute, following, job_model, rest
+from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.settings import properties
 from evenload.settings.labels import told
+from evenload.settings.notes import CHECKED
 from evenload.settings.results import HIDDEN_SETTINGS, RESULT_SETTINGS
 from evenload.settings.table import REST_MACHINING, SETTINGS
 from evenload.simulation import proof
+from evenload.words import clock
 
 SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
 
 
-class Operation(host.operation_base()):
+class Operation(following.Following):
     """Proxy of an operation. A subclass says in `generate` which of the core's strategies it is."""
 
     name = ""  # under which the SetupSheet knows the operation
@@ -37,7 +40,6 @@ class Operation(host.operation_base()):
     progress = None
     _dialog = None
     _wished_controller = None
-    _changing = False
 
     def __init_subclass__(cls):
         cls.fitted = tuple(row.name for row in cls.settings if row.fitted)
@@ -46,7 +48,7 @@ class Operation(host.operation_base()):
         self._wished_controller = toolController
         super().__init__(obj, self.name or name, parentJob)
         if isinstance(obj, FreeCAD.DocumentObject):
-            self._set_side_step(obj)  # the SetupSheet has set its defaults in the meantime
+            self.set_side_step(obj)  # the SetupSheet has set its defaults in the meantime
 
     # ---- properties ----
 
@@ -71,11 +73,11 @@ class Operation(host.operation_base()):
             obj.setEditorMode(setting.name, 2)
 
     def opOnDocumentRestored(self, obj):
-        self._changing = True
+        self.is_changing = True
         try:
             self.initOperation(obj)
         finally:
-            self._changing = False
+            self.is_changing = False
         show(obj)
 
     def setDefaultValues(self, obj):
@@ -87,69 +89,28 @@ class Operation(host.operation_base()):
             obj.ToolController = self._wished_controller
         obj.OpToolDiameter = tools.diameter(obj.ToolController)
         self.follow_tool(obj)
-        self._set_side_step(obj)
+        self.set_side_step(obj)
 
     def opOnChanged(self, obj, prop):
-        if self._changing or "Restore" in obj.State or getattr(obj.Document, "Transacting", False):
+        if (
+            self.is_changing
+            or "Restore" in obj.State
+            or getattr(obj.Document, "Transacting", False)
+        ):
             return
-        if prop in self._own_names() and hasattr(obj, "OwnValues"):
+        if prop in self.own_names() and hasattr(obj, "OwnValues"):
             if prop not in obj.OwnValues:
                 obj.OwnValues = obj.OwnValues + [prop]
         elif prop == "ToolController":
             self.follow_tool(obj)
         elif prop == "EngagementAngle":
-            self._set_side_step(obj)
+            self.set_side_step(obj)
         elif prop == "SideStep":
-            self._set_angle(obj)
+            self.set_angle(obj)
         elif prop == REST_MACHINING.name and hasattr(obj, "EarlierOperations"):
             job = host.parent_job(obj)
             if job is not None:
                 rest.link_all(job)
-
-    def _own_names(self):
-        """The names of settings that follow the tool or the geometry until they are set."""
-        return [row.name for row in self.settings if row.follows or row.fitted]
-
-    def follow_tool(self, obj, again=()):
-        """Sets what follows the tool and its controller. again: names of settings that shall follow
-        once more.
-        """
-        if not hasattr(obj, "OwnValues"):
-            return
-        if again:
-            obj.OwnValues = [name for name in obj.OwnValues if name not in again]
-        controller = obj.ToolController
-        diameter = tools.diameter(controller)
-        if not diameter > 0:
-            return
-        feed, rapid = controller.HorizFeed.Value, controller.HorizRapid.Value
-        self._changing = True
-        try:
-            for row in self.settings:
-                if row.follows and row.name not in obj.OwnValues:
-                    _set(obj, row.name, row.follows(diameter, feed, rapid))
-        finally:
-            self._changing = False
-        # A side step that cannot be stays, to be refused.
-        if 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
-            self._set_side_step(obj)
-
-    def _set_side_step(self, obj):
-        radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value
-        if radius > 0 and 0 < angle < 180:
-            self._quietly(obj, "SideStep", radius * (1 - math.cos(math.radians(angle))))
-
-    def _set_angle(self, obj):
-        radius, step = tools.diameter(obj.ToolController) / 2, obj.SideStep.Value
-        if radius > 0 and 0 < step < 2 * radius:
-            self._quietly(obj, "EngagementAngle", math.degrees(math.acos(1 - step / radius)))
-
-    def _quietly(self, obj, name, value):
-        before, self._changing = self._changing, True
-        try:
-            _set(obj, name, value)
-        finally:
-            self._changing = before
 
     # ---- base geometry and depths ----
 
@@ -176,17 +137,29 @@ class Operation(host.operation_base()):
         if not self._setBaseAndStock(obj, ignoreErrors):
             return False
         box = self.stock.Shape.BoundBox
-        _set(obj, "OpStockZMin", box.ZMin)
-        _set(obj, "OpStockZMax", box.ZMax)
+        assign(obj, "OpStockZMin", box.ZMin)
+        assign(obj, "OpStockZMax", box.ZMax)
         levels = shape.heights(obj.Base)
         tops = [m.Shape.BoundBox.ZMax for m in self.model if not m.Shape.isNull()]
         final = min(levels) if levels else max(tops, default=box.ZMin)
         start = max([box.ZMax, *tops])
         if start <= final + 1e-4:
             start = final + (obj.StepDown.Value or 1.0)
-        _set(obj, "OpFinalDepth", final)
-        _set(obj, "OpStartDepth", start)
+        assign(obj, "OpFinalDepth", final)
+        assign(obj, "OpStartDepth", start)
         return True
+
+    def refusal(self, obj):
+        """The sentence why no path can be computed with an operation's settings, None where one
+        may be; its geometry is not looked at, nor depths that follow it.
+        """
+        try:
+            self._check_job(obj)
+            tool, data = tools.read(obj.ToolController)
+            checks.as_set(obj, self.settings, tool, data)
+        except SENTENCES as error:
+            return told(str(error))
+        return None
 
     # ---- running ----
 
@@ -207,6 +180,7 @@ class Operation(host.operation_base()):
                     obj.Path = Path.Path()  # without the rapid at its end
                 elif self.last is not None:
                     self._prove(obj)
+                    self._tell_cycle_time(obj)
             return result
         except Exception as error:
             ours = not isinstance(error, SENTENCES)
@@ -305,12 +279,17 @@ class Operation(host.operation_base()):
             raise Cancelled(compute.area_of(obj, self.last)) from None
         if faults:
             raise ValueError(faults[0].sentence)
-        said = proof.CHECKED if obj.Check else proof.UNCHECKED
+        said = CHECKED if obj.Check else proof.UNCHECKED
         obj.Report = "\n".join(filter(None, [*map(told, warnings), obj.Report, said]))
+
+    def _tell_cycle_time(self, obj):
+        """FreeCAD's estimate knows no feeds but the tool controller's; the job sums up ours."""
+        obj.CycleTime = clock(obj.CuttingTime)
+        self.job.Proxy.getCycleTime()
 
     def _set_results(self, obj, done):
         report = done.toolpath.report
-        _set(obj, "MaxEngagement", math.degrees(report.max_engagement))
+        assign(obj, "MaxEngagement", math.degrees(report.max_engagement))
         obj.CuttingTime = report.cutting_time
         obj.IdealTime = report.ideal_time
         obj.RemovedVolume = report.removed_volume
@@ -318,7 +297,7 @@ class Operation(host.operation_base()):
         obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
         obj.Report = "\n".join(told(note) for note in done.notes)
         for name, value in done.own.items():
-            self._quietly(obj, name, value)
+            self.quietly(obj, name, value)
 
     def _clear_results(self, obj):
         for setting in self.results:
@@ -334,16 +313,3 @@ def show(obj):
     """
     if window.show is not None and isinstance(obj, FreeCAD.DocumentObject):
         window.show(obj)
-
-
-def _set(obj, name, value):
-    """Assigns only what differs, so that nothing is touched without need."""
-    before = getattr(obj, name)
-    before = getattr(before, "Value", before)
-    if isinstance(before, FreeCAD.Vector):
-        value = FreeCAD.Vector(value)
-        differs = (before - value).Length > 1e-9 * max(1.0, value.Length)
-    else:
-        differs = abs(before - value) > 1e-9 * max(1.0, abs(value))
-    if differs:
-        setattr(obj, name, value)

@@ -5,6 +5,7 @@ from evenload.settings import ranges
 from evenload.settings.table import HOLE_ENTRIES, TOLERANCE
 from evenload.words import listed
 
+DEPTHS = ("StartDepth", "FinalDepth", "StepDown", "SafeHeight", "ClearanceHeight")
 MOST_LEVELS = 5000  # more is a slip of the pen, and would take days
 
 
@@ -14,6 +15,21 @@ def for_geometry(obj):
 
 
 def settings(obj, rows, tool, data):
+    """Raises ValueError for settings, of these rows, and for depths that cannot be used."""
+    values(obj, rows, tool, data)
+    depths(obj, tool)
+
+
+def as_set(obj, rows, tool, data):
+    """Raises ValueError for what cannot be used of that which the user sets: depths that follow the
+    geometry are not known before it is read.
+    """
+    values(obj, rows, tool, data)
+    if not {path for path, _ in obj.ExpressionEngine} & set(DEPTHS):
+        depths(obj, tool)
+
+
+def values(obj, rows, tool, data):
     """Raises ValueError for settings, of these rows, that cannot be used."""
     ranges.check(obj, rows)
     if not 0 < obj.SideStep.Value < tool.diameter:
@@ -32,10 +48,10 @@ def settings(obj, rows, tool, data):
             "MaximumFeed is %g mm/min: it must not be below the tool controller's horizontal "
             "feed of %g mm/min." % (60 * obj.MaximumFeed.Value, data.feed)
         )
-    _depths(obj, tool)
 
 
-def _depths(obj, tool):
+def depths(obj, tool):
+    """Raises ValueError for depths and heights that cannot be used."""
     start, final, step = obj.StartDepth.Value, obj.FinalDepth.Value, obj.StepDown.Value
     last = final + obj.StockToLeaveAxial.Value
     if not start > final:

@@ -20,6 +20,7 @@ REST_MACHINING = Setting(
     "Clears only what the job's earlier operations leave",
     label="Rest machining",
     box="Cut",
+    is_first=True,
     page="clears only what the job's earlier operations leave "
     "([rest_machining.md](rest_machining.md))",
 )
@@ -47,6 +48,8 @@ OF_TROCHOID = (
         "faces have their own",
         label="Slot width",
         box="Slot",
+        is_first=True,
+        unset="from the face",
         default="unset",
         page="of the slots round sketches and edges; an open one needs it",
     ),
@@ -154,6 +157,7 @@ OF_LAME_SPIRAL = (
         "change, from 0 to 1, at even steps, as 0; 0.1; 0.4; 1; evenly where it is empty",
         label="Course of A",
         box="Spiral",
+        unset="evenly",
         keyword="semi_axis_a_course",
         page="how the first semi-axis comes from the first turn to the last: 2 to 20 shares of "
         "the change, from 0 to 1, never falling, at even steps of the way; empty: evenly",
@@ -165,6 +169,7 @@ OF_LAME_SPIRAL = (
         "The same of the second semi-axis",
         label="Course of B",
         box="Spiral",
+        unset="evenly",
         keyword="semi_axis_b_course",
         page="the same of the second",
     ),
@@ -175,6 +180,7 @@ OF_LAME_SPIRAL = (
         "The same of the exponent; evenly or late, as is quicker, where it is empty",
         label="Course of exponent",
         box="Spiral",
+        unset="as is quicker",
         keyword="exponent_course",
         page="the same of the exponent; empty: evenly or late, as is quicker",
     ),

@@ -65,7 +65,8 @@ class Setting:
     doc: str  # FreeCAD's and the panel's tooltip
     group: str = GROUP
     label: str = None  # what the panel and sentences call it
-    box: str = None  # the group of the panel where it stands
+    box: str = None  # the group of the table and, where it is not shown at first, of the panel
+    is_first: bool = False  # among the few that a panel shows before anything is unfolded
     keyword: str = None  # the core's; None: the core has none, or it needs more than the value
     range: Range = None
     # callable(tool diameter in mm, feed, rapid feed, both as FreeCAD has them): the value until it
@@ -73,6 +74,8 @@ class Setting:
     follows: object = None
     fitted: bool = False  # shows what was chosen for the geometry, until it is set
     when: tuple = None  # (name of a CHOICE, those of its choices with which it matters)
+    needs: str = None  # the setting without which, at 0, it has no effect
+    unset: str = None  # what the panel shows for 0 or an empty list, where that is no value
     is_fine: bool = False  # a length that FreeCAD's two decimals would round away
     default: str = None  # in the table of the documentation, where that is not the value itself
     page: str = None  # Markdown: what the documentation says of it
@@ -86,6 +89,13 @@ class Setting:
         value = getattr(obj, self.name)
         value = getattr(value, "Value", value)
         return 60 * value if self.type == SPEED else value
+
+    def matters_to(self, obj):
+        """Whether an operation's other settings leave it an effect."""
+        if self.when and getattr(obj, self.when[0]) not in self.when[1]:
+            return False
+        needed = getattr(obj, self.needs) if self.needs else True
+        return bool(getattr(needed, "Value", needed))
 
     def told(self, obj):
         """The same with its unit."""

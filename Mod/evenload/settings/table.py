@@ -21,6 +21,7 @@ __all__ = [
     "SETTINGS",
     "TOLERANCE",
     "boxes_of",
+    "sections_of",
 ]
 
 ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL)
@@ -32,3 +33,13 @@ def boxes_of(settings):
     """[(title, [Setting, ...]), ...] of a panel for these settings."""
     found = [(title, [row for row in settings if row.box == title]) for title in BOXES]
     return [(title, rows) for title, rows in found if rows]
+
+
+def sections_of(settings):
+    """([Setting, ...] that a panel shows at first, [(title, [Setting, ...]), ...] of its folded
+    rest) for these settings, from the top.
+    """
+    boxes = boxes_of(settings)
+    folded = [(title, [row for row in rows if not row.is_first]) for title, rows in boxes]
+    first = [row for _, rows in boxes for row in rows if row.is_first]
+    return first, [(title, rows) for title, rows in folded if rows]

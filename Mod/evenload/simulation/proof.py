@@ -16,7 +16,6 @@ from evenload.geometry import body
 from evenload.simulation import earlier
 from evenload.simulation.drawn import Drawn
 
-CHECKED = "Checked against the model."
 UNCHECKED = "Not checked against the model: Check is off."
 # mm that a gouge may be deeper than the tolerance before it counts: what points, 1 per SPACING of
 # the tool, leave uncertain on curves, and the rounding of posts.

@@ -1,0 +1,126 @@
+"""What the load view colours a path by, and the colours: numpy only.
+
+Values are coloured by lightness that rises evenly, so that they can be told apart in greyscale; so
+are the kinds of moves.
+"""
+
+from dataclasses import dataclass
+
+import numpy
+
+from evenload.planar import CUT, ENTRY, LINK, RAPID
+
+# From the least value to the largest: red, green, blue of 0 to 1, ever lighter.
+SCALE = numpy.array(
+    [
+        (0.19, 0.07, 0.37),
+        (0.23, 0.32, 0.66),
+        (0.10, 0.57, 0.60),
+        (0.40, 0.77, 0.35),
+        (0.98, 0.91, 0.30),
+    ]
+)
+BEYOND = (0.90, 0.10, 0.10)  # of what is above the limit
+KINDS = {  # their lightness, 0 to 100, is more than 15 apart
+    RAPID: (0.97, 0.80, 0.80),
+    LINK: (0.62, 0.62, 0.62),
+    ENTRY: (0.80, 0.10, 0.55),
+    CUT: (0.05, 0.15, 0.50),
+}
+OPAQUE = 255
+WINDOW = 0.1  # mm of path: single places in corners may meet anything, means over this may not
+
+
+@dataclass(frozen=True)
+class Measure:
+    """One thing that a path can be coloured by."""
+
+    key: str  # the Simulation's attribute
+    title: str
+    unit: str
+    digits: int
+    kinds: tuple = (CUT, ENTRY)  # the moves that are on its scale; others have their kind's colour
+
+
+KIND = Measure("kind", "Kind of move", "", 0, ())
+MEASURES = (
+    Measure("engagement_deg", "Engagement angle", "°", 1, (CUT, LINK)),  # entries meet all of it
+    Measure("removal_rate", "Removal rate", "mm³/min", 0),
+    Measure("feed", "Feed", "mm/min", 0, (CUT, ENTRY, LINK)),
+    Measure("h_max", "Chip thickness", "mm", 4),
+    Measure("force_peak", "Force", "N", 0),
+    KIND,
+)
+
+
+def values_of(measure, simulation):
+    """The values of a Simulation's samples, None where it has none: without a material there is no
+    force, without a spindle speed no chip thickness.
+    """
+    values = getattr(simulation, measure.key)
+    if values is None or not numpy.isfinite(values).any():
+        return None
+    return numpy.asarray(values, float)
+
+
+def has_it(measure, simulation):
+    """For each sample whether its move has the measure's value."""
+    return numpy.isin(simulation.kind, measure.kinds)
+
+
+def means_of(measure, simulation):
+    """For each sample the mean of the values over the last WINDOW of the path, as the worst values
+    of a Simulation are; None where there are no values.
+    """
+    values = values_of(measure, simulation)
+    if values is None:
+        return None
+    along = numpy.cumsum(simulation.length)
+    area = numpy.cumsum(simulation.length * numpy.nan_to_num(values))
+    return (area - numpy.interp(along - WINDOW, along, area, left=0.0)) / WINDOW
+
+
+def range_of(measure, simulation):
+    """(least, largest) of the scale: up to the worst mean of cuts; (0, 1) where there are none."""
+    number = worst_of(measure, simulation)
+    largest = float(means_of(measure, simulation)[number]) if number is not None else 0.0
+    return 0.0, largest if largest > 0 else 1.0
+
+
+def worst_of(measure, simulation):
+    """The number of the sample of a cut where the mean is the largest, None without any cut."""
+    means, cuts = means_of(measure, simulation), simulation.kind == CUT
+    if means is None or measure is KIND or not cuts.any():
+        return None
+    return int(numpy.argmax(numpy.where(cuts, means, -numpy.inf)))
+
+
+def on_scale(share):
+    """Colours, n x 3 of 0 to 1, for shares of the scale, each 0 to 1."""
+    at = numpy.linspace(0, 1, len(SCALE))
+    share = numpy.clip(numpy.nan_to_num(numpy.asarray(share, float)), 0, 1)
+    return numpy.stack([numpy.interp(share, at, SCALE[:, k]) for k in range(3)], axis=-1)
+
+
+def colours_of(measure, simulation, least, largest, limit=None):
+    """The colours of all samples, n x 3 of 0 to 1. limit: cuts whose mean is above it stand out;
+    None for no limit.
+    """
+    colours = numpy.empty((len(simulation.x), 3))
+    for kind, colour in KINDS.items():
+        colours[simulation.kind == kind] = colour
+    values = values_of(measure, simulation)
+    if measure is KIND or values is None:
+        return colours
+    counted = has_it(measure, simulation)
+    colours[counted] = on_scale((values[counted] - least) / (largest - least))
+    if limit is not None:
+        means = means_of(measure, simulation)
+        colours[(simulation.kind == CUT) & (means > limit)] = BEYOND
+    return colours
+
+
+def packed(colours):
+    """Colours, n x 3 of 0 to 1, as Coin has them: 32 bits, red the highest."""
+    parts = numpy.round(255 * colours).astype(numpy.uint32)
+    return (parts[:, 0] << 24) | (parts[:, 1] << 16) | (parts[:, 2] << 8) | OPAQUE

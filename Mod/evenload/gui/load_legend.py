@@ -1,0 +1,86 @@
+"""The legend of the load view: the scale with its ends, and the colours of what is not on it."""
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from evenload.gui import load_colours
+from evenload.planar import CUT, ENTRY, LINK, RAPID
+
+BAR = 14  # pixels
+STEPS = 64  # of the scale's colours
+SWATCH_LINES = 2  # for which there is room: as many as all kinds of moves need in a narrow dock
+NAMES = {CUT: "cut", ENTRY: "entry", LINK: "link", RAPID: "rapid"}
+
+_translate = FreeCAD.Qt.translate
+
+
+class Legend(QtGui.QWidget):
+    def __init__(self):
+        super().__init__()
+        self._measure, self._least, self._largest, self._limit = None, 0.0, 1.0, None
+        line = QtGui.QFontMetrics(self.font()).height()
+        self.setFixedHeight(BAR + (1 + SWATCH_LINES) * (line + 2) + 6)
+        self.setMinimumWidth(180)
+
+    def show_scale(self, measure, least, largest, limit):
+        self._measure, self._least, self._largest, self._limit = measure, least, largest, limit
+        self.update()
+
+    def paintEvent(self, _):
+        if self._measure is None:
+            return
+        painter = QtGui.QPainter(self)
+        line = QtGui.QFontMetrics(self.font()).height()
+        top = 2
+        if self._measure is not load_colours.KIND:
+            self._paint_scale(painter, line)
+            top += BAR + line + 4
+        self._paint_swatches(painter, top)
+        painter.end()
+
+    def _paint_scale(self, painter, line):
+        width = self.width() / STEPS
+        share = [(k + 0.5) / STEPS for k in range(STEPS)]
+        values = [self._least + each * (self._largest - self._least) for each in share]
+        for k, (colour, value) in enumerate(zip(load_colours.on_scale(share), values)):
+            if self._limit is not None and value > self._limit:
+                colour = load_colours.BEYOND
+            painter.fillRect(QtCore.QRectF(k * width, 0, width + 1, BAR), _qt(colour))
+        texts = [(QtCore.Qt.AlignLeft, self._least), (QtCore.Qt.AlignRight, self._largest)]
+        painter.setPen(self.palette().windowText().color())
+        box = QtCore.QRectF(0, BAR + 1, self.width(), line)
+        for side, value in texts:
+            painter.drawText(box, side | QtCore.Qt.AlignTop, told(self._measure, value))
+
+    def swatches(self):
+        """[(colour, text), ...] of what is not on the scale."""
+        kinds = [
+            (load_colours.KINDS[kind], _translate("EvenLoad", name))
+            for kind, name in NAMES.items()
+            if self._measure is load_colours.KIND or kind not in self._measure.kinds
+        ]
+        if self._limit is None:
+            return kinds
+        above = _translate("EvenLoad", "cut above %s") % told(self._measure, self._limit)
+        return [(load_colours.BEYOND, above), *kinds]
+
+    def _paint_swatches(self, painter, top):
+        metrics, x = QtGui.QFontMetrics(self.font()), 0
+        for colour, text in self.swatches():
+            width = BAR + 4 + metrics.boundingRect(text).width()
+            if x > 0 and x + width > self.width():
+                x, top = 0, top + metrics.height() + 2
+            painter.fillRect(x, top + 2, BAR, BAR - 4, _qt(colour))
+            painter.setPen(self.palette().windowText().color())
+            painter.drawText(x + BAR + 4, top + metrics.ascent() - 1, text)
+            x += width + 12
+
+
+def told(measure, value):
+    """A value with its unit."""
+    unit = measure.unit if measure.unit == "°" else " " + measure.unit
+    return "%.*f%s" % (measure.digits, value, unit)
+
+
+def _qt(colour):
+    return QtGui.QColor.fromRgbF(*map(float, colour))

@@ -1,0 +1,183 @@
+"""The status on top of a panel: whether there is a path, what it takes, and what is to be said of
+it, with the places and fields that are named as links.
+"""
+
+import html
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from evenload.gui import colours
+from evenload.gui.slots import slot, telling_slot
+from evenload.settings import notes
+from evenload.words import clock
+
+_translate = FreeCAD.Qt.translate
+
+VALID, WAITING, FAILED = "valid", "waiting", "failed"
+MARKS = {VALID: ("\u2714", colours.GOOD), WAITING: ("\u25cf", colours.CAUTION)}
+MARKS[FAILED] = ("\u2716", colours.BAD)
+
+
+def state_of(obj, is_changed):
+    """(VALID, WAITING or FAILED, the sentence for it) of an operation; is_changed: whether its
+    panel has been edited since the path was computed.
+    """
+    failure = "" if obj.isValid() else obj.Report.splitlines()[:1]
+    if is_changed:
+        return WAITING, _translate("EvenLoad", "Changed: Apply computes the path")
+    if failure:
+        return FAILED, failure[0]
+    if not obj.isValid():
+        return FAILED, _translate("EvenLoad", "The path could not be computed.")
+    if not obj.Active:
+        return WAITING, _translate("EvenLoad", "Not active: there is no path")
+    if not obj.Report:
+        return WAITING, _translate("EvenLoad", "Not computed yet: Apply computes the path")
+    if notes.CHECKED in obj.Report.splitlines():
+        return VALID, _translate("EvenLoad", "Valid, checked against the model")
+    return VALID, _translate("EvenLoad", "Valid")
+
+
+def figures_of(obj):
+    """[(what is told, explanation), ...] of a computed path."""
+    if not obj.CuttingTime > 0:
+        return []
+    area = FreeCAD.Units.Quantity(obj.UncutArea.Value, FreeCAD.Units.Area)
+    times = clock(obj.CuttingTime)
+    if obj.IdealTime > 0:
+        ratio = obj.CuttingTime / obj.IdealTime
+        times += _translate("EvenLoad", " (%.2f of the ideal)") % ratio
+    return [
+        (
+            _translate("EvenLoad", "Time %s") % times,
+            _translate(
+                "EvenLoad",
+                "Cuts, links, entries and retracts at the path's own feeds; Cycle Time is the "
+                "same. The ideal is the area over side step and feed: all of it cut at the "
+                "engagement angle",
+            ),
+        ),
+        (
+            _translate("EvenLoad", "Engagement up to %.1f°") % obj.MaxEngagement.Value,
+            _translate("EvenLoad", "Largest engagement angle, mean over 0.1 mm of the path"),
+        ),
+        (
+            _translate("EvenLoad", "Uncut %s") % area.UserString,
+            _translate("EvenLoad", "Area that the tool could reach and did not clear"),
+        ),
+        (
+            _translate("EvenLoad", "Retracts %d") % obj.Retracts,
+            _translate("EvenLoad", "How often the tool rises and comes down again"),
+        ),
+    ]
+
+
+class Status:
+    """Its two widgets: `top`, which always shows, and `notes`, which may be scrolled.
+
+    followed: a bound method that is called with the Piece that a click was on; it is not kept
+    alive.
+    """
+
+    def __init__(self, followed):
+        self._followed = telling_slot(followed)
+        self._pieces = []  # of links, which have their numbers
+        self.top, self.notes = QtGui.QWidget(), QtGui.QWidget()
+        above, below = _column(self.top), _column(self.notes)
+        self._state, self._warnings, self._remarks = (self._label() for _ in range(3))
+        self._figures = [self._label() for _ in range(4)]
+        self._fold = QtGui.QToolButton()
+        self._fold.setAutoRaise(True)
+        self._fold.setCheckable(True)
+        self._fold.setToolButtonStyle(QtCore.Qt.ToolButtonTextBesideIcon)
+        self._fold.toggled.connect(slot(self._show_fold))
+        grid = QtGui.QGridLayout()
+        grid.setContentsMargins(0, 0, 0, 0)
+        grid.setHorizontalSpacing(12)
+        grid.setVerticalSpacing(0)
+        grid.addWidget(self._figures[0], 0, 0, 1, 2)
+        grid.addWidget(self._figures[1], 1, 0, 1, 2)
+        grid.addWidget(self._figures[2], 2, 0)
+        grid.addWidget(self._figures[3], 2, 1)
+        above.addWidget(self._state)
+        above.addLayout(grid)
+        for widget in (self._warnings, self._fold, self._remarks):
+            below.addWidget(widget)
+
+    def show(self, obj, is_changed=False, refusal=None):
+        """Shows an operation's state. refusal: the sentence why its settings cannot be used."""
+        self._pieces = []
+        state, sentence = (FAILED, refusal) if refusal else state_of(obj, is_changed)
+        mark, colour = MARKS[state]
+        shade = colours.shade(colour, self._state)
+        self._state.setText(
+            '<span style="color:%s"><b>%s</b></span> %s' % (shade, mark, self._linked(sentence))
+        )
+        # What was computed before a change still stands: its path is the one that is seen.
+        figures = figures_of(obj) if state != FAILED else []
+        for label, (text, tip) in zip(self._figures, figures or [("", "")] * 4):
+            label.setText(text)
+            label.setToolTip(tip)
+            label.setEnabled(state == VALID)
+            label.setVisible(bool(text))
+        said = [s for s in obj.Report.splitlines() if s] if obj.isValid() and not refusal else []
+        warnings = [s for s in said if notes.kind_of(s) == notes.WARNING]
+        remarks = [s for s in said if s not in (*warnings, notes.CHECKED)]
+        self._warnings.setText(self._listed(warnings, colours.CAUTION, "\u26a0"))
+        self._warnings.setVisible(bool(warnings))
+        self._remarks.setText(self._listed(remarks, None, "\u2022"))
+        self._fold.setText(_translate("EvenLoad", "Remarks (%d)") % len(remarks))
+        self._fold.setVisible(bool(remarks))
+        self._show_fold()
+
+    def text(self):
+        """All that it tells, as plain lines, the folded ones too."""
+        labels = [self._state, *self._figures, self._warnings, self._remarks]
+        document = QtGui.QTextDocument()
+        lines = []
+        for label in labels:
+            document.setHtml(label.text())
+            lines += [line for line in document.toPlainText().splitlines() if line.strip()]
+        return "\n".join(lines)
+
+    def _show_fold(self):
+        is_open = self._fold.isChecked()
+        self._fold.setArrowType(QtCore.Qt.DownArrow if is_open else QtCore.Qt.RightArrow)
+        self._remarks.setVisible(is_open and not self._fold.isHidden())
+
+    def _listed(self, sentences, colour, mark):
+        if colour is not None:
+            mark = '<span style="color:%s">%s</span>' % (colours.shade(colour, self._state), mark)
+        return "<br>".join("%s %s" % (mark, self._linked(each)) for each in sentences)
+
+    def _linked(self, sentence):
+        """A sentence as rich text, with its places and fields as links."""
+        shade, result = colours.shade(colours.LINK, self._state), []
+        for piece in notes.pieces_of(sentence):
+            text = html.escape(piece.text)
+            if piece.place or piece.field:
+                self._pieces.append(piece)
+                text = '<a href="%d" style="color:%s">%s</a>' % (len(self._pieces) - 1, shade, text)
+            result.append(text)
+        return "".join(result)
+
+    def _follow(self, number):
+        self._followed(self._pieces[int(number)])
+
+    def _label(self):
+        label = QtGui.QLabel()
+        label.setWordWrap(True)
+        label.setTextFormat(QtCore.Qt.RichText)
+        label.setTextInteractionFlags(
+            QtCore.Qt.TextSelectableByMouse | QtCore.Qt.LinksAccessibleByMouse
+        )
+        label.linkActivated.connect(telling_slot(self._follow))
+        return label
+
+
+def _column(widget):
+    layout = QtGui.QVBoxLayout(widget)
+    layout.setContentsMargins(0, 0, 0, 0)
+    layout.setSpacing(2)
+    return layout

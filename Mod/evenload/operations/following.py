@@ -1,0 +1,73 @@
+"""Settings that follow others: the tool and its controller, and side step and angle each other."""
+
+import math
+
+import FreeCAD
+
+from evenload import host
+from evenload import tool as tools
+
+
+class Following(host.operation_base()):
+    """What an operation's proxy does to keep settings that follow others up to date."""
+
+    settings = ()  # rows
+    is_changing = False  # whether what changes now is no wish of the user's
+
+    def own_names(self):
+        """The names of settings that follow the tool or the geometry until they are set."""
+        return [row.name for row in self.settings if row.follows or row.fitted]
+
+    def follow_tool(self, obj, again=()):
+        """Sets what follows the tool and its controller. again: names of settings that shall follow
+        once more.
+        """
+        if not hasattr(obj, "OwnValues"):
+            return
+        if again:
+            obj.OwnValues = [name for name in obj.OwnValues if name not in again]
+        controller = obj.ToolController
+        diameter = tools.diameter(controller)
+        if not diameter > 0:
+            return
+        feed, rapid = controller.HorizFeed.Value, controller.HorizRapid.Value
+        self.is_changing = True
+        try:
+            for row in self.settings:
+                if row.follows and row.name not in obj.OwnValues:
+                    assign(obj, row.name, row.follows(diameter, feed, rapid))
+        finally:
+            self.is_changing = False
+        # A side step that cannot be stays, to be refused.
+        if 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
+            self.set_side_step(obj)
+
+    def set_side_step(self, obj):
+        radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value
+        if radius > 0 and 0 < angle < 180:
+            self.quietly(obj, "SideStep", radius * (1 - math.cos(math.radians(angle))))
+
+    def set_angle(self, obj):
+        radius, step = tools.diameter(obj.ToolController) / 2, obj.SideStep.Value
+        if radius > 0 and 0 < step < 2 * radius:
+            self.quietly(obj, "EngagementAngle", math.degrees(math.acos(1 - step / radius)))
+
+    def quietly(self, obj, name, value):
+        before, self.is_changing = self.is_changing, True
+        try:
+            assign(obj, name, value)
+        finally:
+            self.is_changing = before
+
+
+def assign(obj, name, value):
+    """Assigns only what differs, so that nothing is touched without need."""
+    before = getattr(obj, name)
+    before = getattr(before, "Value", before)
+    if isinstance(before, FreeCAD.Vector):
+        value = FreeCAD.Vector(value)
+        differs = (before - value).Length > 1e-9 * max(1.0, value.Length)
+    else:
+        differs = abs(before - value) > 1e-9 * max(1.0, abs(value))
+    if differs:
+        setattr(obj, name, value)

@@ -1,0 +1,79 @@
+"""What Report's sentences are to the user: warnings, or what became of wishes and plain facts; and
+which places and fields they name.
+"""
+
+import re
+from dataclasses import dataclass
+
+from evenload.settings.labels import FREECADS, LABELS, told
+
+WARNING, WISH, FACT = "warning", "wish", "fact"
+CHECKED = "Checked against the model."
+
+# How the sentences begin that are no warnings: wishes were met as far as that was possible, and the
+# path is as good as any.
+_WISHES = (
+    "Turned more tightly than the wished",
+    "HelixDiameter ",
+    "Pitch is smaller than set",
+    "The spiral turns more tightly than MinimumRadius",
+    "No helix fits: the tool comes down along a ramp",
+    "No cut leads on from a ramp",
+    "Entry is a helix, not a ramp",
+    "SlotWidth was not used",
+)
+_FACTS = (CHECKED, "The spindle of ")
+_DEPTH_OF = re.compile(r": cut down to -?[0-9.e+-]+ mm\.$")
+_STANDING = re.compile(r"^The spindle of .* does not turn")
+
+_NUMBER = r"-?\d+(?:\.\d+)?(?:e[+-]?\d+)?"
+_PLACE = r"\((?P<x>%s), (?P<y>%s)(?:, (?P<z>%s))?\)" % (_NUMBER, _NUMBER, _NUMBER)
+# A label of one word may be a word of the sentence; it is the field's where it begins it.
+_BY_LABEL = {label: name for name, label in {**LABELS, **FREECADS}.items()}
+_FIELDS = "|".join(
+    (r"\b%s\b" if " " in label or not label.isalpha() else r"^%s(?= is\b)") % re.escape(label)
+    for label in sorted(_BY_LABEL, key=len, reverse=True)
+)
+_LINKS = re.compile("%s|(?P<label>%s)" % (_PLACE, _FIELDS))
+
+
+@dataclass(frozen=True)
+class Piece:
+    """Part of a sentence."""
+
+    text: str
+    place: tuple = None  # (x, y, z) in mm that it names; z may be None
+    field: str = None  # the property whose field it names
+
+
+def kind_of(sentence):
+    """WARNING, WISH or FACT: what a sentence of Report is."""
+    if sentence.startswith(tuple(map(told, _WISHES))):
+        return WISH
+    if _STANDING.match(sentence):
+        return WARNING
+    if sentence.startswith(_FACTS) or _DEPTH_OF.search(sentence):
+        return FACT
+    return WARNING
+
+
+def pieces_of(sentence):
+    """The Pieces of a sentence, in their order."""
+    result, at = [], 0
+    for found in _LINKS.finditer(sentence):
+        if found.start() > at:
+            result.append(Piece(sentence[at : found.start()]))
+        if found["label"]:
+            result.append(Piece(found.group(), field=_BY_LABEL[found["label"]]))
+        else:
+            z = float(found["z"]) if found["z"] else None
+            result.append(Piece(found.group(), (float(found["x"]), float(found["y"]), z)))
+        at = found.end()
+    if at < len(sentence):
+        result.append(Piece(sentence[at:]))
+    return result
+
+
+def fields_of(sentence):
+    """The properties whose fields a sentence names, in its order."""
+    return [piece.field for piece in pieces_of(sentence) if piece.field]

@@ -1,0 +1,227 @@
+"""What test_load_view.py runs in FreeCAD's GUI: the load of operations in the 3D view."""
+
+import os
+import sys
+import time
+from types import SimpleNamespace
+
+import FreeCAD
+import FreeCADGui
+import numpy
+from PySide import QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from gui_tools import OUT, later, result, run  # noqa: E402
+
+SAMPLES = 100_000
+NODE = "EvenLoadLoad"
+
+
+def nodes_in_scene():
+    """The load nodes in the active view's scene."""
+    scene = FreeCADGui.activeDocument().activeView().getSceneGraph()
+    children = [scene.getChild(i) for i in range(scene.getNumChildren())]
+    return [node for node in children if str(node.getName()) == NODE]
+
+
+def docks():
+    from evenload.gui import load_view
+
+    widgets = [w for w in QtGui.QApplication.allWidgets() if isinstance(w, QtGui.QDockWidget)]
+    return [w for w in widgets if w.objectName() == load_view.NAME and w.isVisible()]
+
+
+def picture(name):
+    FreeCADGui.getMainWindow().grab().save(os.path.join(OUT, name + ".png"))
+    view = FreeCADGui.activeDocument().activeView()
+    view.saveImage(os.path.join(OUT, name + "_view.png"), 900, 700, "Current")
+
+
+def vertices_of(view):
+    """(places, packed colours, numbers of vertices of the lines) in the Coin node."""
+    vertices = view.node.vertices
+    places = [list(p.getValue()) for p in vertices.vertex.getValues()]
+    colours = [int(c) for c in vertices.orderedRGBA.getValues()]
+    return places, colours, list(view.node.line.numVertices.getValues())
+
+
+def seen_of(view, op):
+    """What the node holds beside what the simulator tells, for every measure."""
+    from evenload.gui import load_colours
+
+    found = view.found
+    places, colours, counts = vertices_of(view)
+    samples = numpy.stack([found.x, found.y, found.z], axis=1)
+    seen = {
+        "samples": len(found.x),
+        "vertices": len(places),
+        "counts": counts,
+        "colours": len(colours),
+        "off": float(numpy.abs(numpy.array(places) - samples).max()),
+        "measures": {},
+    }
+    some = [int(i) for i in numpy.random.default_rng(1).choice(len(found.x), 20, replace=False)]
+    cuts = [i for i in range(len(found.x)) if found.kind[i] == 3]
+    for index in range(view.choice.count()):
+        view.choice.setCurrentIndex(index)
+        later(100)
+        measure = view.measure
+        _, colours, _ = vertices_of(view)
+        values = getattr(found, measure.key)
+        least, largest = load_colours.range_of(measure, found)
+        seen["measures"][measure.key] = {
+            "colours": [colours[i] for i in some],
+            "values": [float(values[i]) for i in some],
+            "kinds": [int(found.kind[i]) for i in some],
+            "means": [mean_before(found, values, i) for i in some],
+            "worst": max(mean_before(found, values, i) for i in cuts),
+            "range": [least, largest],
+            "limit": view._limit(),
+        }
+        picture("%s %s" % (op.Name, measure.key))
+    view.choice.setCurrentIndex(0)
+    return seen
+
+
+def mean_before(found, values, i, window=0.1):
+    """The mean of values over the last 0.1 mm of path before a sample, added up one by one."""
+    total, left = 0.0, window
+    while i >= 0 and left > 1e-12:
+        step = min(left, float(found.length[i]))
+        value = float(values[i])
+        total += step * (value if value == value else 0.0)
+        left -= step
+        i -= 1
+    return total / window
+
+
+def cursor(view):
+    """The tool at a place of the path, and at the worst one."""
+    from pivy import coin
+
+    found, seen = view.found, {}
+    number = len(found.x) // 3
+    view.slider.setValue(number)
+    later(50)
+    at = view.node._place.translation.getValue().getValue()
+    seen["place"] = [float(v[number]) for v in (found.x, found.y, found.z)]
+    seen["tool"] = list(at)
+    seen["diameter"] = found.tool_diameter
+    seen["told"] = view.told.text()
+    view.worst.click()
+    later(200)
+    camera = FreeCADGui.activeDocument().activeView().getCameraNode()
+    ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
+    middle = camera.position.getValue() + ahead * camera.focalDistance.getValue()
+    worst = view.slider.value()
+    seen["worst"] = [float(v[worst]) for v in (found.x, found.y, found.z)]
+    seen["middle"] = list(middle.getValue())
+    cuts = found.kind == 3
+    means = [mean_before(found, found.engagement_deg, i) for i in numpy.flatnonzero(cuts)]
+    seen["largest"] = [mean_before(found, found.engagement_deg, worst), max(means)]
+    picture("worst")
+    return seen
+
+
+def hundred_thousand():
+    """s, of this thread's work, until a node of so many samples is coloured."""
+    from evenload.gui import load_colours
+    from evenload.gui.load_node import LoadNode
+
+    rows = numpy.random.default_rng(2).random((4, SAMPLES))
+    found = SimpleNamespace(x=rows[0], y=rows[1], z=rows[2], engagement_deg=90 * rows[3])
+    found.kind, found.length = numpy.full(SAMPLES, 3), numpy.full(SAMPLES, 0.1)
+    found.tool_diameter = 6.0
+    measure = load_colours.MEASURES[0]
+    begin = time.thread_time()
+    node = LoadNode(found)
+    node.colour(load_colours.packed(load_colours.colours_of(measure, found, 0, 90, 60)))
+    spent = time.thread_time() - begin
+    assert node.vertices.vertex.getNum() == SAMPLES
+    return spent
+
+
+def command(op):
+    """Runs the command for an operation as a user does; tells what is there then."""
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    later(100)
+    FreeCADGui.runCommand("EvenLoad_ShowLoad")
+    later(800)
+    return [len(nodes_in_scene()), len(docks())]
+
+
+def session():
+    from evenload import host
+    from evenload.operations import adaptive
+    from models import SQUARE, block_with, face_of, floors_of
+
+    for module in ("Path", "CAM"):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
+        settings.SetBool("WarningSuppressVelocity", True)
+        settings.SetBool("WarningSuppressSelectionMode", True)
+    FreeCAD.Units.setSchema(6)
+    FreeCADGui.activateWorkbench(host.WORKBENCH)
+    FreeCADGui.getMainWindow().resize(1300, 1000)
+    later(800)
+    doc = FreeCAD.newDocument("Session")
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(face_of(SQUARE))
+    doc.recompute()
+    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
+    model = job.Model.Group[0]
+    base = [(model, tuple(floors_of(model.Shape)))]
+    ours = adaptive.Create("Ours", parentJob=job)
+    ours.Base = base
+    # What FreeCAD's own operation says of itself stands in the report view like an error.
+    result["provoked"] += [
+        "SetupSheet has no support for Theirs",
+        "Adaptive toolpath processing started",
+        "Done. Elapsed time",
+    ]
+    theirs = host.freecads_adaptive("Theirs", job, controller)
+    theirs.Base = base
+    doc.recompute()
+    model.ViewObject.Visibility = False
+    FreeCADGui.activeDocument().activeView().viewTop()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    result["before"] = len(nodes_in_scene())
+    result["ours_shown"] = command(ours)
+    from evenload.gui import load_view
+
+    view = load_view._shown[0]
+    result["ours"] = seen_of(view, ours)
+    result["cursor"] = cursor(view)
+    swatches = [text for _, text in view.legend.swatches()]
+    result["legend"] = [view.dock.windowTitle(), view.legend.isVisible(), swatches]
+    # A change of the path is followed.
+    ours.EngagementAngle = 40
+    doc.recompute()
+    later(800)
+    result["same_view"] = view is load_view._shown[0]
+    result["followed"] = [view.found.max_engagement_deg, len(nodes_in_scene()), len(docks())]
+    result["ours_hidden"] = command(ours)
+    # Another one, of FreeCAD's own, which no other has cut before; then it is deleted.
+    ours.Active = False
+    doc.recompute()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    result["theirs_shown"] = command(theirs)
+    result["theirs"] = seen_of(load_view._shown[0], theirs)
+    doc.removeObject(theirs.Name)
+    later(200)
+    result["deleted"] = [len(nodes_in_scene()), len(docks())]
+    # A dock that its user closes; a document that is closed.
+    ours.Active = True
+    doc.recompute()
+    command(ours)
+    docks()[0].close()
+    later(200)
+    result["dock_closed"] = [len(nodes_in_scene()), len(docks())]
+    command(ours)
+    FreeCAD.closeDocument(doc.Name)
+    later(300)
+    result["document_closed"] = len(docks())
+    result["seconds"] = hundred_thousand()
+
+
+run(session)

@@ -1,0 +1,271 @@
+"""What test_panel.py runs in FreeCAD's GUI: the status on top of panels, what is folded, limits and
+steps of fields, and how panels fit into a narrow dock.
+"""
+
+import itertools
+import os
+import sys
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from gui_fit import dock_of, resize_dock, too_wide  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    click,
+    fold_all,
+    later,
+    leave,
+    press,
+    result,
+    run,
+    unfold_all,
+)
+
+WIDTHS = 264, 300  # pixels of FreeCAD's dock: as it is at first, and somewhat wider
+METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
+COMMANDS = ("EvenLoad_Adaptive", "EvenLoad_Trochoid", "EvenLoad_LameSpiral")
+
+
+def picture(name):
+    FreeCADGui.getMainWindow().grab().save(os.path.join(OUT, name + ".png"))
+
+
+def opened(op):
+    """The page of an operation's panel, which opens."""
+    later(50)  # the panel before goes first
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later()
+    return op.ViewObject.Proxy.panel.featurePages[-1]
+
+
+def in_panel(op, look):
+    """What look(page) tells of an operation's panel, which opens and closes. Nothing else may keep
+    a page: with it FreeCAD's panel stays, and the widgets of the next are taken for its own.
+    """
+    seen = look(opened(op))
+    press(QtGui.QDialogButtonBox.Cancel)
+    later()
+    return seen
+
+
+def fits(operations):
+    """What does not fit into a narrow dock: of each panel, width and unit schema, folded or not."""
+    found = {}
+    for schema, width in itertools.product((METRIC, INCHES), WIDTHS):
+        FreeCAD.Units.setSchema(schema)
+        for command, op in operations.items():
+            fold_all()
+            name = "%s %d" % (command, schema)
+            found.update(in_panel(op, lambda page: fit_of(page, name, width)))
+    FreeCAD.Units.setSchema(METRIC)
+    return found
+
+
+def fit_of(page, name, width):
+    resize_dock(page, width)
+    name, seen = "%s %d" % (name, dock_of(page).width()), {}
+    for folding in ("folded", "unfolded"):
+        if folding == "unfolded":
+            unfold_all(page)
+        picture("%s %s" % (name, folding))
+        seen["%s %s" % (name, folding)] = too_wide(page)
+    return seen
+
+
+def step_of(box):
+    before = box.property("rawValue")
+    assert QtCore.QMetaObject.invokeMethod(box, "stepUp")
+    return box.property("rawValue") - before
+
+
+def typed(widget, text):
+    """Types a text into a field and leaves it."""
+    edit = widget.findChild(QtGui.QLineEdit)
+    edit.setText(text)
+    edit.textEdited.emit(text)
+    leave(widget)
+    widget.editingFinished.emit()
+    later(50)
+
+
+def fields(op):
+    """Steps, limits and what unset fields show."""
+    seen = {"steps": {}}
+    for schema in (METRIC, INCHES):
+        FreeCAD.Units.setSchema(schema)
+        steps, seen["tolerance %d" % schema] = in_panel(op, steps_of)
+        seen["steps"][schema] = steps
+    FreeCAD.Units.setSchema(METRIC)
+    seen.update(in_panel(op, lambda page: taken(page, op)))
+    return seen
+
+
+def steps_of(page):
+    names = ("EngagementAngle", "SideStep", "MaximumFeed", "RollRadius")
+    return {name: step_of(page.widgets[name]) for name in names}, page.widgets["Tolerance"].text()
+
+
+def taken(page, op):
+    """What fields take, and what they show of it."""
+    names = ("HoleDiameter", "LeastLoad", "MostBlocksPerMetre")
+    edits = [page.widgets[name].findChild(QtGui.QLineEdit) for name in names]
+    seen = {"unset": [edit.text() or edit.placeholderText() for edit in edits]}
+    seen["hole_enabled"] = [page.widgets["EntryPoint"].isEnabled()]
+    typed(page.widgets["HoleDiameter"], "9 mm")
+    seen["hole"] = op.HoleDiameter.Value
+    seen["hole_enabled"].append(page.widgets["EntryPoint"].isEnabled())
+    typed(page.widgets["HoleDiameter"], "0 mm")
+    seen["unset_again"] = edits[0].text()
+    typed(page.widgets["RollRadius"], "-5 mm")
+    typed(page.widgets["EngagementAngle"], "200")
+    seen["beyond"] = [
+        op.RollRadius.Value,
+        page.widgets["RollRadius"].property("text"),
+        op.EngagementAngle.Value,
+        page.widgets["EngagementAngle"].property("text"),
+    ]
+    page.engagement.share.setValue(50.0)
+    page.engagement.share.editingFinished.emit()
+    seen["share"] = [op.SideStep.Value, op.EngagementAngle.Value]
+    return seen
+
+
+def remembered(op):
+    """Whether what is unfolded is so in the next panel, and what is not, not."""
+    fold_all()
+    in_panel(op, lambda page: page.folds["Feeds"].unfold())
+    return in_panel(op, lambda page: {name: fold.is_open() for name, fold in page.folds.items()})
+
+
+def status(op):
+    """The status through changes, failures and OK."""
+    seen = {}
+    fold_all()
+    page = opened(op)
+    seen["valid"] = page.status.text()
+    seen["cycle_time"] = op.CycleTime
+    seen["on_top"] = (
+        page.status.top.mapToGlobal(QtCore.QPoint(0, 0)).y()
+        < page.area.mapToGlobal(QtCore.QPoint(0, 0)).y()
+        and not page.status.top.visibleRegion().isEmpty()
+    )
+    page.widgets["EngagementAngle"].setProperty("rawValue", 50.0)
+    page.widgets["EngagementAngle"].editingFinished.emit()
+    seen["changed"] = page.status.text()
+    # OK with a value that no path can be computed from.
+    op.MaximumFeed = "10 mm/min"
+    press(QtGui.QDialogButtonBox.Ok)
+    later()
+    seen["open"] = bool(FreeCADGui.Control.activeDialog())
+    seen["refused"] = page.status.text()
+    field = page.widgets["MaximumFeed"]
+    seen["field"] = [
+        page.folds["Feeds"].is_open(),
+        not field.visibleRegion().isEmpty(),
+        "color" in page.labels["MaximumFeed"].styleSheet(),
+        field.property("text")[:3],
+    ]
+    seen["path"] = len(op.Path.Commands)
+    picture("refused")
+    # Apply of the same.
+    press(QtGui.QDialogButtonBox.Apply)
+    later(500)
+    seen["failed"] = [op.isValid(), page.status.text()]
+    result["provoked"].append(op.Report)
+    picture("failed")
+    op.MaximumFeed = "510 mm/min"
+    page.setDirty()
+    press(QtGui.QDialogButtonBox.Apply)
+    later(500)
+    seen["mended"] = page.status.text()
+    seen["unmarked"] = page.labels["MaximumFeed"].styleSheet() == ""
+    # A refusal of FreeCAD's own depths leads to its page.
+    for name in ("StartDepth", "FinalDepth", "StepDown", "SafeHeight", "ClearanceHeight"):
+        op.setExpression(name, None)
+    op.FinalDepth = 4.0
+    page.setDirty()
+    press(QtGui.QDialogButtonBox.Ok)
+    later()
+    seen["depth"] = page.status.text()
+    page.follow(page.status._pieces[0])
+    later(100)
+    seen["depth_page"] = page.parent.form.currentWidget() is page.parent.featurePages[1].form
+    op.FinalDepth = -3.0
+    page.parent.form.setCurrentWidget(page.form)
+    press(QtGui.QDialogButtonBox.Ok)
+    later(500)
+    seen["closed"] = not FreeCADGui.Control.activeDialog()
+    return seen
+
+
+def notes(page):
+    """A click on a place that a note names; what is folded."""
+    from pivy import coin
+
+    seen = {"text": page.status.text(), "warnings": page.status._warnings.text()}
+    seen["remarks_folded"] = not page.status._remarks.isVisible()
+    piece = next(piece for piece in page.status._pieces if piece.place)
+    number = page.status._pieces.index(piece)
+    page.status._remarks.linkActivated.emit(str(number))
+    later(200)
+    camera = FreeCADGui.activeDocument().activeView().getCameraNode()
+    ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
+    middle = camera.position.getValue() + ahead * camera.focalDistance.getValue()
+    seen["place"], seen["middle"] = piece.place, list(middle.getValue())
+    click(page.status._fold)
+    later(100)
+    seen["remarks_unfolded"] = page.status._remarks.isVisible()
+    picture("remarks")
+    return seen
+
+
+def operation_on(doc, job, model, floor, command):
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
+    FreeCADGui.runCommand(command)
+    later(600)
+    press(QtGui.QDialogButtonBox.Ok)
+    later(500)
+    return job.Operations.Group[-1]
+
+
+def session():
+    from evenload import host
+    from models import SQUARE, block_with, face_of, floors_of, sketch_of
+
+    for module in ("Path", "CAM"):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
+        settings.SetBool("WarningSuppressVelocity", True)
+        settings.SetBool("WarningSuppressSelectionMode", True)
+    FreeCAD.Units.setSchema(METRIC)
+    FreeCADGui.activateWorkbench(host.WORKBENCH)
+    FreeCADGui.getMainWindow().resize(1200, 1400)
+    later(800)
+    doc = FreeCAD.newDocument("Session")
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(face_of(SQUARE))
+    doc.recompute()
+    job, _ = host.create_job(doc, [part], 6, 255, 6366, 1)
+    FreeCADGui.activeDocument().activeView().viewIsometric()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    model = job.Model.Group[0]
+    (floor,) = floors_of(model.Shape)
+    operations = {c: operation_on(doc, job, model, floor, c) for c in COMMANDS}
+    adaptive = operations["EvenLoad_Adaptive"]
+    result["wide"] = fits(operations)
+    result["fields"] = fields(adaptive)
+    result["remembered"] = remembered(adaptive)
+    result["status"] = status(adaptive)
+    result["job_time"] = job.CycleTime
+    result["times"] = [op.CuttingTime for op in operations.values()]
+    wedge = [(0, 0, 0), (40, 0, 0), (0, 12, 0)]  # whose tips no wished radius fits
+    sketch = sketch_of(doc, wedge)
+    adaptive.Base = [(sketch, "")]
+    doc.recompute()
+    result["notes"] = in_panel(adaptive, notes)
+
+
+run(session)

@@ -1,0 +1,118 @@
+"""The load of operations in the 3D view (see gui_load_session.py)."""
+
+import math
+
+import numpy
+import pytest
+from conftest import in_gui
+from evenload.gui import load_colours
+from evenload.planar import CUT
+
+LEAST_LIGHTNESS_APART = 15
+
+
+@pytest.fixture(scope="module")
+def session(tmp_path_factory):
+    """What gui_load_session.py reports."""
+    return in_gui("gui_load_session.py", tmp_path_factory.mktemp("load"))
+
+
+def test_nothing_of_it_exists_until_it_is_asked_for(session):
+    assert session["before"] == 0
+
+
+@pytest.mark.parametrize("which", ["ours", "theirs"])
+def test_the_command_shows_one_node_and_its_dock(session, which):
+    assert session[which + "_shown"] == [1, 1]
+
+
+@pytest.mark.parametrize("which", ["ours", "theirs"])
+def test_the_vertices_are_the_simulators_samples(session, which):
+    seen = session[which]
+    assert seen["samples"] > 1000
+    assert seen["vertices"] == seen["colours"] == seen["samples"]
+    assert seen["counts"] == [seen["samples"]]
+    assert seen["off"] < 1e-4  # Coin has single precision
+
+
+@pytest.mark.parametrize("which", ["ours", "theirs"])
+def test_the_colours_are_those_of_the_simulators_values(session, which):
+    measures = session[which]["measures"]
+    keys = {"engagement_deg", "removal_rate", "feed", "h_max", "force_peak", "kind"}
+    assert set(measures) == keys
+    for key, seen in measures.items():
+        measure = next(each for each in load_colours.MEASURES if each.key == key)
+        least, largest = seen["range"]
+        assert key == "kind" or largest == pytest.approx(seen["worst"], rel=1e-6)
+        for colour, value, kind, mean in zip(
+            seen["colours"], seen["values"], seen["kinds"], seen["means"]
+        ):
+            wanted = load_colours.KINDS[kind]
+            if kind in measure.kinds and math.isfinite(value):
+                wanted = load_colours.on_scale((value - least) / (largest - least))
+                if seen["limit"] is not None and mean > seen["limit"] and kind == CUT:
+                    wanted = load_colours.BEYOND
+            parts = [(colour >> shift) & 255 for shift in (24, 16, 8, 0)]
+            assert parts[3] == 255
+            assert parts[:3] == pytest.approx([255 * part for part in wanted], abs=1), key
+
+
+def test_only_ours_have_a_limit_of_engagement(session):
+    assert session["ours"]["measures"]["engagement_deg"]["limit"] == pytest.approx(62)
+    assert session["theirs"]["measures"]["engagement_deg"]["limit"] is None
+
+
+def test_the_legend_tells_of_the_limit_and_of_what_is_not_on_the_scale(session):
+    title, is_visible, swatches = session["legend"]
+    assert title == "Load of Ours" and is_visible
+    assert swatches == ["cut above 62.0°", "entry", "rapid"]
+
+
+def test_the_slider_moves_the_tool_along_the_path(session):
+    seen = session["cursor"]
+    x, y, z = seen["place"]
+    above = 1.5 * seen["diameter"]  # the tool's middle
+    assert seen["tool"] == pytest.approx([x, y, z + above], abs=0.01)
+    assert "°" in seen["told"] and "mm/min" in seen["told"] and " N" in seen["told"]
+
+
+def test_fly_to_the_worst_goes_where_the_value_is_largest(session):
+    seen = session["cursor"]
+    assert seen["middle"] == pytest.approx(seen["worst"], abs=0.01)
+    assert seen["largest"][0] == pytest.approx(seen["largest"][1], rel=1e-6)
+    assert seen["largest"][0] < 63  # of the operation at 60 degrees
+
+
+def test_it_follows_each_computation(session):
+    degrees, nodes, docks = session["followed"]
+    assert 35 < degrees < 45 and nodes == docks == 1 and session["same_view"]
+
+
+def test_it_goes_with_its_command_its_dock_its_operation_and_its_document(session):
+    assert session["ours_hidden"] == [0, 0]
+    assert session["deleted"] == [0, 0]
+    assert session["dock_closed"] == [0, 0]
+    assert session["document_closed"] == 0
+
+
+def test_a_hundred_thousand_samples_are_there_in_half_a_second(session):
+    assert session["seconds"] < 0.5
+
+
+def lightness(colour):
+    """CIE L* of a colour of sRGB, 0 to 100."""
+    linear = [
+        c / 12.92 if c <= 0.04045 else ((c + 0.055) / 1.055) ** 2.4 for c in map(float, colour)
+    ]
+    y = sum(share * part for share, part in zip((0.2126, 0.7152, 0.0722), linear))
+    return 116 * y ** (1 / 3) - 16 if y > 0.008856 else 903.3 * y
+
+
+@pytest.mark.core
+def test_the_scale_and_the_kinds_of_moves_can_be_told_apart_in_greyscale():
+    scale = [lightness(colour) for colour in load_colours.on_scale(numpy.linspace(0, 1, 50))]
+    assert all(after > before for before, after in zip(scale, scale[1:]))
+    kinds = sorted(lightness(colour) for colour in load_colours.KINDS.values())
+    apart = [after - before for before, after in zip(kinds, kinds[1:])]
+    assert min(apart) >= LEAST_LIGHTNESS_APART
+    assert load_colours.KINDS[CUT] == min(load_colours.KINDS.values(), key=lightness)
