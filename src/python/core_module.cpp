@@ -19,6 +19,7 @@
 #include "python/engagement_profile.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
+#include "python/inspection_module.h"
 #include "python/lame_module.h"
 #include "python/path_commands_module.h"
 #include "python/proof_module.h"
@@ -227,4 +228,5 @@ PYBIND11_MODULE(_core, m) {
   bind_path_commands(m);
   bind_dynamics(m);
   bind_ball_end(m);
+  bind_inspection(m);
 }

@@ -1,0 +1,136 @@
+#include "inspection/smallest_peak.h"
+
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "inspection/bent_step.h"
+#include "inspection/whitening.h"
+
+namespace evenload {
+
+namespace {
+
+constexpr int kMostSteps = 200;
+constexpr double kFirstReach = 20;     // times the peak
+constexpr double kLeastReach = 1e-15;  // of the size of all
+constexpr double kLeastBend = 1e-6;
+constexpr double kGoodGap = 1e-14;  // share of the peak below which steps bring nothing
+
+double peak_of(const Rows& rows, bool is_two_sided) {
+  return is_two_sided ? rows.values.cwiseAbs().maxCoeff() : rows.values.maxCoeff();
+}
+
+struct Place {
+  std::unique_ptr<Deviations> at;
+  Rows rows;
+  double peak;
+};
+
+Place place_of(std::unique_ptr<Deviations> at) {
+  Place result{std::move(at), {}, 0};
+  result.rows = result.at->rows();
+  result.peak = peak_of(result.rows, result.at->is_two_sided());
+  return result;
+}
+
+class Search {
+ public:
+  Search(std::unique_ptr<Deviations> start, double rounding)
+      : rounding_(rounding),
+        place_(place_of(std::move(start))),
+        directions_(whitening(place_.rows.gradients)),
+        reach_(kFirstReach * std::max(place_.peak, rounding)) {}
+
+  Optimum run() {
+    for (int i = 0; i < kMostSteps && reach_ > kLeastReach; ++i)
+      if (!improve()) break;
+    if (!proof_.is_proved)
+      proof_ = certificate(*place_.at, directions_, contacts_, place_.peak, rounding_);
+    return {std::move(place_.at), std::move(place_.rows.values), place_.peak, proof_};
+  }
+
+ private:
+  // False where there is nothing left to improve.
+  bool improve() {
+    const Rows linear{place_.rows.values, directions_.transpose() * place_.rows.gradients};
+    const ExchangeStep found =
+        best_linear_step(linear, place_.at->is_two_sided(), reach_, 0.25 * rounding_);
+    if (!found.is_solved) {
+      reach_ *= 0.25;
+      return true;
+    }
+    proof_ = certificate(*place_.at, directions_, found.contacts, place_.peak, rounding_);
+    contacts_ = found.contacts;
+    const double before = place_.peak, promised = before - found.level;
+    if (proof_.is_proved && std::min(proof_.gap, promised) <= kGoodGap * before + rounding_)
+      return false;
+    const bool is_full = static_cast<Eigen::Index>(found.contacts.size()) > directions_.cols();
+    Place next = moved(found.step);
+    double length = found.step.cwiseAbs().maxCoeff();
+    if (!is_full) {
+      const ExchangeStep bent = bent_step(linear, found.contacts);
+      Place other = moved(bent.step);
+      if (ends_at(other, bent.contacts)) return false;
+      if (other.peak < next.peak) {
+        next = std::move(other);
+        length = bent.step.cwiseAbs().maxCoeff();
+      }
+    }
+    const double gain = before - next.peak;
+    if (gain > 0) {
+      place_ = std::move(next);
+      proof_ = {};
+    }
+    if (gain > 0.75 * promised)
+      reach_ = std::max(reach_, 4 * length);
+    else if (gain < 0.25 * promised)
+      reach_ = 0.25 * std::min(reach_, length);
+    return gain > 0.25 * rounding_ || promised > 2 * rounding_;
+  }
+
+  Place moved(const Eigen::VectorXd& step) const {
+    return place_of(place_.at->moved(directions_ * step));
+  }
+
+  // With bends of the contacts that were last found so.
+  ExchangeStep bent_step(const Rows& linear, const std::vector<Contact>& contacts) {
+    if (bent_contacts_.empty()) bent_contacts_ = contacts;
+    const Eigen::MatrixXd bent = bends(*place_.at, directions_, bent_contacts_, place_.peak);
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(bent);
+    // Where the peak bends inwards a step would go uphill: the size of the bend alone is used.
+    const Eigen::VectorXd sizes = found.eigenvalues().cwiseAbs();
+    const double least = std::max(kLeastBend * sizes.maxCoeff(), kLeastBend);
+    const Eigen::MatrixXd safe = found.eigenvectors() * sizes.cwiseMax(least).asDiagonal() *
+                                 found.eigenvectors().transpose();
+    ExchangeStep result = best_bent_step(linear, place_.at->is_two_sided(), safe, 0.25 * rounding_);
+    if (result.is_solved) bent_contacts_ = result.contacts;
+    return result;
+  }
+
+  // Where the contacts are in balance the peak is flat: rounding hides the last steps towards it.
+  bool ends_at(Place& other, const std::vector<Contact>& contacts) {
+    if (other.peak > place_.peak + rounding_) return false;
+    const Certificate found = certificate(*other.at, directions_, contacts, other.peak, rounding_);
+    if (!found.is_proved || found.gap > kGoodGap * other.peak + rounding_) return false;
+    place_ = std::move(other);
+    proof_ = found;
+    return true;
+  }
+
+  double rounding_;
+  Place place_;
+  Eigen::MatrixXd directions_;
+  double reach_;
+  std::vector<Contact> contacts_, bent_contacts_;
+  Certificate proof_;
+};
+
+}  // namespace
+
+Optimum smallest_peak(std::unique_ptr<Deviations> start, double rounding) {
+  return Search(std::move(start), rounding).run();
+}
+
+}  // namespace evenload
