@@ -1,5 +1,6 @@
 #include "inspection/certificate.h"
 
+#include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
 #include <Eigen/QR>
 #include <Eigen/SVD>
@@ -15,6 +16,8 @@ constexpr double kLevel = 1e-10;      // share of the peak by which contacts may
 constexpr double kBentInwards =
     1e-5;  // share of the bends' size that differences cannot tell from 0
 constexpr double kDependent = 1e-9;
+constexpr double kLeastBend = 1e-9;
+constexpr double kStiffest = 1e6;
 
 // Contacts as rows that all rise with the peak.
 struct Touching {
@@ -42,6 +45,30 @@ Touching touching(const Deviations& at, const Eigen::MatrixXd& directions,
   goal[directions.cols()] = 1;
   result.multipliers = system.colPivHouseholderQr().solve(goal);
   return result;
+}
+
+// How the contacts, weighted by their multipliers, bend, by differences of gradients.
+Eigen::MatrixXd bends(const Deviations& at, const Eigen::MatrixXd& directions,
+                      const std::vector<Contact>& contacts, double peak) {
+  const Eigen::Index freedom = directions.cols();
+  Which points;
+  Eigen::VectorXd weights(static_cast<Eigen::Index>(contacts.size()));
+  for (const Contact& each : contacts) {
+    weights[static_cast<Eigen::Index>(points.size())] = each.multiplier * each.side;
+    points.push_back(each.point);
+  }
+  // Distances from a line bend within their own size.
+  const double difference = at.is_two_sided() ? kDifference : std::min(kDifference, 1e-3 * peak);
+  Eigen::MatrixXd result(freedom, freedom);
+  for (Eigen::Index k = 0; k < freedom; ++k) {
+    const double size = difference / directions.col(k).norm();
+    const auto weighted = [&](double by) -> Eigen::VectorXd {
+      const Rows rows = at.moved(by * directions.col(k))->rows(points);
+      return directions.transpose() * (rows.gradients * weights);
+    };
+    result.col(k) = (weighted(size) - weighted(-size)) / (2 * size);
+  }
+  return 0.5 * (result + result.transpose());
 }
 
 // Steps that keep the contacts level with each other, in columns.
@@ -86,27 +113,26 @@ Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,
   return result;
 }
 
-Eigen::MatrixXd bends(const Deviations& at, const Eigen::MatrixXd& directions,
-                      const std::vector<Contact>& contacts, double peak) {
+Eigen::MatrixXd safe_bends(const Deviations& at, const Eigen::MatrixXd& directions,
+                           const std::vector<Contact>& contacts, double peak, double damping) {
   const Eigen::Index freedom = directions.cols();
-  Which points;
-  Eigen::VectorXd weights(static_cast<Eigen::Index>(contacts.size()));
-  for (const Contact& each : contacts) {
-    weights[static_cast<Eigen::Index>(points.size())] = each.multiplier * each.side;
-    points.push_back(each.point);
+  const Eigen::MatrixXd bent = bends(at, directions, contacts, peak);
+  const double largest = std::max(bent.cwiseAbs().maxCoeff(), kLeastBend);
+  const Eigen::MatrixXd free = level_steps(touching(at, directions, contacts));
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> inner(free.transpose() * bent * free);
+  const Eigen::MatrixXd axes = free * inner.eigenvectors();
+  const Eigen::VectorXd wanted =
+      inner.eigenvalues().cwiseAbs().cwiseMax(kLeastBend * largest).array() + damping * largest;
+  Eigen::MatrixXd result =
+      bent + axes * (wanted - inner.eigenvalues()).asDiagonal() * axes.transpose();
+  // Across them the contacts decide, however stiff the peak is there.
+  const Eigen::MatrixXd across =
+      Eigen::MatrixXd::Identity(freedom, freedom) - free * free.transpose();
+  for (double stiff = largest; stiff < kStiffest * largest; stiff *= 8) {
+    const Eigen::MatrixXd tried = result + stiff * across;
+    if (tried.llt().info() == Eigen::Success) return tried;
   }
-  // Distances from a line bend within their own size.
-  const double difference = at.is_two_sided() ? kDifference : std::min(kDifference, 1e-3 * peak);
-  Eigen::MatrixXd result(freedom, freedom);
-  for (Eigen::Index k = 0; k < freedom; ++k) {
-    const double size = difference / directions.col(k).norm();
-    const auto weighted = [&](double by) -> Eigen::VectorXd {
-      const Rows rows = at.moved(by * directions.col(k))->rows(points);
-      return directions.transpose() * (rows.gradients * weights);
-    };
-    result.col(k) = (weighted(size) - weighted(-size)) / (2 * size);
-  }
-  return 0.5 * (result + result.transpose());
+  return result + kStiffest * largest * Eigen::MatrixXd::Identity(freedom, freedom);
 }
 
 }  // namespace evenload

@@ -27,9 +27,11 @@ inline constexpr double kMostImbalance = 1e-9;
 Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,
                         const std::vector<Contact>& contacts, double peak, double rounding);
 
-// How the contacts, weighted by their multipliers, bend along `directions`, by differences of
-// gradients: the second derivatives of the peak.
-Eigen::MatrixXd bends(const Deviations& at, const Eigen::MatrixXd& directions,
-                      const std::vector<Contact>& contacts, double peak);
+// How the contacts, weighted by their multipliers, bend along `directions`: the second derivatives
+// of the peak by differences of gradients, made positive definite. Along steps that keep the
+// contacts level they are changed only where they bend inwards; `damping` adds that share of the
+// largest of them to all.
+Eigen::MatrixXd safe_bends(const Deviations& at, const Eigen::MatrixXd& directions,
+                           const std::vector<Contact>& contacts, double peak, double damping);
 
 }  // namespace evenload

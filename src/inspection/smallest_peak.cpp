@@ -1,6 +1,5 @@
 #include "inspection/smallest_peak.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -15,7 +14,7 @@ namespace {
 constexpr int kMostSteps = 200;
 constexpr double kFirstReach = 20;     // times the peak
 constexpr double kLeastReach = 1e-15;  // of the size of all
-constexpr double kLeastBend = 1e-6;
+constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-9, kEasing = 0.1;
 constexpr double kGoodGap = 1e-14;  // share of the peak below which steps bring nothing
 
 double peak_of(const Rows& rows, bool is_two_sided) {
@@ -70,9 +69,14 @@ class Search {
     Place next = moved(found.step);
     double length = found.step.cwiseAbs().maxCoeff();
     if (!is_full) {
-      const ExchangeStep bent = bent_step(linear, found.contacts);
+      ExchangeStep bent = bent_step(linear, found.contacts);
       Place other = moved(bent.step);
-      if (ends_at(other, bent.contacts)) return false;
+      if (other.peak >= next.peak) correct(linear, bent, other);
+      // Near the end rounding alone decides who is higher.
+      const bool is_good = other.peak < before + 8 * rounding_;
+      damping_ = is_good ? kEasing * damping_ : std::max(damping_ / kEasing, kFirstDamping);
+      if (damping_ < kLeastDamping) damping_ = 0;
+      if (other.peak <= next.peak + rounding_ && settles(other, bent.contacts)) return !is_done();
       if (other.peak < next.peak) {
         next = std::move(other);
         length = bent.step.cwiseAbs().maxCoeff();
@@ -94,35 +98,45 @@ class Search {
     return place_of(place_.at->moved(directions_ * step));
   }
 
+  // Contacts bend each in its own way, which may lift the peak though their mean falls: the step is
+  // found anew with the heights that it led to (a correction of second order).
+  void correct(const Rows& linear, ExchangeStep& bent, Place& other) {
+    const Rows led{other.rows.values - linear.gradients.transpose() * bent.step, linear.gradients};
+    bent = best_bent_step(led, place_.at->is_two_sided(), bends_, 0.25 * rounding_);
+    other = moved(bent.step);
+  }
+
   // With bends of the contacts that were last found so.
   ExchangeStep bent_step(const Rows& linear, const std::vector<Contact>& contacts) {
     if (bent_contacts_.empty()) bent_contacts_ = contacts;
-    const Eigen::MatrixXd bent = bends(*place_.at, directions_, bent_contacts_, place_.peak);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(bent);
-    // Where the peak bends inwards a step would go uphill: the size of the bend alone is used.
-    const Eigen::VectorXd sizes = found.eigenvalues().cwiseAbs();
-    const double least = std::max(kLeastBend * sizes.maxCoeff(), kLeastBend);
-    const Eigen::MatrixXd safe = found.eigenvectors() * sizes.cwiseMax(least).asDiagonal() *
-                                 found.eigenvectors().transpose();
-    ExchangeStep result = best_bent_step(linear, place_.at->is_two_sided(), safe, 0.25 * rounding_);
+    bends_ = safe_bends(*place_.at, directions_, bent_contacts_, place_.peak, damping_);
+    ExchangeStep result =
+        best_bent_step(linear, place_.at->is_two_sided(), bends_, 0.25 * rounding_);
     if (result.is_solved) bent_contacts_ = result.contacts;
     return result;
   }
 
   // Where the contacts are in balance the peak is flat: rounding hides the last steps towards it.
-  bool ends_at(Place& other, const std::vector<Contact>& contacts) {
+  bool settles(Place& other, const std::vector<Contact>& contacts) {
     if (other.peak > place_.peak + rounding_) return false;
-    const Certificate found = certificate(*other.at, directions_, contacts, other.peak, rounding_);
-    if (!found.is_proved || found.gap > kGoodGap * other.peak + rounding_) return false;
+    const Certificate now = certificate(*place_.at, directions_, contacts, place_.peak, rounding_);
+    Certificate then = certificate(*other.at, directions_, contacts, other.peak, rounding_);
+    if (!then.is_proved && then.imbalance > 0.5 * now.imbalance) return false;
     place_ = std::move(other);
-    proof_ = found;
+    proof_ = std::move(then);
+    contacts_ = contacts;
     return true;
+  }
+
+  bool is_done() const {
+    return proof_.is_proved && proof_.gap <= kGoodGap * place_.peak + rounding_;
   }
 
   double rounding_;
   Place place_;
-  Eigen::MatrixXd directions_;
+  Eigen::MatrixXd directions_, bends_;
   double reach_;
+  double damping_ = 0;  // of bent steps, a share of the largest bend
   std::vector<Contact> contacts_, bent_contacts_;
   Certificate proof_;
 };
