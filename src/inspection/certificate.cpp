@@ -119,12 +119,14 @@ Eigen::MatrixXd safe_bends(const Deviations& at, const Eigen::MatrixXd& directio
   const Eigen::MatrixXd bent = bends(at, directions, contacts, peak);
   const double largest = std::max(bent.cwiseAbs().maxCoeff(), kLeastBend);
   const Eigen::MatrixXd free = level_steps(touching(at, directions, contacts));
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> inner(free.transpose() * bent * free);
-  const Eigen::MatrixXd axes = free * inner.eigenvectors();
-  const Eigen::VectorXd wanted =
-      inner.eigenvalues().cwiseAbs().cwiseMax(kLeastBend * largest).array() + damping * largest;
-  Eigen::MatrixXd result =
-      bent + axes * (wanted - inner.eigenvalues()).asDiagonal() * axes.transpose();
+  Eigen::MatrixXd result = bent;
+  if (free.cols() > 0) {
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> inner(free.transpose() * bent * free);
+    const Eigen::MatrixXd axes = free * inner.eigenvectors();
+    const Eigen::VectorXd wanted =
+        inner.eigenvalues().cwiseAbs().cwiseMax(kLeastBend * largest).array() + damping * largest;
+    result += axes * (wanted - inner.eigenvalues()).asDiagonal() * axes.transpose();
+  }
   // Across them the contacts decide, however stiff the peak is there.
   const Eigen::MatrixXd across =
       Eigen::MatrixXd::Identity(freedom, freedom) - free * free.transpose();
