@@ -12,7 +12,6 @@ namespace evenload {
 namespace {
 
 constexpr double kDifference = 1e-5;  // of the size of all, for second derivatives
-constexpr double kLevel = 1e-10;      // share of the peak by which contacts may lie below it
 constexpr double kBentInwards =
     1e-5;  // share of the bends' size that differences cannot tell from 0
 constexpr double kDependent = 1e-9;
@@ -38,12 +37,12 @@ Touching touching(const Deviations& at, const Eigen::MatrixXd& directions,
   const Rows rows = at.rows(result.points);
   result.heights = result.sides.cwiseProduct(rows.values);
   result.slopes = directions.transpose() * rows.gradients * result.sides.asDiagonal();
-  // The multipliers that balance best, of sum 1.
+  // The multipliers that balance best, of sum 1; the evenest where there are many.
   Eigen::MatrixXd system(directions.cols() + 1, size);
   system << result.slopes, Eigen::RowVectorXd::Ones(size);
   Eigen::VectorXd goal = Eigen::VectorXd::Zero(directions.cols() + 1);
   goal[directions.cols()] = 1;
-  result.multipliers = system.colPivHouseholderQr().solve(goal);
+  result.multipliers = system.completeOrthogonalDecomposition().solve(goal);
   return result;
 }
 
@@ -99,7 +98,7 @@ Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,
   const Eigen::VectorXd left = touch.slopes * touch.multipliers;
   result.imbalance = left.size() ? left.cwiseAbs().maxCoeff() : 0;
   result.gap = peak - touch.heights.dot(touch.multipliers) / sum;
-  const double level = kLevel * peak + 8 * rounding;
+  const double level = contact_level(peak, rounding);
   if (!(touch.multipliers.minCoeff() >= -kMostImbalance && result.imbalance <= kMostImbalance &&
         std::abs(result.gap) <= level && peak - touch.heights.minCoeff() <= level))
     return result;

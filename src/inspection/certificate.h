@@ -22,6 +22,8 @@ struct Certificate {
 };
 
 inline constexpr double kMostImbalance = 1e-9;
+// By how much a contact may lie below the peak.
+inline double contact_level(double peak, double rounding) { return 1e-10 * peak + 8 * rounding; }
 
 // `peak`: the largest deviation of all points. `directions`: the whitening.
 Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,

@@ -12,6 +12,7 @@ namespace evenload {
 namespace {
 
 constexpr int kMostSteps = 200;
+constexpr std::size_t kMostTouching = 64;
 constexpr double kFirstReach = 20;     // times the peak
 constexpr double kLeastReach = 1e-15;  // of the size of all
 constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-9, kEasing = 0.1;
@@ -47,6 +48,7 @@ class Search {
       if (!improve()) break;
     if (!proof_.is_proved)
       proof_ = certificate(*place_.at, directions_, contacts_, place_.peak, rounding_);
+    if (!proof_.is_proved) prove_by_all();
     return {std::move(place_.at), std::move(place_.rows.values), place_.peak, proof_};
   }
 
@@ -126,6 +128,21 @@ class Search {
     proof_ = std::move(then);
     contacts_ = contacts;
     return true;
+  }
+
+  // Where more points touch than a proof needs, as on prisms and grids, few of them may hold no
+  // proof that all of them do.
+  void prove_by_all() {
+    const double lowest = place_.peak - contact_level(place_.peak, rounding_);
+    const bool is_two_sided = place_.at->is_two_sided();
+    std::vector<Contact> all;
+    for (Eigen::Index i = 0; i < place_.rows.values.size() && all.size() <= kMostTouching; ++i) {
+      const double value = place_.rows.values[i];
+      const int side = is_two_sided && value < 0 ? -1 : 1;
+      if (side * value >= lowest) all.push_back({i, side, 1});
+    }
+    Certificate found = certificate(*place_.at, directions_, all, place_.peak, rounding_);
+    if (found.is_proved) proof_ = std::move(found);
   }
 
   bool is_done() const {

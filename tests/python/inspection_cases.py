@@ -53,7 +53,9 @@ def moved(points, random, scale, far):
 
 def moved_in_plane(points, random, scale, far):
     angle = random.uniform(-numpy.pi, numpy.pi)
-    turn = numpy.array([[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]])
+    turn = numpy.array(
+        [[numpy.cos(angle), -numpy.sin(angle)], [numpy.sin(angle), numpy.cos(angle)]]
+    )
     turn[0] *= random.choice([-1, 1])
     return scale * points[:, :2] @ turn.T + far * random.uniform(-1, 1, 2), turn
 
@@ -109,7 +111,8 @@ def imbalance(found, points):
         if found.kind in ("cylinder", "line"):
             radial = arms - numpy.outer(arms @ found.direction, found.direction)
         elif found.direction is not None:  # a circle in space
-            radial = arms - numpy.outer(arms @ found.direction, found.direction)
+            # which lies in the plane that its points were projected on
+            radial = arms = arms - numpy.outer(arms @ found.direction, found.direction)
         normals = unit(radial)
     parts = [weights @ normals, weights @ numpy.cross(arms, normals) / size]
     if not (found.kind == "line" and len(found.point) == 3):
