@@ -17,6 +17,7 @@ using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, k
 
 constexpr int kMostExchanges = 400;  // some 20 are usual: more is a cycle
 constexpr double kLeastPivot = 1e-11;
+constexpr double kSlack = 1e-3;  // share of the reach that steps may go beyond it: it is no law
 
 // A bound of the programme: of a point, or of the reach, where `point` is -1 - (number of the
 // step).
@@ -93,7 +94,7 @@ class Programme {
 
   // The bound of a point, or of the reach, that is broken most.
   bool find_worst(Bound& worst) {
-    double most = 1e-12 * reach_;
+    double most = kSlack * reach_ + rounding_;
     bool is_found = false;
     for (Eigen::Index k = 0; k < freedom_; ++k) {
       const double outside = std::abs(step_[k]) - reach_;

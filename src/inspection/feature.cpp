@@ -64,7 +64,7 @@ std::unique_ptr<Deviations> FeatureDeviations::moved(const Eigen::VectorXd& step
                      .normalized()
                      .toRotationMatrix();
   if (is_bent(kind_)) frame.curvature += step[step.size() - 1];
-  return std::make_unique<FeatureDeviations>(kind_, points_, frame);
+  return std::make_unique<FeatureDeviations>(kind_, points_, frame, usual_);
 }
 
 FeatureDeviations FeatureDeviations::parallel(double offset) const {
@@ -79,13 +79,13 @@ double FeatureDeviations::row(const Eigen::Vector3d& point, double* gradient) co
   if (kind_ == Kind::kLine) {
     const double away = std::hypot(q[1], q[2]);
     // On the axis any direction is as good as another; none keeps the point where it is.
-    const double inverse = away > 0 ? 1 / away : 0;
+    const double inverse = usual_ > 0 ? 1 / usual_ : away > 0 ? 1 / away : 0;
     const double n = q[1] * inverse, t = q[2] * inverse;
     gradient[0] = -n;
     gradient[1] = -t;
     gradient[2] = t * q[0];
     gradient[3] = -n * q[0];
-    return away;
+    return usual_ > 0 ? 0.5 * (away * away * inverse + usual_) : away;
   }
   const double k = frame_.curvature;
   const double along = kind_ == Kind::kSphere ? q[0] : 0;

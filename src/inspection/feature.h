@@ -35,8 +35,11 @@ bool is_bent(Kind kind);
 class FeatureDeviations final : public Deviations {
  public:
   // Condition: `points` outlives this and what is made by `moved`.
-  FeatureDeviations(Kind kind, const Points& points, const Frame& frame)
-      : kind_(kind), points_(points), frame_(frame) {}
+  // `usual`: for lines in space; where it is above 0 a distance d counts as (d^2 / usual + usual)
+  // / 2. That rises with d, is the same and as steep where d is usual, and all points bend it
+  // alike.
+  FeatureDeviations(Kind kind, const Points& points, const Frame& frame, double usual = 0)
+      : kind_(kind), points_(points), frame_(frame), usual_(usual) {}
 
   Eigen::Index count() const override { return points_.cols(); }
   Eigen::Index freedom() const override { return freedom_of(kind_); }
@@ -57,6 +60,7 @@ class FeatureDeviations final : public Deviations {
   Kind kind_;
   const Points& points_;
   Frame frame_;
+  double usual_;
 };
 
 }  // namespace evenload

@@ -108,21 +108,34 @@ std::vector<LeastSquares> minima_of_many(Kind kind, const Points& points) {
   return found;
 }
 
+// The narrowest line in space near a start.
+Optimum narrowest_line(const LeastSquares& at, const Points& points) {
+  const Frame& frame = frame_in(*at.at);
+  const double usual = at.rows.values.maxCoeff();
+  Optimum found = smallest_peak(
+      std::make_unique<FeatureDeviations>(Kind::kLine, points, frame, usual), kRounding);
+  found.values = FeatureDeviations(Kind::kLine, points, frame_in(*found.at)).rows().values;
+  found.peak = found.values.maxCoeff();
+  return found;
+}
+
 // The same feature, in the middle of its zone.
-Placed centred(Kind kind, const LeastSquares& at) {
+Placed centred(const LeastSquares& at) {
   const auto& feature = static_cast<const FeatureDeviations&>(*at.at);
-  if (kind == Kind::kLine) return std::make_unique<FeatureDeviations>(feature);
   const double middle = 0.5 * (at.rows.values.maxCoeff() + at.rows.values.minCoeff());
   return std::make_unique<FeatureDeviations>(feature.parallel(middle));
 }
 
-Optimum minimum_zone(Kind kind, const std::vector<LeastSquares>& from) {
-  Optimum best = smallest_peak(centred(kind, from.front()), kRounding);
+Optimum minimum_zone(Kind kind, const Points& points, const std::vector<LeastSquares>& from) {
+  const auto zone_from = [&](const LeastSquares& at) {
+    return kind == Kind::kLine ? narrowest_line(at, points) : smallest_peak(centred(at), kRounding);
+  };
+  Optimum best = zone_from(from.front());
   const bool has_room = is_bent(kind) || best.peak > kRoomForOthers;
   for (std::size_t i = 1; i < std::min(from.size(), kMostTries); ++i) {
     const double share = from[i].sum / std::max(from.front().sum, kRounding * kRounding);
     if (!has_room || (is_bent(kind) && (share > kWorthATry || share <= 1 + 1e-6))) continue;
-    Optimum other = smallest_peak(centred(kind, from[i]), kRounding);
+    Optimum other = zone_from(from[i]);
     if (other.peak < best.peak - kRounding) best = std::move(other);
   }
   return best;
@@ -215,7 +228,7 @@ FittedFeature fit(Kind kind, Method method, const Points& points, bool is_spatia
     balance.is_proved = best.imbalance < kBalanced || best.sum <= exact;
     return told(kind, frame_in(*best.at), best.rows.values, balance, home);
   }
-  const Optimum optimum = minimum_zone(kind, found);
+  const Optimum optimum = minimum_zone(kind, scaled, found);
   return told(kind, frame_in(*optimum.at), optimum.values, optimum.certificate, home);
 }
 
