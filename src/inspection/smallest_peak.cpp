@@ -46,7 +46,7 @@ class Search {
   Optimum run() {
     for (int i = 0; i < kMostSteps && reach_ > kLeastReach; ++i)
       if (!improve()) break;
-    if (!proof_.is_proved)
+    if (!proof_.is_proved && !contacts_.empty())
       proof_ = certificate(*place_.at, directions_, contacts_, place_.peak, rounding_);
     if (!proof_.is_proved) prove_by_all();
     return {std::move(place_.at), std::move(place_.rows.values), place_.peak, proof_};
