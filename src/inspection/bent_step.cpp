@@ -74,6 +74,7 @@ class BentProgramme {
         multipliers_ = wanted;
         return true;
       }
+      if (touching_.size() == 1) return false;  // one contact holds by itself but for rounding
       multipliers_ += share * (wanted - multipliers_);
       drop(leaving);
     }

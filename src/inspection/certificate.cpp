@@ -89,6 +89,7 @@ Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,
   std::vector<Contact> kept;
   for (const Contact& each : contacts)
     if (each.multiplier > 0) kept.push_back(each);
+  if (kept.empty()) return result;
   const Touching touch = touching(at, directions, kept);
   const double sum = touch.multipliers.sum();
   for (std::size_t i = 0; i < kept.size(); ++i) {

@@ -35,6 +35,11 @@ Place place_of(std::unique_ptr<Deviations> at) {
   return result;
 }
 
+bool has_forces(const std::vector<Contact>& contacts) {
+  return std::any_of(contacts.begin(), contacts.end(),
+                     [](const Contact& each) { return each.multiplier > 0; });
+}
+
 class Search {
  public:
   Search(std::unique_ptr<Deviations> start, double rounding)
@@ -110,11 +115,12 @@ class Search {
 
   // With bends of the contacts that were last found so.
   ExchangeStep bent_step(const Rows& linear, const std::vector<Contact>& contacts) {
-    if (bent_contacts_.empty()) bent_contacts_ = contacts;
+    // Contacts that could prove nothing have no bends to tell.
+    if (bent_contacts_.empty() || !has_forces(bent_contacts_)) bent_contacts_ = contacts;
     bends_ = safe_bends(*place_.at, directions_, bent_contacts_, place_.peak, damping_);
     ExchangeStep result =
         best_bent_step(linear, place_.at->is_two_sided(), bends_, 0.25 * rounding_);
-    if (result.is_solved) bent_contacts_ = result.contacts;
+    if (result.is_solved && has_forces(result.contacts)) bent_contacts_ = result.contacts;
     return result;
   }
 
