@@ -11,9 +11,9 @@ namespace evenload {
 
 namespace {
 
-constexpr int kMostExchanges = 200;
-constexpr double kDependent = 1e-10;
-constexpr double kLeastShare = 1e-11;
+constexpr int kMostJoining = 200;
+constexpr double kMixture = 1e-10;
+constexpr double kLeastPart = 1e-11;
 
 class BentProgramme {
  public:
@@ -24,7 +24,7 @@ class BentProgramme {
     touching_ = {candidates_.highest()};
     multipliers_ = Eigen::VectorXd::Ones(1);
     bool is_solved = false;
-    for (int i = 0; i < kMostExchanges && settle(); ++i) {
+    for (int i = 0; i < kMostJoining && settle(); ++i) {
       const std::optional<Side> worst = candidates_.worst(step_, level_, rounding_);
       if (!worst) {
         is_solved = true;
@@ -110,10 +110,10 @@ class BentProgramme {
     const Eigen::VectorXd force = pressing(entering);
     const Eigen::VectorXd mixture = forces.colPivHouseholderQr().solve(force);
     double added = 0;
-    if ((forces * mixture - force).norm() <= kDependent * force.norm()) {
+    if ((forces * mixture - force).norm() <= kMixture * force.norm()) {
       Eigen::Index leaving = -1;
       for (Eigen::Index j = 0; j < mixture.size(); ++j) {
-        if (mixture[j] <= kLeastShare) continue;
+        if (mixture[j] <= kLeastPart) continue;
         const double until = multipliers_[j] / mixture[j];
         if (leaving >= 0 && until >= added) continue;
         added = until;

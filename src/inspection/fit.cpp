@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -18,8 +17,6 @@ namespace evenload {
 
 namespace {
 
-// Deviations of points whose size is 1 are wrong by some units of their last place.
-constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 constexpr double kFlat = 1e-7;  // a curvature below this is none, beside the size of the points
 // Other optima may be narrower where least squares leave this much of the points' size, and from
 // starts whose sum of squares is up to this many times the least.

@@ -3,7 +3,6 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <numeric>
 #include <stdexcept>
 #include <utility>
@@ -13,8 +12,6 @@
 namespace evenload {
 
 namespace {
-
-constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& v) {
   Eigen::Matrix3d result;

@@ -9,11 +9,15 @@
 // than rounding, so it ends no higher than it begins.
 #pragma once
 
+#include <limits>
 #include <memory>
 
 #include "inspection/certificate.h"
 
 namespace evenload {
+
+// Deviations of points whose size is 1 are wrong by some units of their last place.
+inline constexpr double kRounding = 4 * std::numeric_limits<double>::epsilon();
 
 struct Optimum {
   std::unique_ptr<Deviations> at;
