@@ -4,6 +4,7 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <array>
 #include <functional>
 #include <stdexcept>
 #include <vector>
@@ -55,7 +56,18 @@ py::array_t<double> chips_for_python(const std::vector<Worked>& surfaces, int st
 
 void bind_ball_end(py::module_& module) {
   py::module_ m = module.def_submodule("ball_end", "Chips of ball-end tools, in mm and rad.");
-  py::class_<PartProfile>(m, "PartProfile");
+  py::class_<PartProfile>(m, "PartProfile", "A section of lines and arcs, in mm and rad.")
+      .def_property_readonly("start",
+                             [](const PartProfile& p) {
+                               return std::array{p.start.x, p.start.y};
+                             })
+      .def_readonly("lean", &PartProfile::lean)
+      .def_property_readonly("pieces", [](const PartProfile& p) {
+        std::vector<std::array<double, 2>> result;  // length, curvature
+        for (const ProfilePiece& piece : p.pieces)
+          result.push_back({piece.length, piece.curvature});
+        return result;
+      });
   m.def("plane_profile", &plane_profile);
   m.def("cylinder_profile", &cylinder_profile, py::arg("radius"));
   m.def("test_part_profile", &test_part_profile, py::arg("is_convex"));

@@ -20,6 +20,7 @@
 #include "python/findings.h"
 #include "python/force_module.h"
 #include "python/gcode_module.h"
+#include "python/inspection_module.h"
 #include "python/lame_module.h"
 #include "python/path_commands_module.h"
 #include "python/proof_module.h"
@@ -230,4 +231,5 @@ PYBIND11_MODULE(_core, m) {
   bind_path_commands(m);
   bind_dynamics(m);
   bind_ball_end(m);
+  bind_inspection(m);
 }

@@ -19,6 +19,7 @@ ARROWS = {
     "optimisation": {"ground", "simulation", "dynamics"},
     "dynamics": {"ground", "pictures"},
     "ball_end": {"ground"},
+    "inspection": {"ground"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "job_files": {
@@ -58,6 +59,7 @@ WITHOUT_FREECAD = {
     *(
         "dynamics",
         "ball_end",
+        "inspection",
         "pictures.figure",
         "optimisation",
         "simulation.run",

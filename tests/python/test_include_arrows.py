@@ -20,6 +20,7 @@ ARROWS = {
     "simulate": {"support", "geometry", "cutting", "toolpath"},
     "dynamics": {"support"},
     "ball_end": {"support"},
+    "inspection": {"support"},
     "occt": {"support", "geometry"},
     "python": {
         "support",
@@ -31,6 +32,7 @@ ARROWS = {
         "simulate",
         "dynamics",
         "ball_end",
+        "inspection",
     },
 }
 # The rooms of src/strategy, each of which may include those above it.
