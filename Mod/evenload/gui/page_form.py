@@ -26,6 +26,7 @@ class FormPage(_gui.op.TaskPanelPage):
     """
 
     kind = None  # the operation's proxy class
+    engagement = None  # the row of the engagement angle; None where an operation has none
 
     def follow(self, piece):
         """Goes to what a Piece of a sentence in the status names."""
@@ -108,8 +109,11 @@ class FormPage(_gui.op.TaskPanelPage):
         return head
 
     def _first(self, settings):
-        """The few rows that show at first."""
+        """The few rows that show at first; what has an engagement angle begins with it."""
         part = QtGui.QWidget()
+        if engagement.ANGLE not in self.settings:
+            form_in(part, [self._entry(setting) for setting in settings])
+            return part
         angle, step = (self.settings[name] for name in (engagement.ANGLE, engagement.STEP))
         self._make(angle)
         self.engagement = engagement.EngagementRow(

@@ -8,6 +8,7 @@ from evenload import tool as tools
 from evenload.gui import fields, load_view, page_form, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.slots import slot
+from evenload.gui.status import figures_of
 from evenload.operations.base import SENTENCES
 from evenload.settings.notes import fields_of
 from evenload.settings.setting import UNITS
@@ -81,7 +82,8 @@ class OperationPage(page_form.FormPage):
         self.form.toolController.activated.connect(slot(self._tool_chosen))
         self.form.coolantController.activated.connect(slot(self._coolant_chosen))
         self.load.clicked.connect(slot(self._toggle_load))
-        self.engagement.share.editingFinished.connect(slot(self._share_edited))
+        if self.engagement is not None:
+            self.engagement.share.editingFinished.connect(slot(self._share_edited))
         for name, widget in self.widgets.items():
             take = slot(self._take, name)
             if name in self.boxes or isinstance(widget, EDITED):
@@ -236,7 +238,8 @@ class OperationPage(page_form.FormPage):
             matters = setting.matters_to(obj)
             self.widgets[setting.name].setEnabled(matters)
             self.labels[setting.name].setEnabled(matters)
-        self.engagement.show_cut(obj)
+        if self.engagement is not None:
+            self.engagement.show_cut(obj)
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 
@@ -248,9 +251,13 @@ class OperationPage(page_form.FormPage):
         """What the boxes for a quantity or a point show."""
         return [box.property("text") for box in self.points.get(name, [self.widgets[name]])]
 
+    def figures(self, obj):
+        """What the status tells of a computed path, see status.figures_of()."""
+        return figures_of(obj)
+
     def show_status(self):
         obj = self.obj
-        self.status.show(obj, self.isdirty)
+        self.status.show(obj, self.figures(obj), self.isdirty)
         self.load.setEnabled(obj.Path.Size > 1)
         if not obj.isValid() and not self.isdirty:
             for name in self._fields_of(obj.Report)[:1]:
@@ -258,7 +265,7 @@ class OperationPage(page_form.FormPage):
 
     def _show_refusal(self, refusal):
         self._show_settings(self.obj)  # the value that is refused may come from elsewhere
-        self.status.show(self.obj, refusal=refusal)
+        self.status.show(self.obj, [], refusal=refusal)
         for name in self._fields_of(refusal)[:1]:
             self._go_to_field(name)
 

@@ -105,8 +105,10 @@ class Status:
         for widget in (self._warnings, self._fold, self._remarks):
             below.addWidget(widget)
 
-    def show(self, obj, is_changed=False, refusal=None):
-        """Shows an operation's state. refusal: the sentence why its settings cannot be used."""
+    def show(self, obj, figures, is_changed=False, refusal=None):
+        """Shows an operation's state. figures: at most four, as figures_of() tells them; the first
+        two stand in lines of their own. refusal: the sentence why its settings cannot be used.
+        """
         self._pieces = []
         state, sentence = (FAILED, refusal) if refusal else state_of(obj, is_changed)
         mark, colour = MARKS[state]
@@ -115,8 +117,9 @@ class Status:
             '<span style="color:%s"><b>%s</b></span> %s' % (shade, mark, self._linked(sentence))
         )
         # What was computed before a change still stands: its path is the one that is seen.
-        figures = figures_of(obj) if state != FAILED else []
-        for label, (text, tip) in zip(self._figures, figures or [("", "")] * 4):
+        told = figures if state != FAILED else []
+        told = [*told, *[("", "")] * (len(self._figures) - len(told))]
+        for label, (text, tip) in zip(self._figures, told):
             label.setText(text)
             label.setToolTip(tip)
             label.setEnabled(state == VALID)

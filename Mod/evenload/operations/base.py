@@ -92,11 +92,7 @@ class Operation(following.Following):
         self.set_side_step(obj)
 
     def opOnChanged(self, obj, prop):
-        if (
-            self.is_changing
-            or "Restore" in obj.State
-            or getattr(obj.Document, "Transacting", False)
-        ):
+        if not self.is_wish(obj):
             return
         if prop in self.own_names() and hasattr(obj, "OwnValues"):
             if prop not in obj.OwnValues:
@@ -155,11 +151,18 @@ class Operation(following.Following):
         """
         try:
             self._check_job(obj)
-            tool, data = tools.read(obj.ToolController)
-            checks.as_set(obj, self.settings, tool, data)
+            self.check_settings(obj, *self.read_tool(obj))
         except SENTENCES as error:
             return told(str(error))
         return None
+
+    def read_tool(self, obj):
+        """(tool.Tool, tool.CuttingData). Raises ValueError for a tool that it cannot work with."""
+        return tools.read(obj.ToolController)
+
+    def check_settings(self, obj, tool, data):
+        """Raises ValueError for settings that no path can be computed with."""
+        checks.as_set(obj, self.settings, tool, data)
 
     # ---- running ----
 
@@ -190,9 +193,13 @@ class Operation(following.Following):
             if ours:
                 raise
             if isinstance(error, Cancelled):
-                obj.UncutArea = error.uncut_area
+                self.tell_cancelled(obj, error)
                 obj.Path = Path.Path([Path.Command(NOTHING_IS_CUT)])
             raise Refusal(sentence) from None
+
+    def tell_cancelled(self, obj, error):
+        """Sets the results of an operation that was stopped, after they were cleared."""
+        obj.UncutArea = error.uncut_area
 
     def empty(self, obj, why):
         """Leaves nothing that could pass for a computed operation: no path, no times, no results;
@@ -268,7 +275,7 @@ class Operation(following.Following):
             raise ValueError("The job '%s' has no model: add one to it." % job.Label)
         if job.Stock is None or job.Stock.Shape.isNull():
             raise ValueError("The job '%s' has no stock: give it one." % job.Label)
-        tools.read(obj.ToolController)
+        self.read_tool(obj)
 
     def _prove(self, obj):
         """Refuses a path with faults, and says in Report whether it was checked, and chatters."""

@@ -14,6 +14,14 @@ class Following(host.operation_base()):
     settings = ()  # rows
     is_changing = False  # whether what changes now is no wish of the user's
 
+    def is_wish(self, obj):
+        """Whether what changes now is a wish of the user's, or a macro's."""
+        return not (
+            self.is_changing
+            or "Restore" in obj.State
+            or getattr(obj.Document, "Transacting", False)
+        )
+
     def own_names(self):
         """The names of settings that follow the tool or the geometry until they are set."""
         return [row.name for row in self.settings if row.follows or row.fitted]
@@ -39,10 +47,12 @@ class Following(host.operation_base()):
         finally:
             self.is_changing = False
         # A side step that cannot be stays, to be refused.
-        if 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
+        if _has_engagement(obj) and 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
             self.set_side_step(obj)
 
     def set_side_step(self, obj):
+        if not _has_engagement(obj):
+            return
         radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value
         if radius > 0 and 0 < angle < 180:
             self.quietly(obj, "SideStep", radius * (1 - math.cos(math.radians(angle))))
@@ -58,6 +68,11 @@ class Following(host.operation_base()):
             assign(obj, name, value)
         finally:
             self.is_changing = before
+
+
+def _has_engagement(obj):
+    """Whether an operation has an engagement angle; those on surfaces have none."""
+    return hasattr(obj, "SideStep")
 
 
 def assign(obj, name, value):
