@@ -25,6 +25,7 @@
 #include "python/path_commands_module.h"
 #include "python/proof_module.h"
 #include "python/simulate_module.h"
+#include "python/surface_module.h"
 #include "python/trochoid_module.h"
 #include "strategy/pocket/constant_engagement.h"
 #include "strategy/pocket/rest_levels.h"
@@ -232,4 +233,5 @@ PYBIND11_MODULE(_core, m) {
   bind_dynamics(m);
   bind_ball_end(m);
   bind_inspection(m);
+  bind_surface(m);
 }

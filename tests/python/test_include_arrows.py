@@ -21,6 +21,7 @@ ARROWS = {
     "dynamics": {"support"},
     "ball_end": {"support"},
     "inspection": {"support"},
+    "surface": {"support", "geometry", "toolpath"},
     "occt": {"support", "geometry"},
     "python": {
         "support",
@@ -33,6 +34,7 @@ ARROWS = {
         "dynamics",
         "ball_end",
         "inspection",
+        "surface",
     },
 }
 # The rooms of src/strategy, each of which may include those above it.

@@ -1,0 +1,212 @@
+#include "surface/drop.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "support/parallel.h"
+
+namespace evenload {
+
+namespace {
+
+// mm beyond a triangle's edges that still belong to it, so that nothing falls through between two.
+constexpr double kSeam = 1e-9;
+constexpr int kMostSteps = 60;       // bisection alone would have a double's precision by then
+constexpr int kDeepest = 64;         // of the tree, whose depth is the logarithm of its size
+constexpr std::size_t kAtOnce = 64;  // places that one task looks at
+
+bool is_over(const Facet& facet, Vec2 at) {
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Vec2 from = plan(facet.corners[k]), side = plan(facet.corners[(k + 1) % 3]) - from;
+    if (cross(side, at - from) < -kSeam * (std::abs(side.x) + std::abs(side.y))) return false;
+  }
+  return true;
+}
+
+void touch_face(const Facet& facet, const Cutter& cutter, Vec2 at, Contact& best) {
+  const SpacePoint n = facet.normal;
+  if (n.z == 0) return;
+  const Vec2 across = plan(n);
+  const double lean = norm(across);
+  Vec2 touched = at;
+  // A level face is touched below the axis; with the disc's other points by its border.
+  if (lean > 1e-12) touched = at - (cutter.flat() / lean + cutter.corner) * across;
+  if (!is_over(facet, touched)) return;
+  const SpacePoint from = facet.corners[0];
+  const double z = from.z - dot(across, touched - plan(from)) / n.z;
+  const double tip = z - cutter.corner * (1 - n.z);
+  if (tip > best.z) best = {tip, true, facet.is_picked, {touched.x, touched.y, z}, n};
+}
+
+// Where along an edge that passes the axis at a distance, and rises by `slope` > 0, the tool
+// touches: mm from the place next to the axis.
+double touched_along(const Cutter& cutter, double aside, double slope) {
+  const double corner = cutter.corner, flat = cutter.flat(), radius = cutter.radius;
+  if (corner == 0) return std::sqrt(std::max(0.0, (radius - aside) * (radius + aside)));
+  if (flat == 0)
+    return slope *
+           std::sqrt(std::max(0.0, (radius - aside) * (radius + aside)) / (1 + slope * slope));
+  // The angle a of the corner's circle, 0 at the tip: sin a s = slope d cos a, where d = flat +
+  // corner sin a is the distance from the axis and s that along the edge. The left side grows with
+  // a, the right one falls against it.
+  double low = aside > flat ? std::asin(std::min(1.0, (aside - flat) / corner)) : 0;
+  double high = 0.5 * kPi, angle = 0.5 * (low + high);
+  double along = 0;
+  for (int i = 0; i < kMostSteps; ++i) {
+    const double sine = std::sin(angle), cosine = std::cos(angle);
+    const double d = flat + corner * sine;
+    along = std::sqrt(std::max(0.0, (d - aside) * (d + aside)));
+    const double value = sine * along - slope * d * cosine;
+    (value > 0 ? high : low) = angle;
+    const double growth = cosine * along +
+                          (along > 0 ? sine * d * corner * cosine / along : HUGE_VAL) +
+                          slope * (d * sine - corner * cosine * cosine);
+    double next = angle - value / growth;
+    if (!(next > low && next < high)) next = 0.5 * (low + high);
+    if (std::abs(next - angle) < 1e-15) break;
+    angle = next;
+  }
+  return along;
+}
+
+SpacePoint normal_at(const Cutter& cutter, Vec2 from_axis, double distance) {
+  const double beyond = distance - cutter.flat();
+  if (!(beyond > 0) || cutter.corner == 0) return {0, 0, 1};
+  const double sine = std::min(1.0, beyond / cutter.corner);
+  const Vec2 inwards = -from_axis / distance;
+  return {sine * inwards.x, sine * inwards.y, std::sqrt(1 - sine * sine)};
+}
+
+void touch_edge(const Facet& facet, std::size_t side, const Cutter& cutter, Vec2 at,
+                Contact& best) {
+  std::size_t lower = side, upper = (side + 1) % 3;
+  if (facet.corners[lower].z > facet.corners[upper].z) std::swap(lower, upper);
+  const SpacePoint from = facet.corners[lower], to = facet.corners[upper];
+  if (to.z <= best.z) return;
+  const Vec2 run = plan(to - from), start = plan(from) - at;
+  const double length = norm(run);
+  SpacePoint touched = to;
+  bool is_within = facet.is_corner_within[upper];
+  if (length > 1e-12) {
+    const Vec2 u = run / length;
+    const double next = -dot(start, u);  // of the place next to the axis, from the lower end
+    const double aside = std::abs(cross(u, start));
+    if (aside > cutter.radius) return;
+    const double reach =
+        std::sqrt(std::max(0.0, (cutter.radius - aside) * (cutter.radius + aside)));
+    const double low = std::max(0.0, next - reach), high = std::min(length, next + reach);
+    if (low > high) return;
+    const double slope = (to.z - from.z) / length;
+    const double wanted = next + (slope > 0 ? touched_along(cutter, aside, slope) : 0);
+    const double along = std::clamp(wanted, low, high);
+    const Vec2 p = plan(from) + along * u;
+    touched = {p.x, p.y, from.z + slope * along};
+    if (along < length)
+      is_within = along > 0 ? facet.is_within[side] : facet.is_corner_within[lower];
+  }
+  const Vec2 from_axis = plan(touched) - at;
+  const double distance = norm(from_axis);
+  if (distance > cutter.radius * (1 + 1e-15)) return;
+  const double tip = touched.z - cutter.rise(std::min(distance, cutter.radius));
+  if (tip > best.z) best = {tip, true, is_within, touched, normal_at(cutter, from_axis, distance)};
+}
+
+void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutter, Vec2 at,
+                 Contact& best) {
+  const Facet& facet = mesh.facets()[number];
+  if (facet.top <= best.z) return;
+  const double before = best.z;
+  touch_face(facet, cutter, at, best);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (facet.is_touchable[k]) touch_edge(facet, k, cutter, at, best);
+  if (best.z > before) best.facet = number;
+}
+
+// The highest that the tip could be lifted by what lies in a box; -infinity where it is beyond the
+// tool's reach.
+double highest_by(const FacetNode& node, const Cutter& cutter, Vec2 at) {
+  const double dx = std::max({node.x0 - at.x, at.x - node.x1, 0.0});
+  const double dy = std::max({node.y0 - at.y, at.y - node.y1, 0.0});
+  const double squared = dx * dx + dy * dy;
+  if (squared > cutter.radius * cutter.radius) return -HUGE_VAL;
+  return node.top - cutter.rise(std::sqrt(squared));
+}
+
+}  // namespace
+
+Contact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
+             std::uint32_t first) {
+  Contact best;
+  best.z = floor;
+  const std::vector<FacetNode>& nodes = mesh.nodes();
+  if (nodes.empty()) return best;
+  if (first != kNoFacet) touch_facet(mesh, first, cutter, at, best);
+  struct Waiting {
+    std::uint32_t node;
+    double highest;
+  };
+  std::array<Waiting, 2 * kDeepest> stack;
+  std::size_t size = 0;
+  stack[size++] = {0, highest_by(nodes[0], cutter, at)};
+  while (size > 0) {
+    const Waiting next = stack[--size];
+    if (!(next.highest > best.z)) continue;
+    const FacetNode& node = nodes[next.node];
+    if (node.count == 0) {
+      Waiting lower{next.node + 1, highest_by(nodes[next.node + 1], cutter, at)};
+      Waiting higher{node.first, highest_by(nodes[node.first], cutter, at)};
+      if (lower.highest > higher.highest) std::swap(lower, higher);
+      stack[size++] = lower;  // what may be higher is looked at before
+      stack[size++] = higher;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
+      touch_facet(mesh, i, cutter, at, best);
+  }
+  return best;
+}
+
+std::vector<Contact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
+                              const std::vector<Vec2>& places, double floor, int threads,
+                              Progress& progress) {
+  std::vector<Contact> result(places.size());
+  const std::size_t tasks = (places.size() + kAtOnce - 1) / kAtOnce;
+  parallel_for(
+      tasks, thread_count(threads),
+      [&](std::size_t task) {
+        const std::size_t end = std::min(places.size(), (task + 1) * kAtOnce);
+        std::uint32_t last = kNoFacet;
+        for (std::size_t i = task * kAtOnce; i < end; ++i) {
+          result[i] = drop(mesh, cutter, places[i], floor, last);
+          last = result[i].facet;
+        }
+      },
+      progress);
+  return result;
+}
+
+bool is_under_picked(const FacetMesh& mesh, Vec2 at) {
+  const std::vector<FacetNode>& nodes = mesh.nodes();
+  if (nodes.empty()) return false;
+  std::array<std::uint32_t, 2 * kDeepest> stack;
+  std::size_t size = 0;
+  stack[size++] = 0;
+  while (size > 0) {
+    const std::uint32_t number = stack[--size];
+    const FacetNode& node = nodes[number];
+    if (at.x < node.x0 || at.x > node.x1 || at.y < node.y0 || at.y > node.y1) continue;
+    if (node.count == 0) {
+      stack[size++] = number + 1;
+      stack[size++] = node.first;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Facet& facet = mesh.facets()[i];
+      if (facet.is_picked && facet.normal.z > 0 && is_over(facet, at)) return true;
+    }
+  }
+  return false;
+}
+
+}  // namespace evenload

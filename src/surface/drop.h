@@ -1,0 +1,44 @@
+// How low a tool can go over a place: until it touches the part from above.
+//
+// Laws: the tool at the height that is told cuts into no triangle, and touches one unless it stands
+// on the floor; exact for each triangle, edge and corner, but for rounding; undercuts do not count,
+// for a tool from above does not come there. Source of the contacts with faces: the tube's centre
+// lies over the contact along the face's normal; along an edge the tip's height is a concave
+// function, so that its maximum is found by a safe Newton iteration.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "support/progress.h"
+#include "surface/cutter.h"
+#include "surface/facet_mesh.h"
+
+namespace evenload {
+
+inline constexpr std::uint32_t kNoFacet = ~std::uint32_t{0};
+
+struct Contact {
+  double z = 0;  // mm, of the tip
+  bool touches = false;
+  // Where it touches:
+  bool is_within = false;  // on picked faces, off their border
+  SpacePoint point;
+  SpacePoint normal;  // of length 1, from the part into the tool
+  std::uint32_t facet = kNoFacet;
+};
+
+// The lowest place of a tool's tip over `at` that is not below `floor`, mm. `first`: a facet that
+// may be touched, as one beside it was; it is found sooner then that most others lie too low.
+Contact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
+             std::uint32_t first = kNoFacet);
+
+// The same for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
+std::vector<Contact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
+                              const std::vector<Vec2>& places, double floor, int threads,
+                              Progress& progress);
+
+// Whether picked triangles lie under or over a place.
+bool is_under_picked(const FacetMesh& mesh, Vec2 at);
+
+}  // namespace evenload

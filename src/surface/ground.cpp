@@ -1,0 +1,109 @@
+#include "surface/ground.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace evenload {
+
+namespace {
+
+// mm between a sample and the chord of two others, in the line's upright plane.
+double off_chord(const DropSample& a, const DropSample& b, const DropSample& p) {
+  const Vec2 chord{b.s - a.s, b.z - a.z};
+  return std::abs(cross(chord, Vec2{p.s - a.s, p.z - a.z})) / norm(chord);
+}
+
+class Sampling {
+ public:
+  Sampling(const Ground& ground, const PlanLine& line, double tolerance)
+      : ground_(ground),
+        line_(line),
+        near_(kChordShare * tolerance),
+        shortest_(kJumpShare * tolerance) {}
+
+  DropSample at(double s, const DropSample& beside) const {
+    return sample_at(ground_, line_, s, beside.facet);
+  }
+
+  // Adds the samples after `a`, up to `b`.
+  void add(const DropSample& a, const DropSample& middle, const DropSample& b,
+           std::vector<DropSample>& samples) const {
+    const DropSample first = at(0.5 * (a.s + middle.s), a);
+    const DropSample second = at(0.5 * (middle.s + b.s), middle);
+    const bool matters =
+        a.is_at_work || first.is_at_work || middle.is_at_work || second.is_at_work || b.is_at_work;
+    const double off =
+        std::max({off_chord(a, b, first), off_chord(a, b, middle), off_chord(a, b, second)});
+    if (!matters || off <= near_ || b.s - a.s <= shortest_) {
+      samples.insert(samples.end(), {first, middle, second, b});
+      return;
+    }
+    add(a, first, middle, samples);
+    add(middle, second, b, samples);
+  }
+
+ private:
+  const Ground& ground_;
+  const PlanLine& line_;
+  double near_, shortest_;
+};
+
+// The sample at work next to the border between one that is and one that is not.
+DropSample border_between(const Ground& ground, const PlanLine& line, DropSample at_work,
+                          DropSample beyond) {
+  while (std::abs(at_work.s - beyond.s) > kBorder) {
+    const DropSample middle = sample_at(ground, line, 0.5 * (at_work.s + beyond.s), at_work.facet);
+    (middle.is_at_work ? at_work : beyond) = middle;
+  }
+  return at_work;
+}
+
+}  // namespace
+
+DropSample sample_at(const Ground& ground, const PlanLine& line, double s, std::uint32_t beside) {
+  const Vec2 at = line.at(s);
+  const Contact contact = drop(*ground.mesh, ground.cutter.grown(ground.allowance), at,
+                               ground.floor - ground.allowance, beside);
+  const bool is_at_work =
+      ground.by_contact ? contact.touches && contact.is_within : is_under_picked(*ground.mesh, at);
+  return {s, contact.z + ground.allowance, is_at_work, contact.facet};
+}
+
+double spacing_of(const Cutter& cutter, double tolerance) {
+  const double bump = 2 * std::sqrt(2 * cutter.corner * tolerance) + 2 * cutter.flat();
+  return std::min(0.5 * cutter.radius, bump);
+}
+
+std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
+                                      double end, double tolerance) {
+  const Sampling sampling(ground, line, tolerance);
+  const double spacing = 4 * spacing_of(ground.cutter, tolerance);  // each has four quarters
+  const int pieces = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
+  std::vector<DropSample> samples{sample_at(ground, line, begin)};
+  for (int i = 0; i < pieces; ++i) {
+    const DropSample a = samples.back();
+    const DropSample b = sampling.at(begin + (end - begin) * (i + 1) / pieces, a);
+    sampling.add(a, sampling.at(0.5 * (a.s + b.s), b), b, samples);
+  }
+  return samples;
+}
+
+std::vector<std::vector<DropSample>> parts_at_work(const Ground& ground, const PlanLine& line,
+                                                   const std::vector<DropSample>& samples) {
+  std::vector<std::vector<DropSample>> parts;
+  for (std::size_t i = 0; i < samples.size(); ++i) {
+    if (!samples[i].is_at_work) continue;
+    std::vector<DropSample> part;
+    if (i > 0) part.push_back(border_between(ground, line, samples[i], samples[i - 1]));
+    for (; i < samples.size() && samples[i].is_at_work; ++i)
+      if (part.empty() || samples[i].s > part.back().s) part.push_back(samples[i]);
+    if (i < samples.size()) {
+      const DropSample last = border_between(ground, line, samples[i - 1], samples[i]);
+      if (last.s > part.back().s) part.push_back(last);
+    }
+    if (part.size() > 1) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace evenload

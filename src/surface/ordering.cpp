@@ -1,0 +1,188 @@
+#include "surface/ordering.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace evenload {
+
+namespace {
+
+constexpr double kSecondsPerMinute = 60;
+constexpr double kNowhere = 1e-6;  // mm: no move is as short
+
+class PathMaker {
+ public:
+  PathMaker(const Ground& ground, const FinishParams& params) : ground_(ground), params_(params) {}
+
+  void cut(const std::vector<SpacePoint>& points) {
+    for (std::size_t i = 1; i < points.size(); ++i) feed_to(points[i], MoveKind::kCut);
+    ++path_.report.passes;
+  }
+
+  // Along the surface, in a straight line in plan.
+  void link_to(const SpacePoint& end) {
+    const Vec2 way = plan(end) - plan(at_);
+    const double length = norm(way);
+    if (length > kNowhere) {
+      const PlanLine line{plan(at_), way / length};
+      std::vector<DropSample> samples = samples_along(ground_, line, 0, length, params_.tolerance);
+      samples.front().z = at_.z;
+      samples.back().z = end.z;
+      const std::vector<SpacePoint> points =
+          lines_of(line, samples, params_.tolerance, LineEnds::kFixed);
+      for (std::size_t i = 1; i + 1 < points.size(); ++i) feed_to(points[i], MoveKind::kLink);
+    }
+    feed_to(end, MoveKind::kLink);
+    ++path_.report.links;
+  }
+
+  // Over the part, and down by the plunge feed from where material may stand.
+  void fly_to(const SpacePoint& end) {
+    if (path_.moves.empty()) {
+      rapid_to({end.x, end.y, params_.clearance_height});
+    } else {
+      rapid_to({at_.x, at_.y, params_.safe_height});
+      rapid_to({end.x, end.y, params_.safe_height});
+      ++path_.report.retracts;
+    }
+    rapid_to({end.x, end.y, std::max(params_.top, end.z)});
+    if (at_.z > end.z) feed_to(end, MoveKind::kEntry);
+  }
+
+  Toolpath finished() {
+    rapid_to({at_.x, at_.y, params_.clearance_height});
+    return std::move(path_);
+  }
+
+  const SpacePoint& at() const { return at_; }
+
+ private:
+  // Downwards no faster than the tool may plunge.
+  double feed_on(const SpacePoint& end, double length) const {
+    const double down = at_.z - end.z;
+    if (down * params_.feed <= params_.plunge_feed * length) return params_.feed;
+    return params_.plunge_feed * length / down;
+  }
+
+  void feed_to(const SpacePoint& end, MoveKind kind) {
+    const double length = distance(at_, end);
+    if (!(length > kNowhere)) return;
+    const double feed = feed_on(end, length);
+    add(end, kind, feed, kSecondsPerMinute * length / feed);
+    (kind == MoveKind::kCut ? path_.report.cut_length : path_.report.link_length) += length;
+  }
+
+  void rapid_to(const SpacePoint& end) {
+    const double length = path_.moves.empty() ? 0 : distance(at_, end);
+    if (!path_.moves.empty() && !(length > kNowhere)) return;
+    add(end, MoveKind::kRapid, 0, kSecondsPerMinute * length / params_.rapid_feed);
+  }
+
+  void add(const SpacePoint& end, MoveKind kind, double feed, double seconds) {
+    path_.moves.push_back({kind, end.x, end.y, end.z, 0, 0, 0, feed});
+    path_.report.cutting_time += seconds;
+    at_ = end;
+  }
+
+  const Ground& ground_;
+  const FinishParams& params_;
+  Toolpath path_;
+  SpacePoint at_;
+};
+
+class Ordering {
+ public:
+  Ordering(std::vector<PassPart> parts, const FinishParams& params)
+      : parts_(std::move(parts)), is_left_(parts_.size(), true), params_(params) {}
+
+  // The part of the next pass to which a link may go; none without one.
+  std::optional<std::size_t> linked(std::size_t before, const SpacePoint& at) const {
+    const double reach = std::max(kLinkReach * params_.stepover, params_.cutter.radius);
+    std::optional<std::size_t> best;
+    double nearest = reach;
+    for (std::size_t i = before + 1; i < parts_.size() && parts_[i].row <= parts_[before].row + 1;
+         ++i) {
+      if (!is_left_[i] || parts_[i].row == parts_[before].row) continue;
+      const SpacePoint& start = parts_[i].points[nearest_start(parts_[i], at)];
+      const double off = norm(plan(start - at));
+      if (off > nearest || std::abs(start.z - at.z) > reach) continue;
+      nearest = off;
+      best = i;
+    }
+    return best;
+  }
+
+  std::optional<std::size_t> first_left() const {
+    const auto found = std::find(is_left_.begin(), is_left_.end(), true);
+    if (found == is_left_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - is_left_.begin());
+  }
+
+  // The points of a part, in the order in which they are cut after a link from `from`, if any.
+  const std::vector<SpacePoint>& take(std::size_t i, const SpacePoint* from) {
+    is_left_[i] = false;
+    PassPart& part = parts_[i];
+    if (!from) return part.points;
+    const std::size_t start = nearest_start(part, *from);
+    if (part.is_closed) {
+      part.points.pop_back();
+      std::rotate(part.points.begin(), part.points.begin() + static_cast<std::ptrdiff_t>(start),
+                  part.points.end());
+      part.points.push_back(part.points.front());
+    } else if (start > 0) {
+      std::reverse(part.points.begin(), part.points.end());
+    }
+    return part.points;
+  }
+
+ private:
+  // The number of the point at which a part may begin that is nearest to a place.
+  std::size_t nearest_start(const PassPart& part, const SpacePoint& at) const {
+    std::vector<std::size_t> starts{0};
+    if (part.is_closed)
+      for (std::size_t k = 1; k + 1 < part.points.size(); ++k) starts.push_back(k);
+    else if (params_.pattern == Pattern::kZigZag)
+      starts.push_back(part.points.size() - 1);
+    return *std::min_element(starts.begin(), starts.end(), [&](std::size_t a, std::size_t b) {
+      return norm(plan(part.points[a] - at)) < norm(plan(part.points[b] - at));
+    });
+  }
+
+  std::vector<PassPart> parts_;
+  std::vector<bool> is_left_;
+  const FinishParams& params_;
+};
+
+}  // namespace
+
+Toolpath in_order(const Ground& ground, std::vector<PassPart> parts, const FinishParams& params,
+                  Progress& progress) {
+  // What is not yet cut lies to the left of passes that follow each other, or to the right from the
+  // inside outwards. A tool that turns clockwise climbs with it on its right.
+  const bool is_on_left = params.pattern != Pattern::kContoursOutwards;
+  if (params.is_climb == is_on_left)
+    for (PassPart& part : parts) std::reverse(part.points.begin(), part.points.end());
+  Ordering order(std::move(parts), params);
+  PathMaker maker(ground, params);
+  std::optional<std::size_t> next = order.first_left();
+  bool is_linked = false;
+  while (next) {
+    progress.step();
+    const SpacePoint at = maker.at();
+    const std::vector<SpacePoint>& points = order.take(*next, is_linked ? &at : nullptr);
+    if (is_linked)
+      maker.link_to(points.front());
+    else
+      maker.fly_to(points.front());
+    maker.cut(points);
+    std::optional<std::size_t> linked;
+    if (params.pattern != Pattern::kOneWay) linked = order.linked(*next, maker.at());
+    is_linked = linked.has_value();
+    next = is_linked ? linked : order.first_left();
+  }
+  return maker.finished();
+}
+
+}  // namespace evenload
