@@ -64,7 +64,7 @@ precompile(_core <array> <optional> <string> <tuple> <vector> <pybind11/function
 file(GLOB occt_sources CONFIGURE_DEPENDS src/occt/*.cpp)
 pybind11_add_module(_occt MODULE NO_EXTRAS ${occt_sources})
 target_include_directories(_occt SYSTEM PRIVATE ${OpenCASCADE_INCLUDE_DIR})
-target_link_libraries(_occt PRIVATE evenload_core TKernel TKMath TKG3d TKGeomBase TKBRep TKTopAlgo)
+target_link_libraries(_occt PRIVATE evenload_core TKernel TKMath TKG3d TKGeomBase TKBRep TKTopAlgo TKMesh)
 # Modules for several FreeCADs lie in one folder: Python's suffix tells its version, the name OpenCASCADE's.
 string(REPLACE "." "_" occt_module "_occt_${freecad_occt}")
 set_target_properties(_occt PROPERTIES OUTPUT_NAME ${occt_module})

@@ -1,14 +1,18 @@
 // The Python module evenload._occt_X_Y_Z, called after the version of OpenCASCADE that it is linked
 // to: the only one that is.
+#include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
 
 #include <Standard_Version.hxx>
+#include <algorithm>
+#include <array>
 #include <exception>
 #include <tuple>
 
 #include "occt/regions.h"
 #include "occt/shape_error.h"
+#include "occt/triangles.h"
 
 namespace py = pybind11;
 
@@ -41,6 +45,26 @@ std::vector<std::tuple<double, Chain, bool>> curves_as_tuples(const std::string&
   for (const LevelCurve& level : curves_from_brep(text, tolerance))
     result.emplace_back(level.z, chain_of(level.curve), level.curve.closed());
   return result;
+}
+
+template <typename T>
+py::array_t<T> rows_of(const std::vector<std::array<T, 3>>& rows) {
+  py::array_t<T> result({static_cast<py::ssize_t>(rows.size()), py::ssize_t{3}});
+  T* into = result.mutable_data();
+  for (const std::array<T, 3>& row : rows) into = std::copy(row.begin(), row.end(), into);
+  return result;
+}
+
+py::tuple triangles_for_python(const std::string& text, double deflection, double angle) {
+  FaceTriangles found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = triangles_from_brep(text, deflection, angle);
+  }
+  return py::make_tuple(
+      rows_of(found.points), rows_of(found.triangles),
+      py::array_t<std::uint32_t>(static_cast<py::ssize_t>(found.faces.size()), found.faces.data()),
+      found.deflection);
 }
 
 const char* reason(ShapeFault fault) {
@@ -77,7 +101,7 @@ const char* reason(ShapeFault fault) {
 
 EVENLOAD_MODULE(EVENLOAD_OCCT_MODULE, module) {
   using namespace evenload;
-  module.doc() = "Regions and curves from FreeCAD's shapes.";
+  module.doc() = "Regions, curves and triangles from FreeCAD's shapes.";
   module.attr("OCC_VERSION") = OCC_VERSION_COMPLETE;
 
   // Kept for as long as the process runs: the translator may be asked until the very end.
@@ -113,4 +137,11 @@ EVENLOAD_MODULE(EVENLOAD_OCCT_MODULE, module) {
       py::call_guard<py::gil_scoped_release>(),
       "[(z, chain, closed), ...] of the edges outside of faces, joined end to end where they "
       "meet, open ones first; chains and errors as for regions_from_brep.");
+  module.def(
+      "triangles_from_brep", &triangles_for_python, py::arg("text"), py::arg("deflection"),
+      py::arg("angle"),
+      "(points, triangles, faces, deflection): rows of x, y, z in mm, rows of the numbers of "
+      "three of them, counter-clockwise seen from outside, the number of each one's face as "
+      "the shape counts them, from 0, and how far off they are, measured. deflection in mm, "
+      "angle in rad: wished at the most. Raises ShapeError.");
 }

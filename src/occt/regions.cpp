@@ -1,8 +1,6 @@
 #include "occt/regions.h"
 
 #include <BRepAdaptor_Surface.hxx>
-#include <BRepTools.hxx>
-#include <BRep_Builder.hxx>
 #include <BRep_Tool.hxx>
 #include <GeomLib_IsPlanarSurface.hxx>
 #include <Standard_Failure.hxx>
@@ -19,8 +17,8 @@
 #include <gp_Pln.hxx>
 #include <limits>
 #include <optional>
-#include <sstream>
 
+#include "occt/brep_text.h"
 #include "occt/edge_curve.h"
 #include "occt/join.h"
 #include "occt/shape_error.h"
@@ -35,24 +33,6 @@ constexpr double kLevel = 1e-3;
 // could fool it.
 constexpr double kNestingTolerance = 0.01;
 constexpr double kInfinity = std::numeric_limits<double>::infinity();
-
-// OpenCASCADE's reader waits for ever for what a text cut short does not hold; a stream that throws
-// at its end ends that.
-TopoDS_Shape read(const std::string& text) {
-  TopoDS_Shape shape;
-  std::istringstream stream(text + "\n");
-  stream.exceptions(std::ios::failbit | std::ios::badbit);
-  BRep_Builder builder;
-  try {
-    BRepTools::Read(shape, stream, builder);
-  } catch (const std::ios::failure&) {
-    shape.Nullify();
-  }
-  if (shape.IsNull()) {
-    throw ShapeError(ShapeFault::kUnreadable, 0, "The shape is no readable BREP text.");
-  }
-  return shape;
-}
 
 std::vector<TopoDS_Shape> members_of(const TopoDS_Shape& shape) {
   if (shape.ShapeType() != TopAbs_COMPOUND) return {shape};
@@ -254,7 +234,7 @@ template <typename Work>
 auto from_brep(const std::string& text, double tolerance, const Work& work) {
   if (!(tolerance > 0)) throw std::invalid_argument("The tolerance must be above 0 mm.");
   try {
-    return work(read(text), tolerance);
+    return work(shape_from_brep(text), tolerance);
   } catch (const Standard_Failure& failure) {
     throw ShapeError(ShapeFault::kKernel, 0,
                      std::string("OpenCASCADE could not work on the shape: ") +

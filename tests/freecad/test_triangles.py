@@ -1,0 +1,51 @@
+"""Triangles of OpenCASCADE's shapes: as near to the faces as they say."""
+
+import random
+
+import Part
+import pytest
+from finishing_parts import lofted
+from FreeCAD import Vector
+
+from evenload import compiled
+
+SHAPES = {
+    "sphere": lambda: Part.makeSphere(12),
+    "torus": lambda: Part.makeTorus(20, 6),
+    "cone": lambda: Part.makeCone(15, 4, 20),
+    "loft": lofted,
+    "fillets": lambda: (lambda box: box.makeFillet(1.5, box.Edges))(Part.makeBox(20, 15, 8)),
+}
+
+
+@pytest.mark.parametrize("deflection", [0.05, 0.002])
+@pytest.mark.parametrize("name", SHAPES)
+def test_triangles_are_as_near_to_their_faces_as_they_say(name, deflection):
+    shape = SHAPES[name]()
+    shape.tessellate(1.0)  # what FreeCAD may show of it is much coarser
+    text = shape.exportBrepToString()
+    points, triangles, faces, measured = compiled.occt().triangles_from_brep(text, deflection, 0.35)
+    assert measured <= deflection and set(faces) == set(range(len(shape.Faces)))
+    random_ = random.Random(5)
+    for _ in range(300):
+        number = random_.randrange(len(triangles))
+        shares = sorted((random_.random(), random_.random()))
+        shares = shares[0], shares[1] - shares[0], 1 - shares[1]
+        at = sum(
+            (Vector(*points[k]) * share for k, share in zip(triangles[number], shares)), Vector()
+        )
+        off = shape.Faces[faces[number]].distToShape(Part.Vertex(at))[0]
+        assert off <= 1.1 * max(measured, 1e-6)
+
+
+def test_what_is_no_shape_is_refused():
+    occt = compiled.occt()
+    with pytest.raises(occt.ShapeError) as error:
+        occt.triangles_from_brep("no shape", 0.01, 0.35)
+    assert error.value.reason == "unreadable"
+    line = Part.makeLine(Vector(0, 0, 0), Vector(1, 0, 0)).exportBrepToString()
+    with pytest.raises(occt.ShapeError) as error:
+        occt.triangles_from_brep(line, 0.01, 0.35)
+    assert error.value.reason == "empty"
+    with pytest.raises(ValueError, match="must be positive"):
+        occt.triangles_from_brep(Part.makeBox(1, 1, 1).exportBrepToString(), 0.0, 0.35)
