@@ -31,6 +31,7 @@ OTHER_SHAPES = {
     "vbit": "a V bit",
 }
 END_MILLS = ("endmill", "bullnose")
+BALL_END = "ballend"  # what only operations on surfaces take
 POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
 DRILL_POINT_DEG = 118.0  # of drills, where nobody says
 # A tool bit of a shape that FreeCAD does not bring along is no end mill when it has one of these.
@@ -39,7 +40,7 @@ ANGLES = ("CuttingEdgeAngle", "TipAngle", "cuttingAngle", "CuttingAngle", "TipDi
 
 @dataclass(frozen=True)
 class Tool:
-    """A flat or bull-nosed end mill; lengths in mm."""
+    """A flat or bull-nosed end mill, or one with a ball end; lengths in mm."""
 
     name: str
     diameter: float  # > 0
@@ -62,9 +63,9 @@ class CuttingData:
     spindle: str = FORWARD  # how it turns: FORWARD, REVERSE or STANDING
 
 
-def read(controller):
-    """(Tool, CuttingData) of a tool controller. Raises ValueError with a sentence for what cannot
-    be used.
+def read(controller, takes_balls=False):
+    """(Tool, CuttingData) of a tool controller. takes_balls: whether a ball end will do. Raises
+    ValueError with a sentence for what cannot be used.
     """
     if controller is None:
         raise ValueError("The operation has no tool: choose a tool controller for it.")
@@ -75,10 +76,9 @@ def read(controller):
         )
     name = getattr(bit, "Label", None) or getattr(bit, "Name", "") or controller.Label
     other = _other_shape(bit)
-    if other:
-        raise ValueError(
-            "The tool '%s' is %s: choose a flat or bull-nosed end mill." % (name, other)
-        )
+    if other and not (takes_balls and other == OTHER_SHAPES[BALL_END]):
+        wanted = "a ball end, bull-nosed or flat" if takes_balls else "a flat or bull-nosed"
+        raise ValueError("The tool '%s' is %s: choose %s end mill." % (name, other, wanted))
     diameter = _number(bit, "Diameter")
     if not diameter > 0:
         raise ValueError("The diameter of the tool '%s' is %g mm: set it." % (name, diameter))
@@ -129,6 +129,13 @@ def corner_radius(controller):
     if hasattr(bit, "CornerRadius"):
         radius = _number(bit, "CornerRadius")
     return min(max(radius, 0.0), half)
+
+
+def end_radius(controller):
+    """The radius in mm of a tool's ball or rounded corner, by its controller; 0 for a flat end."""
+    if controller.Tool and other_shape(controller) == OTHER_SHAPES[BALL_END]:
+        return 0.5 * diameter(controller)
+    return corner_radius(controller) if controller.Tool else 0.0
 
 
 def is_drill(controller):

@@ -64,8 +64,9 @@ def text_room(field):
 def too_wide(page):
     """Names of what does not fit into the dock, among fields, labels and their texts."""
     viewport, found = page.area.viewport(), []
-    texts = {"share": page.engagement.share, "controller": page.form.toolController}
-    texts["coolant"] = page.form.coolantController
+    texts = {"controller": page.form.toolController, "coolant": page.form.coolantController}
+    if page.engagement:
+        texts["share"] = page.engagement.share
     for name, widget in page.widgets.items():
         label = page.labels[name]
         for part in (widget, label):

@@ -13,7 +13,7 @@ from conftest import freecad
 from evenload.operations.adaptive import Adaptive
 
 ROOT = Path(__file__).resolve().parents[2]
-KINDS = ("adaptive", "trochoid", "lame_spiral")
+KINDS = ("adaptive", "trochoid", "lame_spiral", "finishing")
 
 
 @pytest.mark.parametrize("kind", KINDS)

@@ -49,7 +49,8 @@ LATE = {
     ("dynamics.charts", "evenload.dynamics.pictures"),  # needs matplotlib
     ("gui.__init__", "evenload.gui.progress"),  # FreeCAD's start needs neither
     ("gui.__init__", "evenload.gui.views"),
-    ("job_files.job", "evenload.pictures.path_picture"),  # needs matplotlib
+    ("job_files.job", "evenload.pictures.finishing_picture"),  # needs matplotlib
+    ("job_files.job", "evenload.pictures.path_picture"),
     ("job_files.job", "evenload.pictures.simulation_pictures"),
     ("job_files.job", "evenload.stability.picture"),
     ("simulation.__init__", "evenload.simulation.job"),  # needs FreeCAD
@@ -207,7 +208,9 @@ def test_what_runs_without_freecad_does_not_import_it(module):
         ("operations.adaptive", {"Adaptive"}),
         ("operations.trochoid", {"Trochoid"}),
         ("operations.lame_spiral", {"LameSpiral"}),
+        ("operations.finishing", {"Finishing"}),
         ("gui.views", {"ViewProvider", "TrochoidViewProvider", "LameSpiralViewProvider"}),
+        ("gui.views", {"FinishingViewProvider"}),
     ],
 )
 def test_classes_that_documents_name_stay_where_they_are(module, names):

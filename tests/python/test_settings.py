@@ -10,6 +10,7 @@ from evenload.settings import pages, parameters, ranges
 from evenload.settings.labels import LABELS
 from evenload.settings.results import (
     HIDDEN_SETTINGS,
+    RESULTS_OF_FINISHING,
     RESULTS_OF_LAME_SPIRAL,
     RESULTS_OF_TROCHOID,
     RESULT_SETTINGS,
@@ -18,7 +19,9 @@ from evenload.settings.setting import CHOICE, POINT, SPEED, Range
 from evenload.settings.table import (
     ALL,
     BOXES,
+    FINISHING,
     OF_ADAPTIVE,
+    OF_FINISHING,
     OF_LAME_SPIRAL,
     OF_TROCHOID,
     SETTINGS,
@@ -27,6 +30,7 @@ from evenload.settings.table import (
 
 DOCS = Path(__file__).resolve().parents[2] / "docs"
 ROWS = {row.name: row for row in ALL}
+FOLLOWERS = ("SideStep", "CuspHeight")  # of another setting
 OWN = {
     "clear_pocket": OF_ADAPTIVE,
     "clear_slot": OF_TROCHOID,
@@ -49,7 +53,7 @@ def test_a_page_whose_table_is_stale_is_renewed():
 @pytest.mark.parametrize("row", ALL, ids=lambda row: row.name)
 def test_a_row_tells_all_that_is_made_from_it(row):
     assert row.doc and row.label and row.page and row.box in BOXES
-    assert (row.value is None) == bool(row.follows or row.fitted or row.name == "SideStep")
+    assert (row.value is None) == bool(row.follows or row.fitted or row.name in FOLLOWERS)
     if row.value is None:
         assert row.default or row.fitted
     if row.when:
@@ -58,7 +62,8 @@ def test_a_row_tells_all_that_is_made_from_it(row):
 
 
 def test_names_and_labels_are_each_of_one_setting():
-    results = (*RESULT_SETTINGS, *RESULTS_OF_LAME_SPIRAL, *RESULTS_OF_TROCHOID, *HIDDEN_SETTINGS)
+    own = (*RESULTS_OF_LAME_SPIRAL, *RESULTS_OF_TROCHOID, *RESULTS_OF_FINISHING)
+    results = (*RESULT_SETTINGS, *own, *HIDDEN_SETTINGS)
     names = [row.name for row in (*ALL, *results)]
     assert len(set(names)) == len(names)
     assert len(set(LABELS.values())) == len(ALL)
@@ -73,6 +78,20 @@ def test_the_core_knows_the_keywords_and_the_choices(function, own):
         assert re.search(r"\b%s\b" % row.keyword, told), row.keyword
         for choice in row.value if row.type == CHOICE else ():
             assert "'%s'" % choice.lower() in told, choice
+
+
+def test_the_core_knows_the_keywords_and_the_choices_of_finishing():
+    told = compiled.core().surface.finish.__doc__
+    for row in OF_FINISHING:
+        if row.keyword:
+            assert re.search(r"\b%s\b" % row.keyword, told), row.keyword
+            for choice in row.value if row.type == CHOICE else ():
+                assert choice.lower() in told, choice
+
+
+def test_the_panel_of_finishing_has_every_setting_in_one_box():
+    shown = [row.name for _, rows in boxes_of(FINISHING) for row in rows]
+    assert sorted(shown) == sorted(row.name for row in FINISHING)
 
 
 @pytest.mark.parametrize("own", OWN.values(), ids=OWN)
@@ -146,6 +165,7 @@ def test_what_follows_the_tool_follows_from_diameter_and_feeds():
         "HelixDiameter": pytest.approx(5.4),
         "RollRadius": pytest.approx(0.9),
         "MinimumRadius": pytest.approx(0.9),
+        "Stepover": pytest.approx(0.3),
     }
 
 

@@ -14,6 +14,8 @@ _translate = FreeCAD.Qt.translate
 class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
     """FreeCAD's page for faces and edges, with whole sketches."""
 
+    wanted = "Select level faces, closed edges or sketches."
+
     def setFields(self, obj):
         self.form.baseList.blockSignals(True)
         self.form.baseList.clear()
@@ -30,9 +32,7 @@ class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
     def selectionSupportedAsBaseGeometry(self, selection, ignoreErrors):
         found = any(self._names(item) for item in selection)
         if not found and not ignoreErrors:
-            FreeCAD.Console.PrintWarning(
-                _translate("EvenLoad", "Select level faces, closed edges or sketches.") + "\n"
-            )
+            FreeCAD.Console.PrintWarning(_translate("EvenLoad", self.wanted) + "\n")
         return found
 
     def addBaseGeometry(self, selection):
@@ -47,8 +47,16 @@ class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
             (item.data(self.DataObject), str(item.data(self.DataObjectSub) or "")) for item in items
         ]
 
-    @staticmethod
-    def _names(item):
+    def _names(self, item):
         if is_outline(item.Object):
             return [""]
         return [name for name in item.SubElementNames if name.startswith(("Face", "Edge"))]
+
+
+class SurfaceGeometryPage(BaseGeometryPage):
+    """The same for faces alone, of any slope."""
+
+    wanted = "Select faces that do not stand upright."
+
+    def _names(self, item):
+        return [name for name in item.SubElementNames if name.startswith("Face")]

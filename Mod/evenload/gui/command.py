@@ -94,6 +94,12 @@ COMMANDS = {
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
     ),
     "EvenLoad_ShowLoad": ShowLoad(),
+    "EvenLoad_Finishing": Command(
+        "finishing",
+        "EvenLoad_Finishing",
+        "EvenLoad Finishing",
+        "Finishes faces by passes of a ball end, bull-nosed or flat tool",
+    ),
     "EvenLoad_StabilityChart": Command(
         "stability",
         "EvenLoad_StabilityChart",

@@ -16,7 +16,7 @@ from evenload.settings.table import sections_of
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
-ADDED_TO = "Feeds"  # the folded part where FreeCAD's own choice of the coolant stands
+ADDED_TO = "Feeds"  # where FreeCAD's own choice of the coolant stands; without it in the last part
 FITTED_IN = "Spiral"  # that whose values may be fitted again
 
 
@@ -58,6 +58,7 @@ class FormPage(_gui.op.TaskPanelPage):
         self.load.setToolTip(
             _translate("EvenLoad", "Colours the path in the 3D view by its load, or ends that")
         )
+        self.load.setVisible(engagement.ANGLE in self.settings)  # the simulator knows no others
         above.addWidget(self.load, 0, QtCore.Qt.AlignTop)
         whole.addLayout(above)
         self.area = QtGui.QScrollArea()
@@ -75,10 +76,11 @@ class FormPage(_gui.op.TaskPanelPage):
         layout.addWidget(self._head(form))
         first, folded = sections_of(self.kind.settings)
         layout.addWidget(self._first(first))
+        titles = [title for title, _ in folded]
         for title, settings in folded:
             self.folds[title] = Fold(title, _translate("EvenLoad", title))
             entries = [self._entry(setting) for setting in settings]
-            if title == ADDED_TO:
+            if title == (ADDED_TO if ADDED_TO in titles else titles[-1]):
                 # FreeCAD looks for it in the outermost widget.
                 form.coolantController = fields.combo_box()
                 label = QtGui.QLabel(_translate("EvenLoad", "Coolant"))

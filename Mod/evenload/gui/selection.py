@@ -1,6 +1,9 @@
 """What can be picked for an operation in FreeCAD's window."""
 
 import FreeCADGui
+import Part
+
+LEVEL = 1e-6  # z of a direction that lies in the plane
 
 
 class Gate:
@@ -18,6 +21,18 @@ class Gate:
         return box.ZLength < 1e-6
 
 
+class SurfaceGate:
+    """What can be selected while a panel for surfaces is open: faces that do not stand upright."""
+
+    def allow(self, doc, obj, sub):
+        shape = getattr(obj, "Shape", None)
+        return shape is not None and sub.startswith("Face") and not _is_wall(shape.getElement(sub))
+
+
+def _is_wall(face):
+    return isinstance(face.Surface, Part.Plane) and abs(face.Surface.Axis.z) < LEVEL
+
+
 def is_outline(obj):
     """Whether an object is base geometry as a whole: a sketch, or wires without a solid."""
     shape = getattr(obj, "Shape", None)
@@ -29,3 +44,8 @@ def is_outline(obj):
 def select():
     """FreeCAD calls this when a panel opens; it removes the gate itself."""
     FreeCADGui.Selection.addSelectionGate(Gate())
+
+
+def select_surfaces():
+    """The same for a panel of an operation on surfaces."""
+    FreeCADGui.Selection.addSelectionGate(SurfaceGate())

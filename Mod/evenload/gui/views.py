@@ -3,9 +3,9 @@
 import os
 
 from evenload import host
-from evenload.gui import adaptive, lame_spiral, trochoid
+from evenload.gui import adaptive, finishing, lame_spiral, trochoid
 from evenload.gui.icons import ICONS
-from evenload.gui.selection import select
+from evenload.gui.selection import select, select_surfaces
 from evenload.gui.slots import telling_slot
 
 _gui = host.gui()
@@ -70,6 +70,15 @@ class LameSpiralViewProvider(ViewProvider):
     OpName = "EvenLoad Lame Spiral"
 
 
+class FinishingViewProvider(ViewProvider):
+    page = finishing.OperationPage
+    icon = "EvenLoad_Finishing.svg"
+    OpName = "EvenLoad Finishing"
+
+    def getSelectionFactory(self):
+        return select_surfaces
+
+
 def _unless_refused(accept, may_close):
     """What FreeCAD calls at OK: the panel stays open where it may not close. Bound methods, whose
     objects are not kept alive.
@@ -78,7 +87,10 @@ def _unless_refused(accept, may_close):
     return lambda: accept() if may_close() else False
 
 
-PROVIDERS = {each.OpName: each for each in (TrochoidViewProvider, LameSpiralViewProvider)}
+PROVIDERS = {
+    each.OpName: each
+    for each in (TrochoidViewProvider, LameSpiralViewProvider, FinishingViewProvider)
+}
 
 
 def attach(obj):

@@ -22,6 +22,7 @@ from evenload.host.ops import (
     operations,
     parent_job,
     register_operation,
+    surface_features,
     turned_work_plane,
 )
 from evenload.host.posts import named, post, post_processors, text_of
@@ -79,6 +80,7 @@ __all__ = [
     "show_field",
     "show_job",
     "show_value",
+    "surface_features",
     "text_of",
     "turned_work_plane",
 ]

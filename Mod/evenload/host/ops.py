@@ -27,6 +27,18 @@ def features():
     )
 
 
+def surface_features():
+    """The same for operations on surfaces, which have faces alone, and no levels."""
+    op = cam().op
+    return (
+        op.FeatureTool
+        | op.FeatureDepths
+        | op.FeatureHeights
+        | op.FeatureBaseFaces
+        | op.FeatureCoolant
+    )
+
+
 def register_operation(name, create, properties):
     """Tells the SetupSheet of an operation, so that jobs and templates can keep defaults for it."""
     cam().setup_sheet.RegisterOperation(name, create, properties)

@@ -4,12 +4,19 @@ import os
 
 from evenload import host
 from evenload.job_files import model, outputs, parameters, report
-from evenload.operations import adaptive, lame_spiral, trochoid
+from evenload.operations import adaptive, finishing, lame_spiral, trochoid
 from evenload.simulation import job as job_simulation
 from evenload.stability import cut
 from evenload.stability import operation as stability
 
-OPERATIONS = {"adaptive": adaptive, "trochoid": trochoid, "lame_spiral": lame_spiral}
+OPERATIONS = {
+    "adaptive": adaptive,
+    "trochoid": trochoid,
+    "lame_spiral": lame_spiral,
+    "finishing": finishing,
+}
+# Sections of a job file that look at engagement, which operations on surfaces have none of.
+OF_ENGAGEMENT = ("simulation", "stability")
 PROGRESS_STEP = 0.1  # share of a job between two progress lines
 
 
@@ -75,6 +82,12 @@ def _operation(job, number):
             "Job %d: there is no operation '%s'; there is %s."
             % (number, kind, ", ".join(OPERATIONS))
         )
+    for section in OF_ENGAGEMENT:
+        if kind == "finishing" and section in job:
+            raise ValueError(
+                "Job %d, %s: there is none of a finishing operation yet: take the key out."
+                % (number, section)
+            )
     return OPERATIONS[kind]
 
 
@@ -121,9 +134,10 @@ def _machine_job(job, doc, machined):
 
 def _draw(op, path):
     # Here, because a job without pictures needs no matplotlib.
-    from evenload.pictures import path_picture
+    from evenload.pictures import finishing_picture, path_picture
 
-    path_picture.picture(op, path)
+    is_finishing = isinstance(op.Proxy, finishing.Finishing)
+    (finishing_picture if is_finishing else path_picture).picture(op, path)
 
 
 def _options(wishes, folder):

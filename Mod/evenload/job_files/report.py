@@ -13,6 +13,8 @@ FIGURES = (
     ("uncut_area_mm2", "UncutArea", "mm2", 2),
     ("cut_length_mm", None, "mm", 0),
     ("link_length_mm", None, "mm", 0),
+    ("least_stepover_mm", "LeastStepover", "mm", 3),
+    ("largest_stepover_mm", "LargestStepover", "mm", 3),
     ("passes", "Passes", "", 0),
     ("links", "Links", "", 0),
     ("retracts", "Retracts", "", 0),
@@ -53,6 +55,8 @@ LABELS = {
     "uncut_area_mm2": "area left",
     "cut_length_mm": "length of cuts",
     "link_length_mm": "length of links",
+    "least_stepover_mm": "stepover, least",
+    "largest_stepover_mm": "stepover, largest",
     "passes": "passes",
     "links": "links",
     "retracts": "retracts",
@@ -82,10 +86,10 @@ def figures(op):
     """What an operation reports: {key: number}, units in the keys, and 'report', its text."""
     result = {}
     for key, prop, _, _ in FIGURES:
-        if prop:
+        if prop and hasattr(op, prop):  # not every kind of operation has every result
             value = getattr(op, prop)
             result[key] = float(getattr(value, "Value", value))
-    if result["ideal_time_s"] > 0:
+    if result.get("ideal_time_s", 0) > 0:
         result["time_ratio"] = result["cutting_time_s"] / result["ideal_time_s"]
     last = op.Proxy.last
     if last is not None:
@@ -150,9 +154,8 @@ def table(jobs):
     if done:
         left = max(len(label) for label in LABELS.values())
         widths = [max(10, len(job["name"])) for job in done]
-        rows = [*FIGURES]
-        more = (*SIMULATED, *STABILITY)
-        rows += [row for row in more if any(row[0] in job["figures"] for job in done)]
+        every = (*FIGURES, *SIMULATED, *STABILITY)
+        rows = [row for row in every if any(row[0] in job["figures"] for job in done)]
         wide = max(len(unit) for _, _, unit, _ in rows)
         head = " " * (left + wide + 1)
         lines.append(head + "".join("  " + j["name"].rjust(w) for j, w in zip(done, widths)))

@@ -77,6 +77,11 @@ def depths(obj, tool):
             "take a longer tool or raise FinalDepth."
             % (start - last, tool.cutting_length, tool.name)
         )
+    heights(obj, start)
+
+
+def heights(obj, start):
+    """Raises ValueError for heights of rapids that lie below a start in mm, or each other."""
     if obj.SafeHeight.Value < start:
         raise ValueError(
             "SafeHeight (%g mm) lies below StartDepth (%g mm): raise it."

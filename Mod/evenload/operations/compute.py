@@ -38,7 +38,7 @@ def run(proxy, obj):
     """
     core = compiled.core()
     tool, data = tools.read(obj.ToolController)
-    _refuse_turned_work_plane(obj)
+    refuse_turned_work_plane(obj)
     # Geometry first: depths follow it, and what is wrong with them then is not the cause.
     checks.for_geometry(obj)
     try:
@@ -67,13 +67,14 @@ def run(proxy, obj):
     toolpath = by_depth.joined(cuts)
     _check_entries(tool, toolpath)
     of_depths, found = by_depth.notes(cuts)
-    notes += _spindle_notes(obj, data) + of_depths + _floor_notes(floors)
+    notes += spindle_notes(obj, data) + of_depths + _floor_notes(floors)
     notes += stock_checks.notes_of(obj) + force.notes(obj, tool) + found
     own = proxy.results_of(cuts)
     return Computation(floors, regions, cuts, toolpath, tool, data, hole, notes, own)
 
 
-def _refuse_turned_work_plane(obj):
+def refuse_turned_work_plane(obj):
+    """Raises ValueError where an operation's work plane is not the job's."""
     turned = host.turned_work_plane(obj)
     if turned is not None:
         raise ValueError(
@@ -119,7 +120,7 @@ def _parameters(proxy, obj, tool, data, hole, slack):
     return {
         **parameters.of(obj, proxy.settings),
         "tool_diameter": tool.diameter,
-        "cut_mode": _core_cut_mode(obj, data),
+        "cut_mode": core_cut_mode(obj, data),
         "feed": data.feed,
         "plunge_feed": data.plunge_feed,
         "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
@@ -134,7 +135,7 @@ def _parameters(proxy, obj, tool, data, hole, slack):
     }
 
 
-def _core_cut_mode(obj, data):
+def core_cut_mode(obj, data):
     """The cut mode as the core has it, whose spindle turns clockwise."""
     if data.spindle != tools.REVERSE:
         return obj.CutMode.lower()
@@ -158,7 +159,8 @@ def _check_entries(tool, toolpath):
         x, y = nx, ny
 
 
-def _spindle_notes(obj, data):
+def spindle_notes(obj, data):
+    """Sentences on a spindle that turns the other way, or not at all."""
     controller = obj.ToolController.Label
     if data.spindle == tools.REVERSE:
         return [

@@ -9,6 +9,7 @@ from evenload.settings.labels import FREECADS, LABELS, told
 
 WARNING, WISH, FACT = "warning", "wish", "fact"
 CHECKED = "Checked against the model."
+KEPT_OFF = "Made from the models themselves: the path keeps off all of the job's."
 
 # How the sentences begin that are no warnings: wishes were met as far as that was possible, and the
 # path is as good as any.
@@ -22,7 +23,7 @@ _WISHES = (
     "Entry is a helix, not a ramp",
     "SlotWidth was not used",
 )
-_FACTS = (CHECKED, "The spindle of ")
+_FACTS = (CHECKED, KEPT_OFF, "The spindle of ")
 _DEPTH_OF = re.compile(r": cut down to -?[0-9.e+-]+ mm\.$")
 _STANDING = re.compile(r"^The spindle of .* does not turn")
 

@@ -6,9 +6,11 @@ from evenload.settings.setting import (
     CHOICE,
     INTEGER,
     LENGTH,
+    NOT_NEGATIVE,
     NUMBER,
     NUMBERS,
     POINT,
+    POSITIVE,
     Setting,
 )
 
@@ -194,5 +196,105 @@ OF_LAME_SPIRAL = (
         keyword="rest",
         page="what the spiral does not reach is cleared at constant engagement; or Leave: then "
         "WallPass is ignored, there is no last pass along the walls",
+    ),
+)
+
+EVEN_CUSPS = "Constant cusp height"
+PARALLEL = ["Zig-zag", "One way"]  # strategies with passes side by side
+
+OF_FINISHING = (
+    Setting(
+        "Strategy",
+        CHOICE,
+        [*PARALLEL, "Contours inwards", "Contours outwards"],
+        "Parallel passes to and fro, or all in one direction with a way back over the part; or "
+        "passes along the outline of the faces, from the outside or from the inside on",
+        label="Strategy",
+        box="Passes",
+        is_first=True,
+        keyword="pattern",
+        page="parallel passes to and fro, joined along the surface; or One way: all in the same "
+        "direction, so that each cuts as CutMode says, with a way back over the part; or Contours "
+        "inwards, Contours outwards: along the faces' outline as it is seen from above, from the "
+        "border or from the middle on",
+    ),
+    Setting(
+        "PassAngle",
+        ANGLE,
+        0.0,
+        "Direction of the passes against the X axis, seen from above",
+        label="Direction",
+        box="Passes",
+        is_first=True,
+        keyword="angle",
+        when=("Strategy", PARALLEL),
+        page="of parallel passes against the X axis, seen from above",
+    ),
+    Setting(
+        "Spacing",
+        CHOICE,
+        ["Constant stepover", EVEN_CUSPS],
+        "What is the same between all parallel passes: their distance seen from above, or the "
+        "height of what stands between them",
+        label="Spacing",
+        box="Passes",
+        is_first=True,
+        when=("Strategy", PARALLEL),
+        page="parallel passes at even distances, seen from above; or Constant cusp height: as far "
+        "apart as the surface's slope and curvature allow ([how](finishing.md#2-spacing_by_cusp))",
+    ),
+    Setting(
+        "Stepover",
+        LENGTH,
+        None,
+        "Distance of neighbouring passes seen from above; the same as the cusp height on a level "
+        "face: setting one sets the other",
+        label="Stepover",
+        box="Passes",
+        is_first=True,
+        keyword="stepover",
+        range=POSITIVE,
+        follows=lambda diameter, feed, rapid: 0.05 * diameter,
+        default="0.05 × tool",
+        page="distance of neighbouring passes, seen from above",
+    ),
+    Setting(
+        "CuspHeight",
+        LENGTH,
+        None,
+        "Height of what a ball or a rounded corner leaves between two passes of a level face: "
+        "setting it sets the stepover; 0 for a flat end mill, which leaves steps",
+        label="Cusp height",
+        box="Passes",
+        is_first=True,
+        range=NOT_NEGATIVE,
+        is_fine=True,
+        default="follows",
+        page="what the ball or the rounded corner leaves between two passes of a level face, "
+        "r − √(r² − (Stepover/2)²); setting one sets the other. 0 for a flat end mill",
+    ),
+    Setting(
+        "Boundary",
+        CHOICE,
+        ["Tool contact", "Tool centre"],
+        "What has to lie on the picked faces while the tool cuts: the point where it touches, or "
+        "its axis seen from above",
+        label="Stays on the faces",
+        box="Passes",
+        is_first=True,
+        keyword="boundary",
+        page="what stays on the picked faces: the point where the tool touches; or Tool centre: "
+        "its axis, seen from above",
+    ),
+    Setting(
+        "Allowance",
+        LENGTH,
+        0.0,
+        "What stays on the whole part, measured across its surface",
+        label="Allowance",
+        box="Passes",
+        keyword="allowance",
+        range=NOT_NEGATIVE,
+        page="what stays on the whole part, across its surface",
     ),
 )

@@ -3,12 +3,20 @@
 import re
 
 from evenload.settings.setting import ANGLE, BOOL, CHOICE, LENGTH, NUMBERS
-from evenload.settings.table import OF_ADAPTIVE, OF_LAME_SPIRAL, OF_TROCHOID, SETTINGS, boxes_of
+from evenload.settings.table import (
+    FINISHING,
+    OF_ADAPTIVE,
+    OF_LAME_SPIRAL,
+    OF_TROCHOID,
+    SETTINGS,
+    boxes_of,
+)
 
 PAGES = {
     "adaptive_operation.md": (*SETTINGS, *OF_ADAPTIVE),
     "trochoid_operation.md": OF_TROCHOID,
     "lame_spiral_operation.md": OF_LAME_SPIRAL,
+    "finishing_operation.md": FINISHING,
 }
 HEAD = "| property | default | meaning |\n|---|---|---|\n"
 SEEN = re.compile("^" + re.escape(HEAD) + r"(?:\|.*\n)*", re.MULTILINE)

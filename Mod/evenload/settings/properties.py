@@ -41,5 +41,7 @@ def add_to_prototype(obj, row):
 
 
 def is_ours(obj):
-    """Whether a document object is one of our operations: all of them have this property."""
-    return hasattr(obj, "FormatVersion") and hasattr(obj.Proxy, "floors")
+    """Whether a document object is one of our operations that clear floors; all of ours have a
+    FormatVersion.
+    """
+    return hasattr(obj, "FormatVersion") and hasattr(obj, "SideStep")

@@ -62,6 +62,18 @@ RESULTS_OF_LAME_SPIRAL = (
     Result("ClearedShare", NUMBER, 0.0, "Share of the pocket that the spiral clears, 0 to 1"),
 )
 
+_OF_ALL = {row.name: row for row in RESULT_SETTINGS}
+RESULTS_OF_FINISHING = (
+    Result("PathLength", LENGTH, 0.0, "Length of cuts and of ways along the surface"),
+    Result("LargestStepover", LENGTH, 0.0, "Of neighbouring passes, seen from above"),
+    Result("LeastStepover", LENGTH, 0.0, "Of neighbouring passes, seen from above"),
+)
+# All results of the operation that finishes surfaces.
+FINISHING_RESULTS = (
+    *(_OF_ALL[name] for name in ("CuttingTime", "Passes", "Links", "Retracts", "Report")),
+    *RESULTS_OF_FINISHING,
+)
+
 HIDDEN_SETTINGS = (
     Result(
         "OwnValues",

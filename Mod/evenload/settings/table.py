@@ -6,17 +6,31 @@ refused (`ranges`), the rows of the panels, the names in job files, the labels i
 (`labels`) and the tables of the documentation (`pages`; `./run settings-pages` writes them).
 """
 
-from evenload.settings.own import OF_ADAPTIVE, OF_LAME_SPIRAL, OF_TROCHOID, REST_MACHINING
+from dataclasses import replace
+
+from evenload.settings.own import (
+    EVEN_CUSPS,
+    OF_ADAPTIVE,
+    OF_FINISHING,
+    OF_LAME_SPIRAL,
+    OF_TROCHOID,
+    PARALLEL,
+    REST_MACHINING,
+)
 from evenload.settings.shared import CONSTANT_FORCE, HOLE_ENTRIES, SETTINGS
 
 __all__ = [
     "ALL",
     "BOXES",
     "CONSTANT_FORCE",
+    "EVEN_CUSPS",
+    "FINISHING",
     "HOLE_ENTRIES",
     "OF_ADAPTIVE",
+    "OF_FINISHING",
     "OF_LAME_SPIRAL",
     "OF_TROCHOID",
+    "PARALLEL",
     "REST_MACHINING",
     "SETTINGS",
     "TOLERANCE",
@@ -24,9 +38,24 @@ __all__ = [
     "sections_of",
 ]
 
-ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL)
+ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL, *OF_FINISHING)
 (TOLERANCE,) = (row for row in SETTINGS if row.name == "Tolerance")
-BOXES = ("Slot", "Spiral", "Cut", "Feeds", "Entry", "Path")  # of the panels, from the top
+BOXES = ("Slot", "Spiral", "Passes", "Cut", "Feeds", "Entry", "Path")  # of the panels, from the top
+
+(_CUT_MODE,) = (row for row in SETTINGS if row.name == "CutMode")
+# All settings of the operation that finishes surfaces.
+FINISHING = (
+    *OF_FINISHING,
+    _CUT_MODE,
+    replace(
+        TOLERANCE,
+        doc="Largest distance of the path from the exact one, the surface's triangles included; "
+        "into the part a third of it at the most",
+        page="largest distance of the path from the exact one, the triangles that stand for the "
+        "surface included; into the part it goes by a third of it at the most, by a fifth where no "
+        "face is round in two directions",
+    ),
+)
 
 
 def boxes_of(settings):

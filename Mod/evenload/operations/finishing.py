@@ -1,0 +1,244 @@
+"""Finishing: parallel passes of a ball end, bull-nosed or flat tool over picked faces."""
+
+import math
+from dataclasses import dataclass
+
+from evenload import commands, compiled, host
+from evenload import tool as tools
+from evenload.geometry import facets
+from evenload.operations import base, checks, compute, job_model, registry
+from evenload.operations.following import assign
+from evenload.operations.refusal import Cancelled
+from evenload.settings import parameters, ranges
+from evenload.settings.labels import told
+from evenload.settings.notes import KEPT_OFF
+from evenload.settings.results import FINISHING_RESULTS
+from evenload.settings.table import EVEN_CUSPS, FINISHING, PARALLEL
+from evenload.waiting import Stopped
+
+NAME = "EvenLoad Finishing"
+
+
+@dataclass
+class Computation:
+    """What the last successful run worked on; it is not saved with the document."""
+
+    facets: object  # facets.Facets
+    toolpath: object  # the core's
+    finish: object  # the core's Finish
+    tool: object  # tool.Tool
+    data: object  # tool.CuttingData
+    notes: list  # sentences for the report
+
+
+class Finishing(base.Operation):
+    """Proxy of the finishing operation. Documents refer to this class by its module and name: both
+    stay.
+    """
+
+    name = NAME
+    settings = FINISHING
+    results = FINISHING_RESULTS
+
+    def opFeatures(self, obj):
+        return host.surface_features()
+
+    # ---- settings ----
+
+    def opOnChanged(self, obj, prop):
+        super().opOnChanged(obj, prop)
+        if not self.is_wish(obj):
+            return
+        if prop in ("Stepover", "ToolController"):
+            self._set_cusp_height(obj)
+        elif prop == "CuspHeight":
+            self._set_stepover(obj)
+
+    def follow_tool(self, obj, again=()):
+        super().follow_tool(obj, again)
+        # A cusp height that cannot be stays, to be refused.
+        if "Stepover" not in obj.OwnValues or 0 < obj.CuspHeight.Value <= _end_radius(obj):
+            self._set_cusp_height(obj)
+
+    def _set_cusp_height(self, obj):
+        corner, half = _end_radius(obj), obj.Stepover.Value / 2
+        if half <= corner:
+            height = corner - math.sqrt((corner - half) * (corner + half))
+            self.quietly(obj, "CuspHeight", height)
+
+    def _set_stepover(self, obj):
+        corner, height = _end_radius(obj), obj.CuspHeight.Value
+        if 0 < height <= corner:
+            self.quietly(obj, "Stepover", 2 * math.sqrt(height * (2 * corner - height)))
+        if "Stepover" not in obj.OwnValues:
+            obj.OwnValues = obj.OwnValues + ["Stepover"]
+
+    # ---- depths ----
+
+    def updateDepths(self, obj, ignoreErrors=False):
+        """OpStartDepth: the top of stock and models. OpFinalDepth: the bottom of the models, below
+        which the tool's tip never goes.
+        """
+        if not self._setBaseAndStock(obj, ignoreErrors):
+            return False
+        box = self.stock.Shape.BoundBox
+        models = [m.Shape.BoundBox for m in self.model if not m.Shape.isNull()]
+        for name, value in (
+            ("OpStockZMin", box.ZMin),
+            ("OpStockZMax", box.ZMax),
+            ("OpFinalDepth", min((m.ZMin for m in models), default=box.ZMin)),
+            ("OpStartDepth", max([box.ZMax, *(m.ZMax for m in models)])),
+        ):
+            assign(obj, name, value)
+        return True
+
+    def check_settings(self, obj, tool, data):
+        ranges.check(obj, self.settings)
+        _check_stepover(obj, tool)
+
+    # ---- running ----
+
+    def read_tool(self, obj):
+        return tools.read(obj.ToolController, takes_balls=True)
+
+    def opExecute(self, obj):
+        done = self._computed(obj)
+        last = obj.ClearanceHeight.Value  # where FreeCAD itself ends every operation
+        self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
+        self.last = done
+        report = done.toolpath.report
+        obj.CuttingTime = report.cutting_time
+        obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
+        obj.PathLength = report.cut_length + report.link_length
+        obj.LeastStepover = done.finish.least_stepover
+        obj.LargestStepover = done.finish.largest_stepover
+        obj.Report = "\n".join(map(told, [*done.notes, KEPT_OFF]))
+
+    def tell_cancelled(self, obj, error):
+        """There is no more to tell."""
+
+    def _prove(self, obj):
+        """The path was made from the models themselves, all of them."""
+
+    def _computed(self, obj):
+        tool, data = self.read_tool(obj)
+        compute.refuse_turned_work_plane(obj)
+        self.check_settings(obj, tool, data)
+        try:
+            found = facets.of(
+                _of_models(self.job, obj.Base), self.job.Model.Group, obj.Tolerance.Value
+            )
+        except Stopped:
+            raise Cancelled(0.0) from None
+        _check_heights(obj, found)
+        finish = compiled.core().surface.finish(
+            found.mesh, **_parameters(self, obj, tool, data, found), progress=self.watch()
+        )
+        if finish.toolpath.report.termination == "cancelled":
+            raise Cancelled(0.0)
+        notes = compute.spindle_notes(obj, data) + _notes(obj, tool, finish.toolpath, found)
+        return Computation(found, finish.toolpath, finish, tool, data, notes)
+
+
+def _end_radius(obj):
+    return tools.end_radius(obj.ToolController) if obj.ToolController else 0.0
+
+
+def _wants_even_cusps(obj):
+    """Whether the passes' distances follow a cusp height; those along the outline keep theirs."""
+    return obj.Spacing == EVEN_CUSPS and obj.Strategy in PARALLEL
+
+
+def _of_models(job, picked):
+    """Base geometry in which faces of the job's originals, as macros name them, are its models'."""
+    return [
+        (model, [element])
+        for obj, names in picked
+        for name in names or ("",)
+        for model, element in (job_model.of(job, obj, name),)
+    ]
+
+
+def _check_stepover(obj, tool):
+    """Raises ValueError for a distance of passes that the tool cannot have."""
+    if obj.Stepover.Value > tool.diameter:
+        raise ValueError(
+            "Stepover is %g mm, more than the tool's diameter of %g mm: lower it."
+            % (obj.Stepover.Value, tool.diameter)
+        )
+    if not _wants_even_cusps(obj):
+        return
+    corner = _end_radius(obj)
+    if not corner > 0:
+        raise ValueError(
+            "Spacing is '%s', but the tool '%s' has a flat end, which leaves steps: take a ball "
+            "end mill, or another Spacing." % (EVEN_CUSPS, tool.name)
+        )
+    if not 0 < obj.CuspHeight.Value <= corner:
+        raise ValueError(
+            "CuspHeight is %g mm: it must lie between 0 and the %g mm of the tool's radius at its "
+            "end." % (obj.CuspHeight.Value, corner)
+        )
+
+
+def _check_heights(obj, found):
+    start, final = obj.StartDepth.Value, obj.FinalDepth.Value
+    if not start > final:
+        raise ValueError(
+            "StartDepth (%g mm) does not lie above FinalDepth (%g mm): raise StartDepth or lower "
+            "FinalDepth." % (start, final)
+        )
+    checks.heights(obj, start)
+    if obj.SafeHeight.Value < found.highest:
+        raise ValueError(
+            "SafeHeight (%g mm) lies below the top of the models (%g mm): raise it."
+            % (obj.SafeHeight.Value, round(found.highest, 3))
+        )
+
+
+def _parameters(proxy, obj, tool, data, found):
+    """Keyword arguments of the core's finish(), but for `progress`; mm, rad, mm/min."""
+    arguments = {
+        **parameters.of(obj, proxy.settings),
+        "tool_diameter": tool.diameter,
+        "corner_radius": _end_radius(obj),
+        "tolerance": obj.Tolerance.Value - found.deflection,
+        "deflection": found.deflection,
+        "floor": obj.FinalDepth.Value,
+        "top": obj.StartDepth.Value,
+        "safe_height": obj.SafeHeight.Value,
+        "clearance_height": obj.ClearanceHeight.Value,
+        "feed": data.feed,
+        "plunge_feed": data.plunge_feed,
+        "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
+        "cut_mode": compute.core_cut_mode(obj, data),
+    }
+    if _wants_even_cusps(obj):
+        arguments["cusp_height"] = obj.CuspHeight.Value
+    return arguments
+
+
+def _notes(obj, tool, toolpath, found):
+    lowest = min(move[3] for move in toolpath.moves)
+    depth = obj.StartDepth.Value - lowest
+    notes = []
+    if tool.cutting_length and depth > tool.cutting_length + 1e-6:
+        notes.append(
+            "The path goes %g mm below StartDepth, and the tool '%s' cuts over %g mm of its "
+            "length: see that its shank stays off the part."
+            % (round(depth, 3), tool.name, tool.cutting_length)
+        )
+    if lowest <= obj.FinalDepth.Value + 1e-6:
+        notes.append(
+            "FinalDepth (%g mm) keeps the tool's tip up: lower it if more of the faces is to be "
+            "reached." % obj.FinalDepth.Value
+        )
+    return notes
+
+
+def Create(name, obj=None, parentJob=None, toolController=None):
+    """A new finishing operation, as a document object; see registry.create for the arguments."""
+    return registry.create(Finishing, name, obj, parentJob, toolController)
+
+
+registry.register(Finishing, Create)

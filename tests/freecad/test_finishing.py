@@ -1,0 +1,310 @@
+"""The finishing operation on the source's test parts as solids: judged by OpenCASCADE's own
+distance between the tool's ball and the part, on the path and on what is posted of it.
+"""
+
+import json
+import math
+import random
+import re
+
+import Part
+import pytest
+from conftest import moves_of, reopened
+from finishing_parts import DOME, LEAN, lofted, part, upper
+from FreeCAD import Vector
+
+from evenload import batch, host
+from evenload.geometry import facets
+from evenload.operations import finishing
+from evenload.settings.labels import told
+from evenload.settings.notes import FACT, KEPT_OFF, kind_of
+
+TOLERANCE, BALL = 0.01, 5.0
+BELOW, BELOW_IF_ROUND = 0.2 * TOLERANCE, 0.35 * TOLERANCE  # mm, into the part
+PLACES = 2000
+UNIT_ROUNDING = 1e-6  # mm
+
+
+def finish(bench, shape, tool="ballend", faces=None, **properties):
+    """A Bench with a finishing operation on the upper side of a shape."""
+    b = bench(shape, tool=2 * BALL, feed=1650)
+    if tool != "endmill":
+        b.controller.Tool = host.create_tool(tool, {"Diameter": 2 * BALL})
+        b.doc.recompute()
+    names = upper(b.model.Shape) if faces is None else faces
+    op = finishing.Create("Finish", parentJob=b.job, toolController=b.controller)
+    op.Base = [(b.model, names)]
+    b.set(op, Stepover=2.0, Tolerance=TOLERANCE)
+    b.set(op, **properties)
+    return b, op
+
+
+def cut_places(path, count, seed=1):
+    """Random places (x, y, z) of the tip on the feed moves of [(name, start, end), ...], but for
+    straight ways down.
+    """
+    random_ = random.Random(seed)
+    cuts = [(s, e) for name, s, e in path if name == "G1" and (s.x, s.y) != (e.x, e.y)]
+    lengths = [(end - start).Length for start, end in cuts]
+    chosen = random_.choices(cuts, lengths, k=count)
+    return [start + (end - start) * random_.random() for start, end in chosen]
+
+
+def lines_of(op):
+    """[(name, start, end), ...] of an operation's moves."""
+    result = []
+    for name, start, end, *_ in moves_of(op):
+        if None not in start:
+            result.append((name, Vector(*start), Vector(*end)))
+    return result
+
+
+def posted_lines(text):
+    """The same of a posted program."""
+    at, result, name = {}, [], None
+    for line in text.splitlines():
+        words = dict(re.findall(r"([GXYZ])(-?[\d.]+)", re.sub(r"\(.*?\)|;.*", "", line)))
+        if "G" in words and float(words["G"]) in (0, 1):
+            name = "G%d" % float(words["G"])
+        if name is None or not set("XYZ") & set(words):
+            continue
+        before, at = dict(at), {**at, **{k: float(words[k]) for k in "XYZ" if k in words}}
+        if len(before) == 3:
+            ends = (Vector(*(each[k] for k in "XYZ")) for each in (before, at))
+            result.append((name, *ends))
+    return result
+
+
+def off_by(shape, places, radius=BALL):
+    """(least, largest) distance of the ball from a shape, in mm, at places of its tip."""
+    off = [shape.distToShape(Part.Vertex(p + Vector(0, 0, radius)))[0] - radius for p in places]
+    return min(off), max(off)
+
+
+def test_a_ball_over_a_spline_surface_touches_it_all_along(bench):
+    b, op = finish(bench, lofted(), PassAngle=35, Stepover=1.5, Boundary="Tool contact")
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), 500))
+    assert least > -BELOW_IF_ROUND - UNIT_ROUNDING and largest < TOLERANCE
+
+
+def test_a_mesh_is_refused(doc):
+    mesh = doc.addObject("Mesh::Feature", "Scan")
+    with pytest.raises(ValueError, match="'Scan' is a mesh without faces: make a solid of it"):
+        facets.of([(mesh, ("Face1",))], [mesh], TOLERANCE)
+
+
+@pytest.mark.parametrize("angle", [0, 30, 90])
+@pytest.mark.parametrize("is_convex", [True, False], ids=["CX", "CV"])
+def test_the_ball_touches_the_part_all_along_and_never_cuts_into_it(bench, is_convex, angle):
+    b, op = finish(bench, part(is_convex), PassAngle=angle)
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), PLACES))
+    assert least > -BELOW - UNIT_ROUNDING
+    assert largest < TOLERANCE
+    assert op.Retracts == 0 and op.Passes >= 40
+    assert op.LargestStepover.Value <= 2.0
+    assert 3000 < op.PathLength.Value < 3800
+    assert op.Report == KEPT_OFF and kind_of(op.Report) == FACT
+
+
+@pytest.mark.parametrize("processor", ["linuxcnc", "grbl"])
+def test_what_is_posted_is_as_near(bench, rs274, tmp_path, processor):
+    b, op = finish(bench, part(True), PassAngle=90)
+    b.done(op)
+    text = host.post(b.job, processor, "--no-show-editor")
+    lines = posted_lines(text)
+    assert len(lines) >= len(lines_of(op))
+    least, largest = off_by(b.model.Shape, cut_places(lines, 300))
+    assert least > -BELOW - 0.001 and largest < TOLERANCE + 0.001
+    if processor == "linuxcnc":
+        assert rs274(text, tmp_path).count("STRAIGHT_FEED") > 1000
+
+
+def test_an_allowance_stays_all_around(bench):
+    b, op = finish(bench, part(False), PassAngle=90, Allowance=0.3)
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), 300))
+    assert 0.3 - BELOW - UNIT_ROUNDING < least and largest < 0.3 + TOLERANCE
+
+
+def test_a_single_face_is_kept_to_by_the_contact_or_by_the_axis(bench):
+    shape = part(True)
+    dome = [n for n in upper(shape) if shape.getElement(n).BoundBox.YLength > 45]
+    b, op = finish(bench, shape, faces=tuple(dome), PassAngle=90)
+    edge = DOME * math.sin(LEAN)
+    for boundary, reach in (("Tool contact", edge + BALL * math.sin(LEAN)), ("Tool centre", edge)):
+        op.Boundary = boundary
+        b.done(op)
+        ys = [y for _, s, e in cuts_of(op) for y in (s.y, e.y)]
+        assert max(ys) == pytest.approx(reach, abs=0.05)
+        assert min(ys) == pytest.approx(-reach, abs=0.05)
+
+
+def cuts_of(op):
+    return [line for line in lines_of(op) if line[0] == "G1"]
+
+
+def test_stepover_and_cusp_height_follow_each_other(bench):
+    b, op = finish(bench, part(True))
+    op.Stepover = 0.6
+    assert op.CuspHeight.Value == pytest.approx(BALL - math.sqrt(BALL**2 - 0.3**2))
+    op.CuspHeight = 0.01
+    assert op.Stepover.Value == pytest.approx(2 * math.sqrt(0.01 * (2 * BALL - 0.01)))
+    assert op.OwnValues == ["Stepover"]
+
+
+def test_even_cusps_take_narrower_steps_where_the_part_is_steep(bench):
+    b, op = finish(bench, part(True), Spacing="Constant cusp height", CuspHeight=0.02)
+    b.done(op)
+    level = 2 * math.sqrt(0.02 * (2 * BALL - 0.02))
+    # On the dome the passes' centres run on R50: 50/45 as far apart, less what the cusp's sides
+    # fall away by; at 33 degrees their plan distance is cos 33 of it.
+    assert op.LeastStepover.Value < 0.9 * level < op.LargestStepover.Value < 1.1 * level
+
+
+def test_one_way_cuts_in_one_direction_and_comes_back_over_the_part(bench):
+    b, op = finish(bench, part(True), Strategy="One way", CutMode="Climb")
+    b.done(op)
+    runs = [e.x - s.x for _, s, e in cuts_of(op) if abs(e.x - s.x) > 1]
+    assert all(run < 0 for run in runs) and op.Retracts == op.Passes - 1
+    op.CutMode = "Conventional"
+    b.done(op)
+    assert all(e.x > s.x for _, s, e in cuts_of(op) if abs(e.x - s.x) > 1)
+
+
+@pytest.mark.parametrize("strategy", ["Contours inwards", "Contours outwards"])
+def test_contours_touch_the_part_all_along(bench, strategy):
+    b, op = finish(bench, part(False), Strategy=strategy, Spacing="Constant cusp height")
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), 500))
+    assert least > -BELOW - UNIT_ROUNDING and largest < TOLERANCE
+    assert op.Passes == 20 and op.Retracts == 0 and op.LargestStepover.Value == 2.0
+
+
+@pytest.mark.parametrize("tool", ["bullnose", "endmill"])
+def test_other_tools_leave_a_flat_face_level(bench, tool):
+    b, op = finish(bench, Part.makeBox(30, 30, 10), tool=tool, Stepover=3.0)
+    b.done(op)
+    assert {round(z, 6) for _, s, e in cuts_of(op)[1:] for z in (s.z, e.z)} == {10.0}
+    if tool == "endmill":
+        assert op.CuspHeight.Value == 0
+
+
+def test_a_ball_on_a_sphere_beside_a_wall_keeps_off_both(bench):
+    shape = Part.makeBox(60, 40, 10).fuse(Part.makeSphere(15, Vector(20, 20, 5)))
+    shape = shape.fuse(Part.makeBox(10, 40, 25, Vector(50, 0, 0))).removeSplitter()
+    faces = [n for n in upper(shape) if shape.getElement(n).BoundBox.ZMax < 24]
+    assert len(faces) == 2
+    b, op = finish(bench, shape, faces=tuple(faces), PassAngle=20, Stepover=1.0)
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), PLACES))
+    assert least > -BELOW_IF_ROUND - UNIT_ROUNDING and largest < TOLERANCE
+
+
+def test_it_is_the_same_after_saving_and_reopening(bench, tmp_path):
+    b, op = finish(bench, part(False), Stepover=4.0)
+    b.done(op)
+    before = [c.toGCode() for c in op.Path.Commands]
+    with reopened(b.doc, tmp_path / "finish.FCStd") as doc:
+        again = doc.getObject("Finish")
+        assert isinstance(again.Proxy, finishing.Finishing)
+        again.touch()
+        doc.recompute()
+        assert again.isValid() and [c.toGCode() for c in again.Path.Commands] == before
+
+
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        ({"Stepover": 10.5}, "Stepover is 10.5 mm, more than the tool's diameter of 10 mm"),
+        ({"Stepover": 0.0}, "Stepover is 0 mm: it must be positive."),
+        ({"Tolerance": 0.0}, "Tolerance is 0 mm: it must be positive."),
+        (
+            {"Spacing": "Constant cusp height", "CuspHeight": 0.0},
+            "Cusp height is 0 mm: it must lie between 0 and the 5 mm",
+        ),
+        ({"StartDepth": 10.0, "FinalDepth": 20.0}, "does not lie above"),
+        ({"FinalDepth": 47.0, "StartDepth": 48.0}, "touches none of the picked faces"),
+        ({"SafeHeight": 40.0}, "Safe Height (40 mm) lies below Start Depth"),
+        ({"SafeHeight": 44.0, "StartDepth": 43.0}, "(44 mm) lies below the top of the models"),
+    ],
+)
+def test_settings_that_cannot_be_are_refused(bench, change, sentence):
+    b, op = finish(bench, part(True))
+    b.set(op, **change)
+    assert sentence in b.refused(op)
+
+
+def test_faces_that_cannot_be_reached_from_above_are_refused(bench):
+    b, op = finish(bench, part(True))
+    shape = b.model.Shape
+    normals = {n: f.normalAt(0, 0) for n, f in enumerate(shape.Faces, 1)}
+    wall = next(n for n, normal in normals.items() if abs(normal.z) < 1e-9)
+    floor = next(n for n, normal in normals.items() if normal.z < -0.9)
+    for number, sentence in ((wall, "stands upright"), (floor, "looks down"), (99, "no Face99")):
+        op.Base = [(b.model, ("Face%d" % number,))]
+        assert sentence in b.refused(op)
+    op.Base = []
+    assert "no base geometry" in b.refused(op)
+    op.Base = [(b.model, ("Edge1",))]
+    assert "is no face" in b.refused(op)
+
+
+def test_other_operations_still_refuse_a_ball_and_finishing_a_drill(bench):
+    b, op = finish(bench, part(True))
+    adaptive = b.operation()
+    assert "is a ball end mill" in b.refused(adaptive)
+    b.doc.removeObject(adaptive.Name)
+    b.controller.Tool = host.create_tool("drill", {"Diameter": 6})
+    assert "is a drill: choose a ball end, bull-nosed or flat end mill" in b.refused(op)
+
+
+def test_a_flat_end_mill_has_no_cusps(bench):
+    b, op = finish(bench, part(True), tool="endmill", Spacing="Constant cusp height")
+    assert "has a flat end, which leaves steps" in b.refused(op)
+
+
+def test_it_can_be_stopped_within_a_moment(bench):
+    b, op = finish(bench, part(True), Stepover=0.1, PassAngle=90)
+    asked = []
+
+    def progress(share):
+        asked.append(share)
+        return len(asked) < 20
+
+    op.Proxy.progress = progress
+    op.touch()
+    b.doc.recompute()
+    assert not op.isValid() and op.Report.startswith("Cancelled") and len(asked) == 20
+    assert [c.Name for c in op.Path.Commands] == ["(Cancelled: nothing is cut here)"]
+
+
+def test_every_label_in_a_sentence_is_the_panels():
+    assert told("CuspHeight") == "Cusp height"
+
+
+def test_a_job_file_finishes_without_a_window(tmp_path):
+    shape = part(True)
+    shape.exportStep(str(tmp_path / "part.step"))
+    read = Part.read(str(tmp_path / "part.step"))
+    job = {
+        "name": "dome",
+        "model": "part.step",
+        "base": list(upper(read)),
+        "tool": {"diameter": 10, "shape": "ballend"},
+        "cutting": {"feed": 1650, "plunge_feed": 800, "spindle_speed": 5100},
+        "operation": {"type": "finishing", "parameters": {"CuspHeight": 0.05, "PassAngle": 45}},
+        "output": {"gcode": "dome.ngc", "picture": "dome.png"},
+    }
+    refused = {**job, "name": "simulated", "simulation": {}, "output": {"gcode": "other.ngc"}}
+    (tmp_path / "jobs.json").write_text(json.dumps({"jobs": [job, refused]}))
+    result = batch.run_file(str(tmp_path / "jobs.json"), lambda line: None)
+    done, failed = result["jobs"]
+    assert done["ok"], done["error"]
+    figures = done["figures"]
+    assert figures["passes"] > 50 and "engagement_deg" not in figures
+    assert figures["largest_stepover_mm"] <= 2 * math.sqrt(0.05 * (2 * BALL - 0.05))
+    assert (tmp_path / "dome.ngc").stat().st_size > 1e4 and (tmp_path / "dome.png").exists()
+    assert failed["error"].endswith("there is none of a finishing operation yet: take the key out.")
+    assert "stepover, largest" in batch.table(result["jobs"])
