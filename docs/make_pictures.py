@@ -10,6 +10,7 @@ numpy and matplotlib, no display and no FreeCAD. The pictures of a topic are a m
 import ball_end_pictures
 import dexel_pictures
 import dynamics_pictures
+import finishing_pictures
 import inspection_pictures
 import lame_pictures
 import optimisation_pictures
@@ -33,6 +34,7 @@ def main():
         stability_pictures,
         ball_end_pictures,
         inspection_pictures,
+        finishing_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)
