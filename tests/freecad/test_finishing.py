@@ -6,6 +6,7 @@ import json
 import math
 import random
 import re
+from pathlib import Path
 
 import Part
 import pytest
@@ -308,3 +309,9 @@ def test_a_job_file_finishes_without_a_window(tmp_path):
     assert (tmp_path / "dome.ngc").stat().st_size > 1e4 and (tmp_path / "dome.png").exists()
     assert failed["error"].endswith("there is none of a finishing operation yet: take the key out.")
     assert "stepover, largest" in batch.table(result["jobs"])
+
+
+def test_the_example_finishes_the_whole_upper_side():
+    examples = Path(__file__).resolve().parents[2] / "examples"
+    (job,) = json.loads((examples / "dome.json").read_text())["jobs"]
+    assert job["base"] == list(upper(Part.read(str(examples / job["model"]))))
