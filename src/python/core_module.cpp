@@ -233,5 +233,5 @@ PYBIND11_MODULE(_core, m) {
   bind_dynamics(m);
   bind_ball_end(m);
   bind_inspection(m);
-  bind_surface(m);
+  bind_finishing(m);
 }

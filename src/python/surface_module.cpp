@@ -60,14 +60,14 @@ py::array_t<double> contacts_for_python(const FacetMesh& mesh, double tool_diame
   std::vector<Vec2> wanted;
   for (py::ssize_t i = 0; i < at.shape(0); ++i) wanted.push_back({at(i, 0), at(i, 1)});
   Progress asked = progress_of(callback);
-  std::vector<Contact> found;
+  std::vector<ToolContact> found;
   {
     const py::gil_scoped_release unlocked;
     found = drop_all(mesh, cutter, wanted, floor, threads, asked);
   }
   py::array_t<double> result({static_cast<py::ssize_t>(found.size()), kContactFigures});
   double* into = result.mutable_data();
-  for (const Contact& c : found)
+  for (const ToolContact& c : found)
     for (const double figure : {c.z, c.touches ? 1.0 : 0.0, c.is_within ? 1.0 : 0.0, c.point.x,
                                 c.point.y, c.point.z, c.normal.x, c.normal.y, c.normal.z})
       *into++ = figure;
@@ -134,7 +134,7 @@ std::vector<std::array<double, 2>> lines_for_python(const std::vector<std::array
 
 }  // namespace
 
-void bind_surface(py::module_& module) {
+void bind_finishing(py::module_& module) {
   py::module_ m = module.def_submodule("surface", "Finishing paths over triangles, in mm, mm/min.");
   py::class_<FacetMesh>(m, "FacetMesh", "A part as triangles, some of which are picked.")
       .def(py::init(&mesh_from), py::arg("points"), py::arg("triangles"), py::arg("picked"))

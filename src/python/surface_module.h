@@ -5,6 +5,6 @@
 
 namespace evenload {
 
-void bind_surface(pybind11::module_& module);
+void bind_finishing(pybind11::module_& module);
 
 }  // namespace evenload

@@ -24,7 +24,7 @@ bool is_over(const Facet& facet, Vec2 at) {
   return true;
 }
 
-void touch_face(const Facet& facet, const Cutter& cutter, Vec2 at, Contact& best) {
+void touch_face(const Facet& facet, const Cutter& cutter, Vec2 at, ToolContact& best) {
   const SpacePoint n = facet.normal;
   if (n.z == 0) return;
   const Vec2 across = plan(n);
@@ -79,7 +79,7 @@ SpacePoint normal_at(const Cutter& cutter, Vec2 from_axis, double distance) {
 }
 
 void touch_edge(const Facet& facet, std::size_t side, const Cutter& cutter, Vec2 at,
-                Contact& best) {
+                ToolContact& best) {
   std::size_t lower = side, upper = (side + 1) % 3;
   if (facet.corners[lower].z > facet.corners[upper].z) std::swap(lower, upper);
   const SpacePoint from = facet.corners[lower], to = facet.corners[upper];
@@ -113,7 +113,7 @@ void touch_edge(const Facet& facet, std::size_t side, const Cutter& cutter, Vec2
 }
 
 void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutter, Vec2 at,
-                 Contact& best) {
+                 ToolContact& best) {
   const Facet& facet = mesh.facets()[number];
   if (facet.top <= best.z) return;
   const double before = best.z;
@@ -135,9 +135,9 @@ double highest_by(const FacetNode& node, const Cutter& cutter, Vec2 at) {
 
 }  // namespace
 
-Contact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
-             std::uint32_t first) {
-  Contact best;
+ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
+                 std::uint32_t first) {
+  ToolContact best;
   best.z = floor;
   const std::vector<FacetNode>& nodes = mesh.nodes();
   if (nodes.empty()) return best;
@@ -167,10 +167,10 @@ Contact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
   return best;
 }
 
-std::vector<Contact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
-                              const std::vector<Vec2>& places, double floor, int threads,
-                              Progress& progress) {
-  std::vector<Contact> result(places.size());
+std::vector<ToolContact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
+                                  const std::vector<Vec2>& places, double floor, int threads,
+                                  Progress& progress) {
+  std::vector<ToolContact> result(places.size());
   const std::size_t tasks = (places.size() + kAtOnce - 1) / kAtOnce;
   parallel_for(
       tasks, thread_count(threads),

@@ -18,7 +18,7 @@ namespace evenload {
 
 inline constexpr std::uint32_t kNoFacet = ~std::uint32_t{0};
 
-struct Contact {
+struct ToolContact {
   double z = 0;  // mm, of the tip
   bool touches = false;
   // Where it touches:
@@ -30,13 +30,13 @@ struct Contact {
 
 // The lowest place of a tool's tip over `at` that is not below `floor`, mm. `first`: a facet that
 // may be touched, as one beside it was; it is found sooner then that most others lie too low.
-Contact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
-             std::uint32_t first = kNoFacet);
+ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
+                 std::uint32_t first = kNoFacet);
 
 // The same for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
-std::vector<Contact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
-                              const std::vector<Vec2>& places, double floor, int threads,
-                              Progress& progress);
+std::vector<ToolContact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
+                                  const std::vector<Vec2>& places, double floor, int threads,
+                                  Progress& progress);
 
 // Whether picked triangles lie under or over a place.
 bool is_under_picked(const FacetMesh& mesh, Vec2 at);

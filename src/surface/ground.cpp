@@ -62,8 +62,8 @@ DropSample border_between(const Ground& ground, const PlanLine& line, DropSample
 
 DropSample sample_at(const Ground& ground, const PlanLine& line, double s, std::uint32_t beside) {
   const Vec2 at = line.at(s);
-  const Contact contact = drop(*ground.mesh, ground.cutter.grown(ground.allowance), at,
-                               ground.floor - ground.allowance, beside);
+  const ToolContact contact = drop(*ground.mesh, ground.cutter.grown(ground.allowance), at,
+                                   ground.floor - ground.allowance, beside);
   const bool is_at_work =
       ground.by_contact ? contact.touches && contact.is_within : is_under_picked(*ground.mesh, at);
   return {s, contact.z + ground.allowance, is_at_work, contact.facet};

@@ -74,7 +74,7 @@ TEST(Drop, OnAPlaneTheTubesCentreStandsOverTheContact) {
       const double cosine = 1 / std::sqrt(1 + slope * slope), sine = slope * cosine;
       // The plane's height, and how far the tool is pushed up from it.
       const double expected = slope * 2 + tool.flat() * slope + tool.corner / cosine - tool.corner;
-      const Contact found = drop(mesh, tool, {2, 3}, kFloor);
+      const ToolContact found = drop(mesh, tool, {2, 3}, kFloor);
       EXPECT_NEAR(found.z, expected, 1e-12 * (1 + expected));
       EXPECT_NEAR(found.normal.z, cosine, 1e-12);
       EXPECT_NEAR(std::abs(found.normal.x), sine, 1e-12);
@@ -123,7 +123,7 @@ TEST(Drop, OnRandomTrianglesItIsTheHighestThatASearchFinds) {
         p = {uniform(random, -9, 9), uniform(random, -9, 9), uniform(random, -2, 2)};
     const FacetMesh mesh = mesh_of(triangles);
     for (const Cutter& tool : kTools) {
-      const Contact found = drop(mesh, tool, {0, 0}, kFloor);
+      const ToolContact found = drop(mesh, tool, {0, 0}, kFloor);
       EXPECT_GE(found.z, highest_on_rings(triangles, tool, {0, 0}) - 1e-9);
       // No higher than it must be: there is ground where the tool touches.
       ASSERT_TRUE(found.touches);
@@ -193,8 +193,8 @@ TEST(Drop, IsTheSameOnAnyNumberOfThreads) {
   std::vector<Vec2> places;
   for (int i = 0; i < 5000; ++i) places.push_back({0.01 * i, 0.003 * i});
   Progress progress;
-  const std::vector<Contact> one = drop_all(mesh, kTools[1], places, kFloor, 1, progress);
-  const std::vector<Contact> many = drop_all(mesh, kTools[1], places, kFloor, 4, progress);
+  const std::vector<ToolContact> one = drop_all(mesh, kTools[1], places, kFloor, 1, progress);
+  const std::vector<ToolContact> many = drop_all(mesh, kTools[1], places, kFloor, 4, progress);
   for (std::size_t i = 0; i < places.size(); ++i) EXPECT_EQ(one[i].z, many[i].z);
 }
 
