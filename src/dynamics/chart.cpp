@@ -89,12 +89,13 @@ std::vector<StabilityChart::Curve> StabilityChart::curves(Progress& progress) co
     }
     result.push_back(std::move(curve));
   }
-  parallel_for(stretches.size(), threads_,
-               [&](std::size_t number) {
-                 const Stretch& at = stretches[number];
-                 describe(milling_, at.first, at.last, result[at.curve]);
-               },
-               progress);
+  parallel_for(
+      stretches.size(), threads_,
+      [&](std::size_t number) {
+        const Stretch& at = stretches[number];
+        describe(milling_, at.first, at.last, result[at.curve]);
+      },
+      progress);
   return result;
 }
 

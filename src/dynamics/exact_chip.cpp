@@ -10,8 +10,8 @@ namespace {
 constexpr int kNewton = 20;
 constexpr double kPeriodConverged = 1e-13;  // of the period
 constexpr int kRounds = 40;
-constexpr double kSettled = 1e-9;  // relative, of the motion
-constexpr int kLooksAPeriod = 2000;       // at a period
+constexpr double kSettled = 1e-9;    // relative, of the motion
+constexpr int kLooksAPeriod = 2000;  // at a period
 
 }  // namespace
 

@@ -13,10 +13,10 @@ namespace {
 
 constexpr double kNothing = 1e-12;  // of the axial lag times the order
 constexpr int kNewtonSteps = 60;
-constexpr double kNewtonStep = 1e-7;  // relative, of differences
+constexpr double kNewtonStep = 1e-7;     // relative, of differences
 constexpr double kSumConverged = 1e-12;  // relative
-constexpr double kLargestTurn = 0.6;  // rad of the determinant between two frequencies
-constexpr int kMostSplits = 14;       // of the distance between two frequencies
+constexpr double kLargestTurn = 0.6;     // rad of the determinant between two frequencies
+constexpr int kMostSplits = 14;          // of the distance between two frequencies
 
 // (1/2 pi) integral of exp(i order phi) from entry to exit.
 Complex arc_harmonic(const Milling& m, int order) {

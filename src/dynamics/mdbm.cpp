@@ -188,7 +188,7 @@ void Mdbm::begin(Progress& progress, int every) {
   for (int a = 0; a < axes(); ++a) {
     const int cells = problem_.axes[static_cast<std::size_t>(a)].cells;
     demand(every >= 1 && cells % every == 0,
-           "A first look at every so manieth line of the grid needs a number that divides the cells.");
+           "A first look at each n-th line of the grid needs an n that divides its cells.");
     const std::vector<Index> before = std::move(all);
     all.clear();
     for (Index cell : before)

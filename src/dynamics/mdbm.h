@@ -51,7 +51,7 @@ class Mdbm {
 
   // Evaluates the first grid; then each call halves the cells. Throws Cancelled where `progress`
   // says so, and keeps what it has. With `every` above 1, which must divide the axes' cells, begin
-  // takes each so manieth of the grid's lines, for a quick look before begin at 1 takes them all.
+  // takes each every-th line of the grid, for a quick look before begin at 1 takes them all.
   void begin(Progress& progress, int every = 1);
   void halve(Progress& progress);
 

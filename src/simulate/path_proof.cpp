@@ -170,7 +170,8 @@ class Material {
     if (std::min(from.z, move.z) >= stock.highest()) return;
     const Segment way = segment_of(from, move);
     const double length = way.length(), descent = from.z - move.z;
-    if (move.kind != MoveKind::kRapid && !(descent > kNoDescent && descent > kSteep * length)) return;
+    const bool is_steep = descent > kNoDescent && descent > kSteep * length;
+    if (move.kind != MoveKind::kRapid && !is_steep) return;
     const double radius = std::max(0.0, 0.5 * tool.diameter - limits_.rim);
     const int steps =
         length > 0 ? static_cast<int>(std::ceil(length / (kWay * 0.5 * tool.diameter))) : 0;

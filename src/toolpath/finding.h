@@ -11,13 +11,13 @@ namespace evenload {
 // Behind each: whether there is a place, and the numbers, in this order.
 enum class FindingCode {
   // What is left
-  kLeftUncut,             // place; mm^2
-  kLeftWithoutWallPass,   // place; mm^2
-  kLeftBesideSpiral,      // mm^2
-  kPocketSkipped,         // place; diameter of the tool and of the largest that fits, or 0, mm
-  kRegionWithoutHole,     // place
-  kNothingLeft,           // nothing was there to cut
-  kCancelled,             // not all was cut
+  kLeftUncut,            // place; mm^2
+  kLeftWithoutWallPass,  // place; mm^2
+  kLeftBesideSpiral,     // mm^2
+  kPocketSkipped,        // place; diameter of the tool and of the largest that fits, or 0, mm
+  kRegionWithoutHole,    // place
+  kNothingLeft,          // nothing was there to cut
+  kCancelled,            // not all was cut
   // Entries
   kRegionWithOwnEntry,      // place
   kHoleInSkippedPassage,    // place

@@ -6,6 +6,7 @@ from pathlib import Path
 
 import pytest
 from evenload import findings
+from evenload.settings import labels, notes
 from test_lame_spiral import ENOUGH, core
 
 HEADER = Path(__file__).resolve().parents[2] / "src" / "toolpath" / "finding.h"
@@ -80,9 +81,9 @@ def test_no_sentence_is_said_without_its_numbers(code):
             "passage_reduced_too_narrow",
             (26, 0),
             (6.1, 2.5, math.pi, 63.75),
-            "Cut at reduced feed, too narrow for trochoids: the passage near (26.00, 0.00), 6.10 mm "
-            "wide at its narrowest, with up to 180° engaged, down to 63.8 mm/min; 2.50 mm² stay "
-            "uncut there.",
+            "Cut at reduced feed, too narrow for trochoids: the passage near (26.00, 0.00), 6.10 "
+            "mm wide at its narrowest, with up to 180° engaged, down to 63.8 mm/min; 2.50 mm² "
+            "stay uncut there.",
         ),
         (
             "passage_skipped",
@@ -114,6 +115,16 @@ def test_no_sentence_is_said_without_its_numbers(code):
 )
 def test_sentences(code, where, numbers, said):
     assert findings.sentence(code, where, numbers) == said
+
+
+WISHES = ("helix_for_ramp", "helix_for_spiral", "helix_narrowed", "ramp_for_helix", "small_pitch")
+WISHES += ("tight_spiral", "tight_turns")
+
+
+@pytest.mark.parametrize("code", sorted(findings.SENTENCES))
+def test_panels_tell_what_became_of_wishes_from_warnings(code):
+    said = labels.told(findings.sentence(code, (1, 2), NUMBERS.get(code, ())))
+    assert notes.kind_of(said) == (notes.WISH if code in WISHES else notes.WARNING)
 
 
 def test_a_path_says_what_and_where_in_the_user_s_picture():

@@ -174,8 +174,7 @@ class Opening {
     } else {
       first.radius = helix_radius(params_, {first.centre, room});
       // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
-      if (params_.entry == EntryKind::kRamp)
-        tell(FindingCode::kHelixForSpiral);
+      if (params_.entry == EntryKind::kRamp) tell(FindingCode::kHelixForSpiral);
     }
     if (shapes_.has_wished_size() &&
         std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)

@@ -170,9 +170,9 @@ void tell(const std::vector<PassageReport>& passages, const ClearedGround& groun
     if (left == 0 && passage.feed == 0) continue;  // the tool has reached it from a room
     const bool is_cut = passage.feed > 0;
     const FindingCode code =
-        passage.no_turns
-            ? (is_cut ? FindingCode::kPassageReducedTooNarrow : FindingCode::kPassageSkippedTooNarrow)
-            : (is_cut ? FindingCode::kPassageReduced : FindingCode::kPassageSkipped);
+        passage.no_turns ? (is_cut ? FindingCode::kPassageReducedTooNarrow
+                                   : FindingCode::kPassageSkippedTooNarrow)
+                         : (is_cut ? FindingCode::kPassageReduced : FindingCode::kPassageSkipped);
     Finding finding{code, mirror ? mirrored(passage.at) : passage.at, {passage.width, left}};
     if (is_cut) finding.numbers.insert(finding.numbers.end(), {passage.engagement, passage.feed});
     report.findings.push_back(std::move(finding));

@@ -177,8 +177,9 @@ class Walls {
   }
 
   bool find_arcs(Roll& roll, const Segment& wall) const {
-    const std::optional<BiArc> pair = bi_arc({roll.from.p, unit(roll.from.heading)},
-                                             {wall.point(roll.t), wall.tangent(roll.t)}, kMostWallTurn);
+    const std::optional<BiArc> pair =
+        bi_arc({roll.from.p, unit(roll.from.heading)}, {wall.point(roll.t), wall.tangent(roll.t)},
+               kMostWallTurn);
     if (!pair) return false;
     roll.radius = 2 * params_.minimum_radius;
     for (const Segment& arc : {pair->first, pair->second}) {

@@ -221,8 +221,8 @@ std::vector<Region> allowed_ground(const std::vector<Region>& regions, double to
       continue;
     }
     if (ground.room <= 0 && is_open_somewhere(ground.region))
-      findings.push_back({FindingCode::kOpenEdgesTakenForWalls,
-                          shown(first_open_place(ground.region.outer))});
+      findings.push_back(
+          {FindingCode::kOpenEdgesTakenForWalls, shown(first_open_place(ground.region.outer))});
     result.push_back(std::move(ground.ground));
   }
   if (open_all_round.empty()) return result;

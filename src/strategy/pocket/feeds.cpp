@@ -234,10 +234,10 @@ void set_feeds(std::vector<PlanarRun>& runs, const std::vector<LoadSample>& prof
     const bool helix_is_worse = turn.run && turn.feed / nominal > chip(worst);
     const double thickest = helix_is_worse ? turn.feed / nominal : chip(worst);
     if (thickest > kThickChip)
-      report.findings.push_back({FindingCode::kThickChips,
-                                 shown(helix_is_worse ? turn.run->descent.centre
-                                                      : place_of(whole, profile[worst])),
-                                 {thickest}});
+      report.findings.push_back(
+          {FindingCode::kThickChips,
+           shown(helix_is_worse ? turn.run->descent.centre : place_of(whole, profile[worst])),
+           {thickest}});
   } else if (params.feed_control == FeedControl::kConstantForce) {
     const auto share = [&](std::size_t i) { return profile[i].share; };
     const std::size_t worst = worst_of(profile, share);

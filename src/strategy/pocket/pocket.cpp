@@ -189,9 +189,10 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
     for (const Region& region : allowed)
       if (offset({region}, -(radius + params.stock_to_leave + kWallGap)).empty()) {
         const Bounds box = bounds_of({region});
-        path.report.findings.push_back({FindingCode::kPocketSkipped,
-                                        shown(0.5 * (box.low + box.high)),
-                                        {params.tool_diameter, largest_fitting_tool({region}, params)}});
+        path.report.findings.push_back(
+            {FindingCode::kPocketSkipped,
+             shown(0.5 * (box.low + box.high)),
+             {params.tool_diameter, largest_fitting_tool({region}, params)}});
         path.report.termination = Termination::kIncomplete;
       }
 

@@ -488,10 +488,9 @@ class SlotClearing {
   // Once for all ways of one pattern.
   void note_residual(const Way& way) {
     if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
-    const Finding finding{
-        FindingCode::kAdvanceUnsettled,
-        {},
-        {static_cast<double>(iterations(way)), way.pattern.residuals.back()}};
+    const Finding finding{FindingCode::kAdvanceUnsettled,
+                          {},
+                          {static_cast<double>(iterations(way)), way.pattern.residuals.back()}};
     std::vector<Finding>& found = opening_.findings;
     if (std::find(found.begin(), found.end(), finding) == found.end()) found.push_back(finding);
   }

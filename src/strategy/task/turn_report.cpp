@@ -11,9 +11,8 @@ void TightTurns::add(const TightTurns& more) {
 
 std::optional<Finding> finding_of(const TightTurns& turns, double wish) {
   if (turns.rooms == 0) return std::nullopt;
-  return Finding{FindingCode::kTightTurns,
-                 turns.at,
-                 {turns.radius, wish, static_cast<double>(turns.rooms)}};
+  return Finding{
+      FindingCode::kTightTurns, turns.at, {turns.radius, wish, static_cast<double>(turns.rooms)}};
 }
 
 }  // namespace evenload

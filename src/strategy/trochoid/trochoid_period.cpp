@@ -229,8 +229,8 @@ RepeatedPattern::RepeatedPattern(TrochoidPattern pattern, const TrochoidParams& 
     runs_[0].moves.push_back(planar);
   }
   profile_ =
-      load_profile(runs_, ground_, kPeriodLook, removal_rate_share(params.engagement, params.tool_radius),
-                   params.progress);
+      load_profile(runs_, ground_, kPeriodLook,
+                   removal_rate_share(params.engagement, params.tool_radius), params.progress);
 }
 
 Bounds RepeatedPattern::bounds() const {

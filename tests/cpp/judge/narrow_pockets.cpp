@@ -85,11 +85,13 @@ int entries(const Toolpath& path) {
 }
 
 int skipped(const Toolpath& path) {
-  return told(path, FindingCode::kPassageSkipped) + told(path, FindingCode::kPassageSkippedTooNarrow);
+  return told(path, FindingCode::kPassageSkipped) +
+         told(path, FindingCode::kPassageSkippedTooNarrow);
 }
 
 int reduced(const Toolpath& path) {
-  return told(path, FindingCode::kPassageReduced) + told(path, FindingCode::kPassageReducedTooNarrow);
+  return told(path, FindingCode::kPassageReduced) +
+         told(path, FindingCode::kPassageReducedTooNarrow);
 }
 
 Case cross(double width) {

@@ -18,9 +18,9 @@ using narrow_pockets::Case;
 using narrow_pockets::clear;
 using narrow_pockets::entries;
 using narrow_pockets::expect_cleared;
+using narrow_pockets::pocket_of;
 using narrow_pockets::reduced;
 using narrow_pockets::skipped;
-using narrow_pockets::pocket_of;
 using narrow_pockets::slot;
 using narrow_pockets::two_rooms;
 using path_check::Findings;
@@ -152,8 +152,7 @@ TEST(NarrowChoice, CutsAtReducedFeedWhereTrochoidsHaveNoRoomToTurn) {
           clear(pocket, NarrowPassages::kTrochoid, FeedControl::kConstantRemovalRate);
       EXPECT_LE(expect_cleared(pocket, path).removal_rate, 1.05 * nominal_rate(pocket));
       EXPECT_LT(path.moves.size(), 1000u);
-      EXPECT_EQ(
-          corpus::findings_of(path.report, FindingCode::kPassageReducedTooNarrow).size(), 1U);
+      EXPECT_EQ(corpus::findings_of(path.report, FindingCode::kPassageReducedTooNarrow).size(), 1U);
     }
   }
 }

@@ -23,17 +23,17 @@ Region rectangle(double x0, double y0, double x1, double y1) {
 Region two_rooms(double width) {
   const double h = width / 2;
   return area_of({{{0, -5}},
-                    {{10, -5}},
-                    {{10, -h}},
-                    {{16, -h}},
-                    {{16, -5}},
-                    {{26, -5}},
-                    {{26, 5}},
-                    {{16, 5}},
-                    {{16, h}},
-                    {{10, h}},
-                    {{10, 5}},
-                    {{0, 5}}});
+                  {{10, -5}},
+                  {{10, -h}},
+                  {{16, -h}},
+                  {{16, -5}},
+                  {{26, -5}},
+                  {{26, 5}},
+                  {{16, 5}},
+                  {{16, h}},
+                  {{10, h}},
+                  {{10, 5}},
+                  {{0, 5}}});
 }
 
 double area_of(const NarrowPlaces& places) {
@@ -83,13 +83,13 @@ TEST(NarrowPlaces, FindTheNeckThatJoinsTwoRooms) {
 TEST(NarrowPlaces, TakeShortDeadEndsForCorners) {
   const auto with_dead_end = [](double depth) {
     return area_of({{{0, 0}},
-                      {{10, 0}},
-                      {{10, 4}},
-                      {{10 + depth, 4}},
-                      {{10 + depth, 5}},
-                      {{10, 5}},
-                      {{10, 10}},
-                      {{0, 10}}});
+                    {{10, 0}},
+                    {{10, 4}},
+                    {{10 + depth, 4}},
+                    {{10 + depth, 5}},
+                    {{10, 5}},
+                    {{10, 10}},
+                    {{0, 10}}});
   };
   EXPECT_EQ(find_narrow_places(with_dead_end(0.5), 0.9).passages.size(), 0u);
   const NarrowPlaces places = find_narrow_places(with_dead_end(2), 0.9);
@@ -119,7 +119,7 @@ TEST(NarrowPlaces, GoRoundAnIslandThatNoRoomTouches) {
 // Between wall and island: one passage with two mouths of one room.
 TEST(NarrowPlaces, NameARoomTwiceThatAPassageLeavesAndComesBackTo) {
   const Region region = area_of({{{0, 0}}, {{30, 0}}, {{30, 20}}, {{0, 20}}},
-                                  {Curve({{{10, 1}}, {{20, 1}}, {{20, 10}}, {{10, 10}}}, true)});
+                                {Curve({{{10, 1}}, {{20, 1}}, {{20, 10}}, {{10, 10}}}, true)});
   const NarrowPlaces places = find_narrow_places(region, 0.9);
   ASSERT_EQ(places.rooms.size(), 1u);
   ASSERT_EQ(places.passages.size(), 1u);

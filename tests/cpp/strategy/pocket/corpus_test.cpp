@@ -22,11 +22,11 @@ using corpus::Case;
 using corpus::clear;
 using corpus::expect_within_limits;
 using corpus::judge;
-using corpus::name_of;
 using corpus::kDeepestGouge;
 using corpus::kLeastClimb;
 using corpus::kMostLeft;
 using corpus::kMostOver;
+using corpus::name_of;
 using path_check::check_path;
 using path_check::Findings;
 
@@ -310,7 +310,8 @@ TEST(Clearing, TellsWhereItTurnsMoreTightlyThanWishedButNotOfCorners) {
   // Corners are always turned into more tightly.
   for (const char* name : {"circle12", "square60", "lshape"}) {
     const Case wide = corpus::load(name);
-    EXPECT_FALSE(corpus::tells(clear(wide, wide.params()).report, FindingCode::kTightTurns)) << name;
+    EXPECT_FALSE(corpus::tells(clear(wide, wide.params()).report, FindingCode::kTightTurns))
+        << name;
   }
 }
 

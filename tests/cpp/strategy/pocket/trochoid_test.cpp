@@ -299,8 +299,7 @@ TEST(ClearSlot, TellsOnceWhatIsLeftUncutWhenAllIsDone) {
   const TrochoidalPath result = clear(slot_around(line(50), 9, SlotEnds::kSquare), params);
   EXPECT_GT(result.report.length, 15);
   EXPECT_GT(result.path.report.uncut_area, 0);
-  EXPECT_EQ(
-      corpus::findings_of(result.path.report, FindingCode::kLeftWithoutWallPass).size(), 1U);
+  EXPECT_EQ(corpus::findings_of(result.path.report, FindingCode::kLeftWithoutWallPass).size(), 1U);
 }
 
 TEST(ClearSlot, TellsOfEachRegionByItself) {

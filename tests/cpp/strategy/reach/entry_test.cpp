@@ -76,8 +76,9 @@ TEST(Entry, GoesRoundTheBorderOfATinyRoomUnlessAHelixIsAskedFor) {
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
               DescentKind::kRamp);
   // Longer ones have passes; round ones are filled by a helix.
-  for (const Region& other : {rectangular(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
-                              make_region(shapes::circle({0, 0}, 0.45))})
+  for (const Region& other :
+       {rectangular(0, 0, 0.25, 3.2), make_region(shapes::circle({0, 0}, 0.2)),
+        make_region(shapes::circle({0, 0}, 0.45))})
     EXPECT_EQ(descend_within(Area({other}), widest(other), params)->descent.kind,
               DescentKind::kHelix);
   const Region larger = rectangular(0, 0, 1, 1);
@@ -236,7 +237,8 @@ TEST(Entry, TellsThatAHelixWiderThanTheToolWasNarrowed) {
   TwoPockets pockets;
   for (const double wish : {5.4, 5.88, 6.0, 12.0}) {
     pockets.params.helix_diameter = wish;
-    EXPECT_EQ(corpus::tells(pockets.clear().report, FindingCode::kHelixNarrowed), wish > 5.88) << wish;
+    EXPECT_EQ(corpus::tells(pockets.clear().report, FindingCode::kHelixNarrowed), wish > 5.88)
+        << wish;
   }
 }
 
