@@ -15,6 +15,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
     OUT,
     answering,
+    base_list,
     click,
     later,
     leave,
@@ -94,7 +95,30 @@ def job_panel(job):
     """Opens the job's panel; its pages."""
     job.ViewObject.Document.setEdit(job.ViewObject, 0)
     later()
-    return job.ViewObject.Proxy.taskPanel.form
+    return form_of(job.ViewObject.Proxy.taskPanel)
+
+
+def form_of(panel):
+    """The pages of a job's panel that is open. FreeCAD 0.20 never lets go of them, and PySide does
+    not learn of the end of their lists' items, which are no QObjects: it would take what is made in
+    the place of one for that item, and the next panel would fail to open. So they are taken out of
+    the lists as the panel ends.
+    """
+    cleanup = panel.cleanup
+
+    def without_items(*arguments):
+        for each in panel.form.findChildren(QtGui.QListWidget):
+            while each.count():
+                each.takeItem(0)
+        for each in panel.form.findChildren(QtGui.QTableWidget):
+            for column in range(each.columnCount()):
+                each.takeHorizontalHeaderItem(column)
+                for row in range(each.rowCount()):
+                    each.takeItem(row, column)
+        cleanup(*arguments)
+
+    panel.cleanup = without_items
+    return panel.form
 
 
 def pages(form, name):
@@ -185,6 +209,27 @@ def cancelled_panel(doc, job, name):
     return seen
 
 
+def defaults_set(job):
+    """Opens each editor of our defaults, sets some, and leaves the panel open; (the editors'
+    classes, the names in the table of FreeCAD's Adaptive). Keeps nothing of the panel: what PySide
+    knows of it would be taken for what is made in its place when it is gone.
+    """
+    form = job_panel(job)
+    table = op_defaults(form, OURS)
+    editors = {name: set_default(table, name) for name in rows(table)}
+    for name, value in (
+        ("EngagementAngle", "45 deg"),
+        ("StockToLeave", "0.4 mm"),
+        ("CutMode", "Conventional"),
+        ("Arcs", "false"),
+    ):
+        set_default(table, name, value)
+    picture("op_defaults")
+    freecads_rows = sorted(rows(op_defaults(form, "Adaptive")))
+    picture("op_defaults_of_freecad")
+    return editors, freecads_rows
+
+
 def fresh():
     """A user's first session."""
     from evenload import host
@@ -200,7 +245,7 @@ def fresh():
         later(800)
     job = next(o for o in doc.Objects if o.Name.startswith("Job"))
     result["new_job_panel"] = FreeCADGui.Control.activeDialog()
-    result["new_job_pages"] = pages(job.ViewObject.Proxy.taskPanel.form, None)
+    result["new_job_pages"] = pages(form_of(job.ViewObject.Proxy.taskPanel), None)
     press(DIALOGS_OK)
     later()
     controller = job.Tools.Group[0]
@@ -217,8 +262,7 @@ def fresh():
     model = job.Model.Group[0]
     result["base"] = [[o.Name, list(found)] for o, found in op.Base]
     result["model"] = model.Name
-    base_list = op.ViewObject.Proxy.panel.featurePages[0].form.baseList
-    result["base_list"] = [base_list.item(i).text() for i in range(base_list.count())]
+    result["base_list"] = base_list(op)
     picture("operation")
     with answering(accept) as result["operation_dialogs"]:
         press(DIALOGS_OK)
@@ -241,24 +285,7 @@ def fresh():
 
     # The Job panel, and a default of ours for operations to come.
     result["panel"] = cancelled_panel(doc, job, "job_panel")
-    form = job_panel(job)
-    table = op_defaults(form, OURS)
-    result["editors"] = {name: set_default(table, name) for name in rows(table)}
-    for name, value in (
-        ("EngagementAngle", "45 deg"),
-        ("StockToLeave", "0.4 mm"),
-        ("CutMode", "Conventional"),
-        ("Arcs", "false"),
-    ):
-        set_default(table, name, value)
-    picture("op_defaults")
-    freecads = next(
-        form.opDefaultOp.itemText(i)
-        for i in range(form.opDefaultOp.count())
-        if form.opDefaultOp.itemText(i) == "Op Adaptive"
-    )
-    result["freecads_rows"] = sorted(rows(op_defaults(form, freecads[3:])))
-    picture("op_defaults_of_freecad")
+    result["editors"], result["freecads_rows"] = defaults_set(job)
     press(DIALOGS_OK)
     later()
     result["clicked_again"] = click_at(Vector(30, 25, 8), job, body)

@@ -14,6 +14,7 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
     OUT,
     answering,
+    base_list,
     click,
     fold_all,
     later,
@@ -268,10 +269,7 @@ def session():
     result["base"] = [list(names) for _, names in op.Base]
     result["view"] = type(op.ViewObject.Proxy).__name__
     page = op.ViewObject.Proxy.panel.featurePages[-1]
-    base_page = op.ViewObject.Proxy.panel.featurePages[0]
-    result["base_list"] = [
-        base_page.form.baseList.item(i).text() for i in range(base_page.form.baseList.count())
-    ]
+    result["base_list"] = base_list(op)
     result["first"] = [name for name, widget in page.widgets.items() if widget.isVisible()]
     unfold_all(page)
     result["shown"] = [name for name, widget in page.widgets.items() if widget.isVisible()]

@@ -126,6 +126,15 @@ def unfold_all(page):
     later(100)
 
 
+def base_list(op):
+    """The lines of the list of bases in an operation's open panel. By the list's model, and nothing
+    of it is kept: the list's items are no QObjects, so that PySide would not learn of their end and
+    take what is made in the place of one for that item.
+    """
+    model = op.ViewObject.Proxy.panel.featurePages[0].form.baseList.model()
+    return [model.index(row, 0).data() for row in range(model.rowCount())]
+
+
 def report_view():
     """The lines of the report view."""
     view = next(w for w in widgets(QtGui.QTextEdit) if w.objectName() == "Report view")
