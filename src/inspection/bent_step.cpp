@@ -1,11 +1,11 @@
 #include "inspection/bent_step.h"
 
 #include <Eigen/LU>
-#include <Eigen/QR>
 #include <algorithm>
 #include <optional>
 
 #include "inspection/candidates.h"
+#include "inspection/solvers.h"
 
 namespace evenload {
 
@@ -108,7 +108,7 @@ class BentProgramme {
   bool take(const Side& entering) {
     const Eigen::MatrixXd forces = pressing();
     const Eigen::VectorXd force = pressing(entering);
-    const Eigen::VectorXd mixture = forces.colPivHouseholderQr().solve(force);
+    const Eigen::VectorXd mixture = least_squares(forces, force);
     double added = 0;
     if ((forces * mixture - force).norm() <= kMixture * force.norm()) {
       Eigen::Index leaving = -1;

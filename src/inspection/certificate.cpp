@@ -1,11 +1,10 @@
 #include "inspection/certificate.h"
 
 #include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
-#include <Eigen/QR>
-#include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
+
+#include "inspection/solvers.h"
 
 namespace evenload {
 
@@ -42,7 +41,7 @@ Touching touching(const Deviations& at, const Eigen::MatrixXd& directions,
   system << result.slopes, Eigen::RowVectorXd::Ones(size);
   Eigen::VectorXd goal = Eigen::VectorXd::Zero(directions.cols() + 1);
   goal[directions.cols()] = 1;
-  result.multipliers = system.completeOrthogonalDecomposition().solve(goal);
+  result.multipliers = least_squares(system, goal);
   return result;
 }
 
@@ -74,11 +73,8 @@ Eigen::MatrixXd bends(const Deviations& at, const Eigen::MatrixXd& directions,
 Eigen::MatrixXd level_steps(const Touching& contacts) {
   const Eigen::Index freedom = contacts.slopes.rows(), others = contacts.slopes.cols() - 1;
   if (others == 0) return Eigen::MatrixXd::Identity(freedom, freedom);
-  const Eigen::MatrixXd differences =
-      (contacts.slopes.rightCols(others).colwise() - contacts.slopes.col(0)).transpose();
-  Eigen::JacobiSVD<Eigen::MatrixXd> found(differences, Eigen::ComputeFullV);
-  found.setThreshold(kDependent);
-  return found.matrixV().rightCols(freedom - found.rank());
+  return complement(contacts.slopes.rightCols(others).colwise() - contacts.slopes.col(0),
+                    kDependent);
 }
 
 }  // namespace
@@ -107,8 +103,8 @@ Certificate certificate(const Deviations& at, const Eigen::MatrixXd& directions,
   result.is_proved = true;
   if (free.cols() > 0) {
     const Eigen::MatrixXd bent = bends(at, directions, result.contacts, peak);
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(free.transpose() * bent * free);
-    result.is_proved = found.eigenvalues()[0] >= -kBentInwards * bent.cwiseAbs().maxCoeff();
+    const double least = axes_of(free.transpose() * bent * free).values[0];
+    result.is_proved = least >= -kBentInwards * bent.cwiseAbs().maxCoeff();
   }
   return result;
 }
@@ -121,11 +117,11 @@ Eigen::MatrixXd safe_bends(const Deviations& at, const Eigen::MatrixXd& directio
   const Eigen::MatrixXd free = level_steps(touching(at, directions, contacts));
   Eigen::MatrixXd result = bent;
   if (free.cols() > 0) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> inner(free.transpose() * bent * free);
-    const Eigen::MatrixXd axes = free * inner.eigenvectors();
+    const Axes inner = axes_of(free.transpose() * bent * free);
+    const Eigen::MatrixXd axes = free * inner.vectors;
     const Eigen::VectorXd wanted =
-        inner.eigenvalues().cwiseAbs().cwiseMax(kLeastBend * largest).array() + damping * largest;
-    result += axes * (wanted - inner.eigenvalues()).asDiagonal() * axes.transpose();
+        inner.values.cwiseAbs().cwiseMax(kLeastBend * largest).array() + damping * largest;
+    result += axes * (wanted - inner.values).asDiagonal() * axes.transpose();
   }
   // Across them the contacts decide, however stiff the peak is there.
   const Eigen::MatrixXd across =

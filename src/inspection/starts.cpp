@@ -1,11 +1,11 @@
 #include "inspection/starts.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
-#include <Eigen/QR>
 #include <algorithm>
 #include <cmath>
 #include <utility>
+
+#include "inspection/solvers.h"
 
 namespace evenload {
 
@@ -34,9 +34,8 @@ Algebraic algebraic(const Points& points, int size) {
   Eigen::MatrixXd matrix(count, size + 1);
   matrix << 2 * points.topRows(size).transpose(), Eigen::VectorXd::Ones(count);
   const Eigen::VectorXd squares = points.topRows(size).colwise().squaredNorm().transpose();
-  const Eigen::VectorXd found = (matrix.transpose() * matrix)
-                                    .completeOrthogonalDecomposition()
-                                    .solve(matrix.transpose() * squares);
+  const Eigen::VectorXd found =
+      least_squares(matrix.transpose() * matrix, matrix.transpose() * squares);
   Algebraic result{Eigen::Vector3d::Zero(), 0, 0};
   result.centre.head(size) = found.head(size);
   const double square = found[size] + found.head(size).squaredNorm();
@@ -70,8 +69,7 @@ Eigen::Matrix2d paraboloid(const Points& points, const Eigen::Matrix3d& base) {
   Eigen::MatrixXd matrix(points.cols(), 6);
   matrix << Eigen::VectorXd::Ones(points.cols()), x, y, x.cwiseProduct(x), 2 * x.cwiseProduct(y),
       y.cwiseProduct(y);
-  const Eigen::VectorXd found =
-      matrix.completeOrthogonalDecomposition().solve(local.row(2).transpose());
+  const Eigen::VectorXd found = least_squares(matrix, local.row(2).transpose());
   Eigen::Matrix2d bend;
   bend << found[3], found[4], found[4], found[5];
   return bend;
@@ -84,11 +82,11 @@ void add_patches(Kind kind, const Points& points, std::vector<Frame>& into) {
   Eigen::Matrix3d base;
   base << principal.axes.col(2), principal.axes.col(1), principal.axes.col(0);
   const Eigen::Matrix2d bend = paraboloid(points, base);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> bends(bend);
+  const Axes bends = axes_of(bend);
   for (int k = 0; k < 2; ++k) {
     // Outwards is where the surface falls away to both sides.
-    const double curvature = kind == Kind::kSphere ? -bend.trace() : -2 * bends.eigenvalues()[k];
-    const Eigen::Vector3d axis = base.leftCols<2>() * bends.eigenvectors().col(1 - k);
+    const double curvature = kind == Kind::kSphere ? -bend.trace() : -2 * bends.values[k];
+    const Eigen::Vector3d axis = base.leftCols<2>() * bends.vectors.col(1 - k);
     into.push_back(frame_of(Eigen::Vector3d::Zero(), axis, base.col(2), curvature));
     if (kind == Kind::kSphere) return;
   }
@@ -115,9 +113,8 @@ void add_cylinders(const Points& points, std::vector<Frame>& into) {
 }  // namespace
 
 Principal principal_axes(const Points& points) {
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> found(
-      Eigen::Matrix3d(points * points.transpose() / static_cast<double>(points.cols())));
-  return {found.eigenvectors(), found.eigenvalues().cwiseMax(0).cwiseSqrt()};
+  const Axes found = axes_of(points * points.transpose() / static_cast<double>(points.cols()));
+  return {found.vectors, found.values.cwiseMax(0).cwiseSqrt()};
 }
 
 std::vector<Frame> starts(Kind kind, const Points& points) {

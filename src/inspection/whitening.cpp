@@ -1,9 +1,10 @@
 #include "inspection/whitening.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <vector>
+
+#include "inspection/solvers.h"
 
 namespace evenload {
 
@@ -18,18 +19,17 @@ Eigen::MatrixXd whitening(const Columns& gradients) {
   moments.selfadjointView<Eigen::Lower>().rankUpdate(gradients);
   moments = moments.selfadjointView<Eigen::Lower>();
   moments = unit.asDiagonal() * moments * unit.asDiagonal();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> found(moments);
-  const double least = kLeastShare * kLeastShare * found.eigenvalues().maxCoeff();
+  const Axes found = axes_of(moments);
+  const double least = kLeastShare * kLeastShare * found.values.maxCoeff();
   const double mean = std::sqrt(static_cast<double>(gradients.cols()));
   std::vector<Eigen::Index> kept;
   for (Eigen::Index k = 0; k < freedom; ++k)
-    if (found.eigenvalues()[k] > std::max(least, 1e-15 * found.eigenvalues().maxCoeff()))
-      kept.push_back(k);
+    if (found.values[k] > std::max(least, 1e-15 * found.values.maxCoeff())) kept.push_back(k);
   Eigen::MatrixXd result(freedom, static_cast<Eigen::Index>(kept.size()));
   for (Eigen::Index column = 0; column < result.cols(); ++column) {
     const Eigen::Index k = kept[static_cast<std::size_t>(column)];
-    result.col(column) = mean / std::sqrt(found.eigenvalues()[k]) *
-                         (unit.asDiagonal() * found.eigenvectors().col(k));
+    result.col(column) =
+        mean / std::sqrt(found.values[k]) * (unit.asDiagonal() * found.vectors.col(k));
   }
   return result;
 }
