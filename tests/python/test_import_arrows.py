@@ -20,10 +20,12 @@ ARROWS = {
     "dynamics": {"ground", "pictures"},
     "ball_end": {"ground"},
     "inspection": {"ground"},
+    "face_inspection": {"host", "ground", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
+        *("inspection", "face_inspection"),
     },
     "gui": {
         "host",
@@ -34,6 +36,8 @@ ARROWS = {
         "stability",
         "dynamics",
         "pictures",
+        "inspection",
+        "face_inspection",
     },
 }
 GROUND = {
@@ -49,6 +53,8 @@ LATE = {
     ("dynamics.charts", "evenload.dynamics.pictures"),  # needs matplotlib
     ("gui.__init__", "evenload.gui.progress"),  # FreeCAD's start needs neither
     ("gui.__init__", "evenload.gui.views"),
+    ("job_files.inspection", "evenload.face_inspection.html_report"),  # needs matplotlib
+    ("job_files.inspection", "evenload.face_inspection.picture"),
     ("job_files.job", "evenload.pictures.finishing_picture"),  # needs matplotlib
     ("job_files.job", "evenload.pictures.path_picture"),
     ("job_files.job", "evenload.pictures.simulation_pictures"),

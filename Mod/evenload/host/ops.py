@@ -45,8 +45,8 @@ def register_operation(name, create, properties):
 
 
 def freecads(kind, name, job, controller):
-    """One of FreeCAD's own operations as a new one of a job, for comparisons; kind: 'Adaptive',
-    'PocketShape', 'Profile', 'Drilling', ...
+    """One of FreeCAD's own operations as a new one of a job; kind: 'Adaptive', 'PocketShape',
+    'Profile', 'Drilling', 'Custom', ...
     """
     module = importlib.import_module(("Path.Op." if MOVED else "PathScripts.Path") + kind)
     FreeCAD.setActiveDocument(job.Document.Name)

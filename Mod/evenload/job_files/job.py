@@ -3,7 +3,7 @@
 import os
 
 from evenload import host
-from evenload.job_files import model, outputs, parameters, report
+from evenload.job_files import inspection, model, outputs, parameters, report
 from evenload.operations import adaptive, finishing, lame_spiral, trochoid
 from evenload.simulation import job as job_simulation
 from evenload.stability import cut
@@ -28,7 +28,9 @@ def do(job, number, folder, taken, say, result):
     operation = _operation(job, number)
     files = _files(job, number)
     # All before the work, which would be in vain.
-    outputs.claim(files, number, folder, job["model"], taken)
+    inspection.check(job.get("inspection"), number)
+    inputs = {"its model": job["model"], **inspection.inputs(job.get("inspection", {}))}
+    outputs.claim(files, number, folder, inputs, taken)
     for name, what in files.values():
         with outputs.opened(folder, name, what) as path:
             outputs.attempt(path)
@@ -36,7 +38,8 @@ def do(job, number, folder, taken, say, result):
     doc, machined = model.opened(os.path.join(folder, job["model"]), job.get("object"))
     machine_job, controller = _machine_job(job, doc, machined)
     op = operation.Create(result["name"], parentJob=machine_job, toolController=controller)
-    op.Base = model.base_of(doc, machined, machine_job.Model.Group[0], job["base"], number)
+    in_job = machine_job.Model.Group[0]
+    op.Base = model.base_of(doc, machined, in_job, job["base"], number)
     parameters.set_all(op, job["operation"].get("parameters", {}), number)
     op.Proxy.progress = _progress(say)
     say("computing")
@@ -56,14 +59,24 @@ def do(job, number, folder, taken, say, result):
         figures, draw_stability = _judge_stability(op, job["stability"], folder)
         result["figures"].update(figures)
     post = job.get("post", {})
-    text = host.post(
-        machine_job, post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
-    )
+    posting = post.get("processor", "linuxcnc"), post.get("arguments", "--no-show-editor")
+    text = host.post(machine_job, *posting)
+    write_inspected = {}
+    if "inspection" in job:
+        say("inspecting")
+        asked = {"faces": job["base"], **job["inspection"]}
+
+        def base_of(names):
+            return model.base_of(doc, machined, in_job, names, number)
+
+        figures, write_inspected = inspection.of(asked, base_of, in_job, posting, folder)
+        result["figures"].update(figures)
     for key, write in (
         ("gcode", lambda path: outputs.write(path, text)),
         ("picture", lambda path: _draw(op, path)),
         ("simulation_picture", draw_simulation),
         ("stability_picture", draw_stability),
+        *write_inspected.items(),
         ("document", lambda path: doc.saveCopy(path)),
     ):
         if key in files:
@@ -105,6 +118,7 @@ def _files(job, number):
         if "picture" in job.get(section, {}):
             name = job[section]["picture"]
             files[section + "_picture"] = name, "Job %d, %s: the picture" % (number, section)
+    files.update(inspection.files(job.get("inspection", {}), number))
     return files
 
 

@@ -18,6 +18,7 @@ JOB_KEYS = {
     "operation": (dict, REQUIRED),
     "simulation": (dict, OPTIONAL),
     "stability": (dict, OPTIONAL),
+    "inspection": (dict, OPTIONAL),
     "post": (dict, OPTIONAL),
     "output": (dict, REQUIRED),
 }
@@ -50,6 +51,26 @@ SECTION_KEYS = {
         "process_damping": (NUMBER, OPTIONAL),
         "picture": (str, OPTIONAL),
     },
+    "inspection": {
+        "faces": (list, OPTIONAL),
+        "points": (int, OPTIONAL),
+        "pattern": (str, OPTIONAL),
+        "spacing": (str, OPTIONAL),
+        "margin": (NUMBER, OPTIONAL),
+        "csv": (str, OPTIONAL),
+        "dmis": (str, OPTIONAL),
+        "picture": (str, OPTIONAL),
+        "probing": (str, OPTIONAL),
+        "probe": (dict, OPTIONAL),
+        "measured": (str, OPTIONAL),
+        "ball_radius": (NUMBER, OPTIONAL),
+        "feature": (str, OPTIONAL),
+        "free": (list, OPTIONAL),
+        "datum": (str, OPTIONAL),
+        "tolerance": (NUMBER, OPTIONAL),
+        "map": (str, OPTIONAL),
+        "report": (str, OPTIONAL),
+    },
     "post": {"processor": (str, OPTIONAL), "arguments": (str, OPTIONAL)},
     "output": {
         "gcode": (str, REQUIRED),
@@ -57,7 +78,14 @@ SECTION_KEYS = {
         "document": (str, OPTIONAL),
     },
 }
-MAY_BE_ZERO = ("margin", "process_damping")
+PROBE_KEYS = {
+    "diameter": (NUMBER, OPTIONAL),
+    "clearance": (NUMBER, OPTIONAL),
+    "overshoot": (NUMBER, OPTIONAL),
+    "rapid_feed": (NUMBER, OPTIONAL),
+    "feed": (NUMBER, OPTIONAL),
+}
+MAY_BE_ZERO = ("margin", "process_damping", "ball_radius")
 KINDS = {
     str: "text",
     list: "a list",

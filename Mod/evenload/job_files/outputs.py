@@ -9,16 +9,16 @@ def key_of(path):
     return os.path.normcase(os.path.realpath(path))
 
 
-def claim(files, number, folder, model, taken):
+def claim(files, number, folder, inputs, taken):
     """Adds a job's outputs to the files that are taken. Raises ValueError for one that would
-    overwrite another, or the job's own model.
+    overwrite another, or what the job reads. inputs: {what it is: name}.
     """
-    models = {key_of(os.path.join(folder, model)): "its model"}
+    read = {key_of(os.path.join(folder, name)): what for what, name in inputs.items()}
     for key, (name, what) in files.items():
         place = key_of(os.path.join(folder, name))
         if os.path.exists(place) and not os.path.isfile(place):
             continue  # a device keeps nothing, and a folder is told of elsewhere
-        other = taken.get(place) or models.get(place)
+        other = taken.get(place) or read.get(place)
         if other:
             raise ValueError("%s would overwrite %s, %s: name another file." % (what, other, name))
         taken[place] = "the %s of job %d" % (key.replace("_", " "), number)

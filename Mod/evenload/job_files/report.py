@@ -1,4 +1,4 @@
-"""Figures of an operation, its simulation and its stability as a dictionary and a table."""
+"""Figures of an operation, its simulation, stability and inspection as dictionary and table."""
 
 import math
 
@@ -44,6 +44,11 @@ STABILITY = (
     ("stability_chatter_hz", "chatter_hz", "Hz", 0),
     ("stability_stable_speed_rev_min", "stable_speed", "rev/min", 0),
 )
+# (key, attribute of an Evaluation, unit, decimals) of those where measured points are evaluated
+INSPECTION = (
+    ("inspection_zone_mm", "zone", "mm", 4),
+    ("inspection_tolerance_mm", "tolerance", "mm", 4),
+)
 MOST_PLACES = 3  # of incidents that are named one by one
 LABELS = {
     "engagement_deg": "engagement, target",
@@ -79,6 +84,8 @@ LABELS = {
     "stability_limit_depth_mm": "  depth at the limit",
     "stability_chatter_hz": "  chatter",
     "stability_stable_speed_rev_min": "  nearest stable speed",
+    "inspection_zone_mm": "inspection: zone",
+    "inspection_tolerance_mm": "  tolerance",
 }
 
 
@@ -128,6 +135,22 @@ def stability(verdict):
     return result
 
 
+def inspected(evaluation):
+    """What an Evaluation reports: {key: number}, 'inspection_verdict', None without a tolerance,
+    'inspection_proved', and 'inspection', its sentences.
+    """
+    result = {
+        "inspection_verdict": evaluation.verdict,
+        "inspection_proved": bool(evaluation.found.is_proved),
+        "inspection": "\n".join(evaluation.sentences),
+    }
+    for key, attribute, _, _ in INSPECTION:
+        value = getattr(evaluation, attribute)
+        if value is not None:
+            result[key] = float(value)
+    return result
+
+
 def _incidents(simulation):
     """A sentence for each kind of incident, and one for what is left."""
     found = {}
@@ -154,7 +177,7 @@ def table(jobs):
     if done:
         left = max(len(label) for label in LABELS.values())
         widths = [max(10, len(job["name"])) for job in done]
-        every = (*FIGURES, *SIMULATED, *STABILITY)
+        every = (*FIGURES, *SIMULATED, *STABILITY, *INSPECTION)
         rows = [row for row in every if any(row[0] in job["figures"] for job in done)]
         wide = max(len(unit) for _, _, unit, _ in rows)
         head = " " * (left + wide + 1)
@@ -168,7 +191,7 @@ def table(jobs):
                 )
             lines.append(LABELS[key].ljust(left) + " " + unit.ljust(wide) + "".join(cells))
         for job in done:
-            for key in ("report", "simulation", "stability"):
+            for key in ("report", "simulation", "stability", "inspection"):
                 text = job["figures"].get(key, "")
                 lines += ["%s: %s" % (job["name"], line) for line in text.splitlines()]
     lines += ["%s FAILED: %s" % (job["name"], job["error"]) for job in jobs if not job["ok"]]

@@ -1,0 +1,25 @@
+"""Inspection on the faces of a model: where to measure, and what measured points say of the faces.
+
+`evenload.inspection` has all that needs no faces. Beside what stands here there are `picture` and
+`html_report`, which need matplotlib, and `probing_program`. Lengths in mm, angles in degrees.
+docs/inspection.md has methods and limits.
+"""
+
+from evenload.face_inspection.evaluation import Evaluation, datum_of, evaluate
+from evenload.face_inspection.faces import PickedFaces, picked
+from evenload.face_inspection.measured import MeasuredPoints, read_points
+from evenload.face_inspection.nearest import FacesPart
+from evenload.face_inspection.patterns import Samples, sample
+
+__all__ = [
+    "Evaluation",
+    "FacesPart",
+    "MeasuredPoints",
+    "PickedFaces",
+    "Samples",
+    "datum_of",
+    "evaluate",
+    "picked",
+    "read_points",
+    "sample",
+]
