@@ -4,10 +4,13 @@ import sys
 import time
 from pathlib import Path
 
+import FreeCAD
 import numpy
-from evenload import inspection
+from evenload import face_inspection, inspection
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "python"))
+TESTS = Path(__file__).resolve().parents[1] / "tests"
+sys.path[:0] = [str(TESTS / "python"), str(TESTS / "freecad")]
+import inspected  # noqa: E402
 import inspection_cases  # noqa: E402
 
 KNOWN = 200  # sets of each kind
@@ -38,12 +41,27 @@ def times():
             yield name, time.process_time() - start, "s"
             yield name + ".proved", float(found.is_proved), ""
     part = inspection.test_part("CX")
-    side = numpy.linspace(-38, 38, 21)
-    feet, normals = part.at(*(grid.ravel() for grid in numpy.meshgrid(side, side)))
+    feet, normals = part.at(inspected.X, inspected.Y)
     away = numpy.random.default_rng(1).normal(0, 0.01, len(feet))
+    points = feet + away[:, None] * normals
     start = time.process_time()
-    inspection.profile(feet + away[:, None] * normals, part)
+    exact = inspection.profile(points, part)
     yield "inspection.profile.441_points", time.process_time() - start, "s"
+    yield from on_faces(points, exact)
+
+
+def on_faces(points, exact):
+    """The same against FreeCAD's faces, as they are and as splines; exact: the Profile of them."""
+    doc, solid = FreeCAD.newDocument("Dome"), inspected.dome(inspection.test_part("CX"))
+    measured = inspected.as_measured(points)
+    for name, shape in (("faces", solid), ("splines", solid.toNurbs())):
+        faces = inspected.faces_of(doc, shape, inspected.upper_faces(solid))
+        start = time.process_time()
+        found = face_inspection.evaluate(faces, measured)
+        name = "inspection.profile.441_points_on_" + name
+        yield name, time.process_time() - start, "s"
+        yield name + ".width_error", abs(found.zone - exact.width), "mm"
+    FreeCAD.closeDocument(doc.Name)
 
 
 def errors():

@@ -32,7 +32,7 @@ def test_the_probing_program_probes_each_point_and_leaves_the_spindle_still(doc,
     samples = face_inspection.sample(top, 16, "matrix", "plan", 2.0)
     probe = Probe(diameter=3.0, feed=50.0)
     before = set(FreeCAD.listDocuments()), FreeCAD.ActiveDocument.Name
-    text = probing_program(Part.Compound(top.faces), samples, probe)
+    text = probing_program(top, samples, probe)
     assert (set(FreeCAD.listDocuments()), FreeCAD.ActiveDocument.Name) == before
     touches = re.findall(r"G38\.2 X(\S+) Y(\S+) Z(\S+) F(\S+)", text)
     ends = samples.points + (1.5 - probe.overshoot) * samples.normals
@@ -42,14 +42,14 @@ def test_the_probing_program_probes_each_point_and_leaves_the_spindle_still(doc,
     assert not re.search(r"\bM0?[34]\b", text)
     assert rs274(text, tmp_path).count("STRAIGHT_PROBE") == 16
     with pytest.raises(ValueError, match="diameter must be above 0"):
-        probing_program(Part.Compound(top.faces), samples, Probe(diameter=0))
+        probing_program(top, samples, Probe(diameter=0))
 
 
 def test_what_looks_down_is_not_probed_from_above(doc):
-    box = Part.makeBox(20, 20, 10)
-    samples = face_inspection.sample(faces_of(doc, box, ["Face5"]), 4)
+    below = faces_of(doc, Part.makeBox(20, 20, 10), ["Face5"])
+    samples = face_inspection.sample(below, 4)
     with pytest.raises(ValueError, match="looks down"):
-        probing_program(box, samples, Probe())
+        probing_program(below, samples, Probe())
 
 
 def test_pictures_are_drawn_as_png_and_svg(bore, tmp_path):

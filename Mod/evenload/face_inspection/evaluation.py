@@ -72,7 +72,7 @@ class Evaluation:
             told[0] = told[0][:-1] + ", at a radius of %.4f mm." % found.radius
         if found.is_proved:
             told.append(
-                "No zone near by is narrower: %d contacts hold it, their forces in balance to %.0e."
+                "No zone near by is narrower (contacts: %d; balance of their forces: %.0e)."
                 % (len(found.contacts), found.imbalance)
             )
         else:

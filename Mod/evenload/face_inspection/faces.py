@@ -14,12 +14,13 @@ from evenload.words import name_of
 class PickedFaces:
     """parts: (label of the object, name of the face) of each; faces: their shapes, in that order,
     with normals out of the part. border: edges that only one of the faces has, a Part.Compound;
-    None where there is none, as of a sphere.
+    None where there is none, as of a sphere. whole: the objects that they belong to.
     """
 
     parts: list
     faces: list
     border: object
+    whole: object
 
     @property
     def name(self):
@@ -51,9 +52,10 @@ def picked(base):
     Each face counts once. Raises ValueError, in a sentence, for what is no face and where there is
     none.
     """
-    parts, faces = [], []
+    parts, faces, whole = [], [], []
     for obj, names in base:
         shape = placed(obj)
+        whole.append(shape)
         for name in (names,) if isinstance(names, str) else tuple(names):
             if shape is None or not name.startswith("Face"):
                 raise ValueError(
@@ -70,7 +72,7 @@ def picked(base):
         raise ValueError("No face is picked: pick the faces that are measured.")
     for part, face in zip(parts, faces):
         _check_surface(part, face)
-    return PickedFaces(parts, faces, _border(faces))
+    return PickedFaces(parts, faces, _border(faces), Part.Compound(whole))
 
 
 def vectors(points):

@@ -69,7 +69,7 @@ def _picture(evaluation):
 def _facts(evaluation, source):
     found, deviations = evaluation.found, evaluation.deviations
     rows = [
-        ("Faces", evaluation.faces.name),
+        ("Faces", ", ".join("%s of %s" % (n, label) for label, n in evaluation.faces.parts)),
         ("Points", "%d%s" % (len(deviations), ", of " + source if source else "")),
         (evaluation.error.capitalize(), "%.5f mm" % evaluation.zone),
     ]
@@ -133,5 +133,5 @@ def _table(head, rows, bad=()):
 
 def _numbers(value):
     if hasattr(value, "__len__"):
-        return ", ".join("%.6g" % float(each) for each in value)
+        return ", ".join("%.6f" % float(each) for each in value)
     return "%.5f" % value

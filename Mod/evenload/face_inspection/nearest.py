@@ -60,7 +60,7 @@ class FacesPart:
             if distance < least and self._faces[k].face.isPartOfDomain(*place):
                 found, least = k, distance
         if found is None:
-            found, least = self._beyond(point, number)
+            found, least = self._beyond(point, number, gaps)
         self._homes[number] = found
         return found, least
 
@@ -70,24 +70,24 @@ class FacesPart:
         self._places[number, k] = place
         return place
 
-    def _beyond(self, point, number):
+    def _beyond(self, point, number, gaps):
         """The same for a point whose nearest place is on no face but at an edge."""
-        vertex = Part.Vertex(point)
-        told = [each.face.distToShape(vertex) for each in self._faces]
-        k = min(range(len(told)), key=lambda each: told[each][0])
-        kind, _, place = told[k][2][0][:3]
+        vertex, found, least = Part.Vertex(point), None, numpy.inf
+        for k in numpy.argsort(gaps, kind="stable").tolist():
+            if gaps[k] >= least:
+                break
+            distance, _, infos = self._faces[k].face.distToShape(vertex)
+            if distance < least:
+                found, least, (kind, _, place) = k, distance, infos[0][:3]
         if kind == "Face":  # OpenCASCADE found what lies beyond the seam of a closed surface
-            self._places[number, k] = place
-        return k, told[k][0]
+            self._places[number, found] = place
+        return found, least
 
 
 class _Face:
     def __init__(self, face):
         self.face, self.surface = face, face.Surface
-        low_u, high_u, low_v, high_v = face.ParameterRange
-        middle = 0.5 * (low_u + high_u), 0.5 * (low_v + high_v)
-        self._size = max(face.BoundBox.DiagonalLength, 1e-9)
-        self._centre = middle
+        self._size = face.BoundBox.DiagonalLength
 
     def place(self, point, start):
         """Parameters of the nearest place; start: of one near by, None where none is known."""
@@ -112,7 +112,7 @@ class _Face:
                 self.surface.getDN(u, v, *order)
                 for order in ((1, 0), (0, 1), (2, 0), (1, 1), (0, 2))
             )
-            a, b, d = du.dot(du) + away.dot(duu), du.dot(dv) + away.dot(duv), None
+            a, b = du.dot(du) + away.dot(duu), du.dot(dv) + away.dot(duv)
             d = dv.dot(dv) + away.dot(dvv)
             determinant = a * d - b * b
             if not determinant > POLE * du.dot(du) * dv.dot(dv):

@@ -20,10 +20,10 @@ class Probe:
     feed: float = 60.0
 
 
-def probing_program(shape, samples, probe, processor="linuxcnc", arguments="--no-show-editor"):
-    """The G-code text that measures Samples by a Probe, in the coordinates of the model.
+def probing_program(faces, samples, probe, processor="linuxcnc", arguments="--no-show-editor"):
+    """The G-code text that measures Samples of PickedFaces by a Probe, in the model's coordinates.
 
-    shape: of the part; the probe travels above all of it. processor, arguments: as of host.post.
+    The probe travels above the whole objects. processor, arguments: as of host.post.
     Z words tell the centre of the ball, so that the tool's length is that to the centre; the
     spindle stands still. evenload.inspection.probing_moves has what is not looked at, and raises
     ValueError, in a sentence, for what cannot be probed from above.
@@ -33,12 +33,12 @@ def probing_program(shape, samples, probe, processor="linuxcnc", arguments="--no
     radius = 0.5 * probe.diameter
     centres = inspection.compensated(samples.points, -samples.normals, radius)
     starts = centres + probe.clearance * samples.normals
-    top = max(shape.BoundBox.ZMax + radius, float(starts[:, 2].max())) + probe.clearance
+    top = max(faces.whole.BoundBox.ZMax + radius, float(starts[:, 2].max())) + probe.clearance
     moves = inspection.probing_moves(
         *(samples.points, samples.normals, radius, probe.clearance, probe.overshoot, top),
         *(probe.rapid_feed, probe.feed),
     )
-    return _posted(shape, list(map(_line, moves)), probe, processor, arguments)
+    return _posted(faces.whole, list(map(_line, moves)), probe, processor, arguments)
 
 
 def _line(move):
@@ -65,6 +65,7 @@ def _posted(shape, lines, probe, processor, arguments):
         doc.recompute()
         return host.post(job, processor, arguments)
     finally:
+        host.finish_views()
         FreeCAD.closeDocument(doc.Name)
         if before is not None:
             FreeCAD.setActiveDocument(before.Name)

@@ -74,6 +74,35 @@ def _selected_path():
     return selected[0] if getattr(path, "Size", 0) > 0 else None
 
 
+class Inspect:
+    """Opens the dock that tells where to measure the selected faces, and what points say."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": "EvenLoad_Inspect",
+            "MenuText": _translated("EvenLoad Inspect"),
+            "ToolTip": _translated(
+                "Tells where to measure the selected faces, and how far measured points lie from "
+                "them"
+            ),
+        }
+
+    def IsActive(self):
+        return any(
+            name.startswith("Face")
+            for selected in FreeCADGui.Selection.getSelectionEx()
+            for name in selected.SubElementNames
+        )
+
+    def Activated(self):
+        missing = compiled.missing()
+        if missing:
+            FreeCAD.Console.PrintError(missing + "\n")
+            return
+        # Not before: it loads matplotlib and the Path / CAM workbench.
+        import_module("evenload.gui.inspection").create()
+
+
 COMMANDS = {
     "EvenLoad_Adaptive": Command(
         "adaptive",
@@ -106,4 +135,5 @@ COMMANDS = {
         "EvenLoad Stability Chart",
         "Shows at which spindle speeds and depths an operation chatters, and finds the best cut",
     ),
+    "EvenLoad_Inspect": Inspect(),
 }

@@ -11,6 +11,7 @@ from evenload import host, materials, simulation
 from evenload.gui import load_colours, progress, view3d
 from evenload.gui.load_legend import Legend, told
 from evenload.gui.load_node import LoadNode
+from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
 from evenload.settings.properties import is_ours
 from evenload.waiting import Stopped
@@ -96,7 +97,7 @@ class LoadView:
         self.operation, self.found, self.node = operation, found, None
         self._scene = view3d.scene_of(operation.Document)
         self._make_dock()
-        self._observer = _Observer(operation, telling_slot(self._changed))
+        self._observer = Observer([operation], ("Path",), telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
         self._take(found)
 
@@ -219,33 +220,3 @@ class LoadView:
             close()
         else:
             self._take(found)
-
-
-class _Observer:
-    """Tells of changes to an operation's path, after the recompute, and of its end."""
-
-    def __init__(self, operation, changed):
-        """changed: called with whether the operation is no longer there."""
-        self._name, self._document = operation.Name, operation.Document.Name
-        self._changed = changed
-        self._is_stale = False
-
-    def _is_it(self, obj):
-        return obj.Name == self._name and obj.Document.Name == self._document
-
-    def slotChangedObject(self, obj, prop):
-        if prop == "Path" and self._is_it(obj):
-            self._is_stale = True
-
-    def slotRecomputedDocument(self, doc):
-        if self._is_stale and doc.Name == self._document:
-            self._is_stale = False
-            self._changed(False)
-
-    def slotDeletedObject(self, obj):
-        if self._is_it(obj):
-            self._changed(True)
-
-    def slotDeletedDocument(self, doc):
-        if doc.Name == self._document:
-            self._changed(True)

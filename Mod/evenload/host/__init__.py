@@ -2,7 +2,13 @@
 workbench "CAM") and 1.1 (tool bits are assets). Users' macros and all other rooms have it as one.
 """
 
-from evenload.host.jobs import create_job, create_tool, set_rapid_feed, set_stock_margin
+from evenload.host.jobs import (
+    create_job,
+    create_tool,
+    finish_views,
+    set_rapid_feed,
+    set_stock_margin,
+)
 from evenload.host.ops import (
     all_under,
     array,
@@ -61,6 +67,7 @@ __all__ = [
     "cutting_levels",
     "dressup",
     "features",
+    "finish_views",
     "freecads",
     "freecads_adaptive",
     "gui",

@@ -41,6 +41,16 @@ def create_job(doc, models, tool_diameter, feed, spindle_speed, flutes):
     return job, controller
 
 
+def finish_views():
+    """With a GUI, has FreeCAD do at once what it does to a new job's views by and by: before the
+    job's document is closed, or it looks for objects that are no more.
+    """
+    if FreeCAD.GuiUp:
+        from draftutils.todo import ToDo
+
+        ToDo.doTasks()
+
+
 def create_tool(shape, properties):
     """A tool bit of one of FreeCAD's shapes ('endmill', 'bullnose', ...) in the active document.
 

@@ -51,23 +51,23 @@ def files(wishes, number):
     }
 
 
-def of(wishes, base_of, model, posting, folder):
+def of(wishes, base_of, posting, folder):
     """(figures, {key of files(): function that writes it into a file}) of a checked section.
 
-    base_of: gives base geometry for names; model: the job's; posting: (post-processor, arguments).
+    base_of: gives base geometry for names; posting: (post-processor, arguments).
     Raises ValueError, in a sentence, for what cannot be measured or evaluated.
     """
     faces = face_inspection.picked(base_of(wishes["faces"]))
     figures, writing = {}, {}
     if any(key in wishes for key in OF_SAMPLES):
-        writing.update(_samples(wishes, faces, model, posting))
+        writing.update(_samples(wishes, faces, posting))
     if "measured" in wishes:
         figures, of_measured = _evaluation(wishes, faces, base_of, folder)
         writing.update(of_measured)
     return figures, writing
 
 
-def _samples(wishes, faces, model, posting):
+def _samples(wishes, faces, posting):
     named = {"points": "count"}
     options = {named.get(key, key): wishes[key] for key in NEED_SAMPLES if key in wishes}
     samples = face_inspection.sample(faces, **options)
@@ -75,7 +75,7 @@ def _samples(wishes, faces, model, posting):
     program = None
     if "probing" in wishes:
         probe = Probe(**wishes.get("probe", {}))
-        program = probing_program(model.Shape, samples, probe, *posting)
+        program = probing_program(faces, samples, probe, *posting)
 
     def draw(path):
         # Here, because a job without pictures needs no matplotlib.

@@ -69,7 +69,7 @@ def do(job, number, folder, taken, say, result):
         def base_of(names):
             return model.base_of(doc, machined, in_job, names, number)
 
-        figures, write_inspected = inspection.of(asked, base_of, in_job, posting, folder)
+        figures, write_inspected = inspection.of(asked, base_of, posting, folder)
         result["figures"].update(figures)
     for key, write in (
         ("gcode", lambda path: outputs.write(path, text)),

@@ -1,0 +1,82 @@
+"""Measuring points and deviations as a Coin node."""
+
+import numpy
+from pivy import coin
+
+from evenload.face_inspection.mesh import nearest_of
+from evenload.gui import load_colours
+
+POINT, BAD = (0.11, 0.44, 0.65), load_colours.BEYOND
+NEEDLE = 0.02  # of the faces' extent: length of the normals that are shown
+ABOVE = 1e-3  # of it: how far the colours lie above the face, which would show through else
+RAISED = 6e-3  # of it: how far points do, whose marks would sink into the face
+NEEDLE_WIDTH = 1.5  # pixels
+
+
+class InspectionNode:
+    """`root` is what goes into a scene; `points` and `colours` hold what is shown, or nothing."""
+
+    def __init__(self):
+        self.root = coin.SoSeparator()
+        self.root.setName("EvenLoadInspection")
+        unpickable = coin.SoPickStyle()
+        unpickable.style = coin.SoPickStyle.UNPICKABLE
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        self.colours, self.points = coin.SoSeparator(), coin.SoSeparator()
+        for node in (unpickable, light, self.colours, self.points):
+            self.root.addChild(node)
+
+    def clear(self):
+        self.colours.removeAllChildren()
+        self.points.removeAllChildren()
+
+    def show_samples(self, samples, size):
+        """Points with their normals. size: the faces' extent, mm."""
+        self.clear()
+        ends = samples.points + NEEDLE * size * samples.normals
+        pairs = numpy.stack([samples.points, ends], axis=1).reshape(-1, 3)
+        style = coin.SoDrawStyle()
+        style.lineWidth = NEEDLE_WIDTH
+        needles = coin.SoLineSet()
+        needles.vertexProperty = _vertices(pairs, numpy.tile(POINT, (len(pairs), 1)))
+        needles.numVertices.setValues(0, len(samples.points), [2] * len(samples.points))
+        self.points.addChild(style)
+        self.points.addChild(needles)
+        raised = samples.points + RAISED * size * samples.normals
+        self._mark(raised, numpy.tile(POINT, (len(raised), 1)))
+
+    def show_map(self, mesh, size, values, points, is_beyond, largest):
+        """Triangles of a FaceMesh in the colours of values, one for each of their corners, and the
+        measured points. size: the faces' extent, mm; is_beyond: for each point whether it stands
+        out, or None; largest: value at the scale's end, and with a minus at its beginning.
+        """
+        self.clear()
+        corners = (mesh.corners + ABOVE * size * mesh.normals[:, None]).reshape(-1, 3)
+        both_sides = coin.SoShapeHints()
+        both_sides.vertexOrdering = coin.SoShapeHints.UNKNOWN_ORDERING
+        triangles = coin.SoFaceSet()
+        shares = 0.5 + 0.5 * values / largest
+        triangles.vertexProperty = _vertices(corners, load_colours.on_scale(shares))
+        triangles.numVertices.setValues(0, len(mesh.corners), [3] * len(mesh.corners))
+        self.colours.addChild(both_sides)
+        self.colours.addChild(triangles)
+        marks = numpy.zeros((len(points), 3))
+        if is_beyond is not None:
+            marks[is_beyond] = BAD
+        normals = mesh.normals[nearest_of(points, mesh.corners.mean(axis=1))]
+        self._mark(points + RAISED * size * normals, marks)
+
+    def _mark(self, points, colours):
+        markers = coin.SoMarkerSet()
+        markers.vertexProperty = _vertices(points, colours)
+        markers.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_7_7
+        self.points.addChild(markers)
+
+
+def _vertices(points, colours):
+    vertices = coin.SoVertexProperty()
+    vertices.vertex.setValues(0, len(points), numpy.asarray(points, numpy.float32))
+    vertices.orderedRGBA.setValues(0, len(points), load_colours.packed(colours))
+    vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX
+    return vertices
