@@ -156,6 +156,11 @@ def session():
     FreeCADGui.activeDocument().activeView().saveImage(
         os.path.join(OUT, "view.png"), 900, 700, "Current"
     )
+    choose(dock.evaluation.points, False)
+    result["of_faces"] = dock.told.text()
+    choose(dock.evaluation.kind, "aligned")
+    result["aligned"] = [view.found.zone, float(2 * numpy.abs(waves).max())]
+    choose(dock.evaluation.kind, "profile")
     dock.tolerance.width.setValue(0.05)
     later(100)
     result["in"] = dock.told.text()

@@ -30,6 +30,14 @@ def bore(doc):
     return bore_faces(doc)
 
 
+def round_face(solid):
+    """The name of R45 on the test part, the one whose radius is so large."""
+    (name,) = (
+        n for n in upper_faces(solid) if getattr(solid.getElement(n).Surface, "Radius", 0) > 44
+    )
+    return name
+
+
 # ---- sampling ----
 
 
@@ -55,11 +63,7 @@ def test_a_matrix_in_plan_stands_in_the_middle_of_its_cells(top):
 
 def test_by_arc_length_a_row_around_the_dome_has_even_arcs(doc, part):
     solid = dome(part)
-    (name,) = (
-        n
-        for n in upper_faces(solid)
-        if abs(getattr(solid.getElement(n).Surface, "Radius", 0) - 45) < 1e-6
-    )
+    name = round_face(solid)
     found = face_inspection.sample(faces_of(doc, solid, [name]), 25, "matrix", margin=1.0)
     turns = numpy.unique(numpy.round(numpy.arctan2(found.points[:, 1], found.points[:, 2]), 7))
     assert len(turns) == 5
@@ -201,6 +205,24 @@ def test_a_datum_leaves_the_error_of_position_in_the_profile(doc):
     assert found.zone == pytest.approx(0.04) and found.deviations == pytest.approx(0.02)
     with pytest.raises(ValueError, match="one plane face"):
         face_inspection.datum_of(faces_of(doc, Part.makeSphere(5), ["Face1"]))
+
+
+def test_points_that_other_faces_are_nearer_to_can_be_left_out(doc, part):
+    solid = dome(part)
+    name = round_face(solid)
+    feet, normals = part.at(X, Y)
+    away = numpy.where(part.piece(feet) == 2, 0.005, 0.05)
+    measured = as_measured(feet + away[:, None] * normals)
+    faces = faces_of(doc, solid, [name])
+    found = face_inspection.evaluate(faces, measured, free=(), all_points=False)
+    assert found.zone == pytest.approx(0.01) and found.deviations == pytest.approx(0.005)
+    assert found.left_out == (part.piece(feet) != 2).sum() == 441 - len(found.measured.names)
+    assert "left out: %d" % found.left_out in found.sentences[2]
+    with pytest.raises(ValueError, match="from the faces"):
+        face_inspection.evaluate(faces, measured, free=())
+    beside = as_measured(measured.points[:21])
+    with pytest.raises(ValueError, match="All points are nearer to other faces"):
+        face_inspection.evaluate(faces, beside, all_points=False)
 
 
 WALL = wall_points(24, numpy.zeros(24))

@@ -39,6 +39,9 @@ def test_measured_points_are_evaluated_and_shown_in_colours(session):
     assert session["triangles"] > 1000 and session["colours"] > 100
     told, has_beyond = session["out"]
     assert "exceeds the tolerance of 0.0100 mm" in told and has_beyond
+    assert "of 441 points" in session["of_faces"]  # all are of these faces
+    aligned, expected = session["aligned"]
+    assert aligned == pytest.approx(expected, abs=1e-9)
     assert "keeps the tolerance of 0.0500 mm" in session["in"]
     assert min(session["reports"].values()) > 5000, session["reports"]
 

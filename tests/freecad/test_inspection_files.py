@@ -155,6 +155,7 @@ def test_a_job_file_samples_and_evaluates(plate):
         ({"csv": "a.csv", "margin": 40}, "take a smaller one"),
         ({"measured": "none.csv"}, "none.csv cannot be read"),
         ({"measured": "floor.csv", "faces": ["Face99"]}, "there is no 'Face99'"),
+        ({"measured": "floor.csv", "points_of": "air"}, "'points_of' is 'file' or 'faces'"),
         ({"measured": "floor.csv", "feature": "cone"}, "What is evaluated is"),
     ],
 )

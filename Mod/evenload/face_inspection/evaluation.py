@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy
 
 from evenload import inspection
-from evenload.face_inspection.measured import check_nearness
+from evenload.face_inspection.measured import check_nearness, of_faces
 from evenload.face_inspection.nearest import FacesPart
 from evenload.inspection.fits import KINDS as FEATURES
 from evenload.inspection.profiles import MOTIONS
@@ -32,7 +32,8 @@ class Evaluation:
     faces: the PickedFaces; measured: the MeasuredPoints; kind: one of KINDS; zone: width of the
     narrowest zone, mm; tolerance: mm, None where none is asked; deviations: signed distances, mm,
     of each point from the faces after the motion of a profile, or from the feature that was fitted;
-    found: the Profile or the Fit.
+    found: the Profile or the Fit; left_out: number of points of the file that were nearer to
+    other faces.
     """
 
     faces: object
@@ -42,6 +43,7 @@ class Evaluation:
     tolerance: object
     deviations: numpy.ndarray
     found: object
+    left_out: int = 0
 
     @property
     def verdict(self):
@@ -77,6 +79,8 @@ class Evaluation:
             )
         else:
             told.append("That it is the narrowest zone is not proved: take it for an upper bound.")
+        if self.left_out:
+            told.append("Points nearer to other faces, left out: %d." % self.left_out)
         if self.verdict == IN:
             told.append("It keeps the tolerance of %.4f mm." % self.tolerance)
         elif self.verdict == OUT:
@@ -94,14 +98,16 @@ class Evaluation:
         return ERRORS[self.kind]
 
 
-def evaluate(faces, measured, kind=PROFILE, tolerance=None, free=None, datum=None):
+def evaluate(faces, measured, kind=PROFILE, tolerance=None, free=None, datum=None, all_points=True):
     """The Evaluation of MeasuredPoints against PickedFaces.
 
     kind: "profile", against the faces themselves, or a feature that is fitted by minimum zone:
     "line", "plane", "circle", "sphere", "cylinder". tolerance: width of the zone allowed, mm. free:
     motions of a profile that are left free, of "tx", "ty", "tz", "rx", "ry", "rz"; None: all, or
-    none with a datum. datum: (point, normal) of the datum plane. Raises ValueError, in a sentence,
-    for points that are too few, on one line, or far from the faces, and as fit() and profile() do.
+    none with a datum. datum: (point, normal) of the datum plane. all_points: False leaves out those
+    that other faces of the same objects are nearer to, as where one file is of many faces. Raises
+    ValueError, in a sentence, for points that are too few, on one line, or far from the faces, and
+    as fit() and profile() do.
     """
     if kind not in KINDS:
         raise ValueError("What is evaluated is %s, not %r." % (", ".join(KINDS), kind))
@@ -109,15 +115,19 @@ def evaluate(faces, measured, kind=PROFILE, tolerance=None, free=None, datum=Non
         raise ValueError("The tolerance is a width above 0, not %r." % (tolerance,))
     if kind != PROFILE and not (free is None and datum is None):
         raise ValueError("Only a profile has free motions or a datum: take these out.")
-    part = FacesPart(faces)
+    part, left_out = FacesPart(faces), 0
+    if not all_points:
+        measured, left_out = of_faces(faces, part, measured)
+        part = FacesPart(faces)  # the points have other numbers now
     check_nearness(faces, part, measured)
     if kind != PROFILE:
         found = inspection.fit(measured.points, kind)
-        deviations = found.deviations
-        return Evaluation(faces, measured, kind, found.zone, tolerance, deviations, found)
+        zone = found.zone
+        return Evaluation(faces, measured, kind, zone, tolerance, found.deviations, found, left_out)
     _check_number(measured.points, free, datum)
     found = inspection.profile(measured.points, part, free, datum)
-    return Evaluation(faces, measured, kind, found.width, tolerance, found.deviations, found)
+    width = found.width
+    return Evaluation(faces, measured, kind, width, tolerance, found.deviations, found, left_out)
 
 
 def datum_of(faces):

@@ -1,5 +1,6 @@
 """Files of measured points, and whether they fit the faces at all."""
 
+import dataclasses
 import os
 from dataclasses import dataclass
 
@@ -10,6 +11,7 @@ from evenload.inspection.points import MM_PER
 
 DMIS = (".dmi", ".dms", ".dmis", ".dmo")  # CMM software names its files so
 FARTHEST = 0.1  # share of the faces' extent, as evenload.inspection.profile has it of the points'
+ON_EDGE = 1e-9  # of that extent: what is as near to one face as to another belongs to both
 
 
 @dataclass(frozen=True)
@@ -49,6 +51,25 @@ def read_points(path, probe_radius=0.0):
     if not len(points):
         raise ValueError("%s has no points: measure some." % path)
     return MeasuredPoints(names, inspection.compensated(points, normals, probe_radius))
+
+
+def of_faces(faces, part, measured):
+    """(MeasuredPoints, how many are left out): those that no other face of the objects is nearer
+    to than the picked ones. part: of these, a FacesPart. Raises ValueError, in a sentence, where
+    none is.
+    """
+    others = [
+        face for face in faces.whole.Faces if not any(face.isSame(mine) for mine in faces.faces)
+    ]
+    if not others:
+        return measured, 0
+    of_others = type(part)(dataclasses.replace(faces, faces=others))
+    slack = ON_EDGE * faces.size()
+    is_mine = part.distances(measured.points) <= of_others.distances(measured.points) + slack
+    if not is_mine.any():
+        raise ValueError("All points are nearer to other faces: pick those that were measured.")
+    names = [name for name, mine in zip(measured.names, is_mine) if mine]
+    return MeasuredPoints(names, measured.points[is_mine]), int((~is_mine).sum())
 
 
 def check_nearness(faces, part, measured):

@@ -20,6 +20,7 @@ DEVIATION = load_colours.Measure("deviation", "Deviation", "mm", 4, tuple(NAMES)
 PATTERNS = (("Halton-Zaremba", "Halton-Zaremba"), ("Matrix", "matrix"))
 SPACINGS = (("Arc length", "arc length"), ("As seen from above", "plan"))
 ALIGNED = "aligned"  # a profile without any motion
+POINTS_OF = (("All of the file", True), ("Of these faces alone", False))
 KINDS = (
     ("Profile, best fit", "profile"),
     ("Profile, as aligned", ALIGNED),
@@ -136,6 +137,7 @@ def _evaluating():
         "Evaluation",
         (
             ("kind", "Form error", "By minimum zone, with its proof", combo(KINDS)),
+            ("points", "Points", "A file may be of more faces than these", combo(POINTS_OF)),
             (
                 "radius",
                 "Ball radius",

@@ -184,6 +184,7 @@ class InspectionView:
                 self.found = face_inspection.evaluate(
                     *(self.faces, measured, "profile" if is_aligned else kind),
                     free=() if is_aligned else None,
+                    all_points=asked.points.currentData(),
                 )
         self.judge()
 

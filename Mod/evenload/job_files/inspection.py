@@ -9,7 +9,8 @@ from evenload.job_files.keys import PROBE_KEYS, check_keys
 
 OF_SAMPLES = ("csv", "dmis", "picture", "probing")  # outputs that need points to measure
 OF_MEASURED = ("map", "report")  # and those that need measured points
-NEED_MEASURED = (*OF_MEASURED, "ball_radius", "feature", "free", "datum", "tolerance")
+NEED_MEASURED = (*OF_MEASURED, "ball_radius", "points_of", "feature", "free", "datum", "tolerance")
+POINTS_OF = ("file", "faces")
 NEED_SAMPLES = ("points", "pattern", "spacing", "margin")
 
 
@@ -26,6 +27,11 @@ def check(wishes, number):
         raise ValueError(
             "%s: nothing is asked: name %s, or the file of points 'measured'."
             % (where, ", ".join("'%s'" % key for key in OF_SAMPLES))
+        )
+    if wishes.get("points_of", "file") not in POINTS_OF:
+        raise ValueError(
+            "%s: 'points_of' is %s, not '%s'."
+            % (where, " or ".join("'%s'" % each for each in POINTS_OF), wishes["points_of"])
         )
     for needing, is_there, remedy in (
         (NEED_MEASURED, "measured" in wishes, "'measured'"),
@@ -100,7 +106,7 @@ def _evaluation(wishes, faces, base_of, folder):
         datum = face_inspection.datum_of(face_inspection.picked(base_of([wishes["datum"]])))
     found = face_inspection.evaluate(
         *(faces, measured, wishes.get("feature", "profile"), wishes.get("tolerance")),
-        *(wishes.get("free"), datum),
+        *(wishes.get("free"), datum, wishes.get("points_of", "file") == "file"),
     )
 
     def draw(path):

@@ -64,6 +64,7 @@ SECTION_KEYS = {
         "probe": (dict, OPTIONAL),
         "measured": (str, OPTIONAL),
         "ball_radius": (NUMBER, OPTIONAL),
+        "points_of": (str, OPTIONAL),
         "feature": (str, OPTIONAL),
         "free": (list, OPTIONAL),
         "datum": (str, OPTIONAL),
