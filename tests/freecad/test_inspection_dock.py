@@ -35,11 +35,11 @@ def test_what_cannot_be_sampled_is_told_in_the_dock(session):
 
 def test_measured_points_are_evaluated_and_shown_in_colours(session):
     zone, told = session["zone"]
-    assert 0.015 < zone < 0.0201 and "%.4f mm, of 441 points" % zone in told
+    assert 0.015 < zone < 0.0201 and "%.4f mm, of 121 points" % zone in told
     assert session["triangles"] > 1000 and session["colours"] > 100
     told, has_beyond = session["out"]
     assert "exceeds the tolerance of 0.0100 mm" in told and has_beyond
-    assert "of 441 points" in session["of_faces"]  # all are of these faces
+    assert "of 121 points" in session["of_faces"]  # all are of these faces
     aligned, expected = session["aligned"]
     assert aligned == pytest.approx(expected, abs=1e-9)
     assert "keeps the tolerance of 0.0500 mm" in session["in"]

@@ -53,6 +53,7 @@ class InspectionView:
         self.document, self._base, self._closed = document, base, closed
         self.samples = self.found = None
         self._path, self._observer = "", None
+        self._mesh = None  # of the faces, when it is first needed
         self.node, self.dock = InspectionNode(), InspectionDock(self)
         self.dock.samples.show_values(ball=Probe.diameter)
         self._scene.addChild(self.node.root)
@@ -88,7 +89,7 @@ class InspectionView:
         self._take(base)
 
     def _take(self, base):
-        self._base, self.faces = base, face_inspection.picked(base)
+        self._base, self.faces, self._mesh = base, face_inspection.picked(base), None
         if self._observer is not None:
             FreeCAD.removeDocumentObserver(self._observer)
         objects = [obj for obj, _ in base]
@@ -224,7 +225,9 @@ class InspectionView:
     def _show_map(self):
         found, points = self.found, self.found.measured.points
         largest = float(numpy.abs(found.deviations).max()) or 1.0
-        triangles = mesh.mesh_of(self.faces)
+        if self._mesh is None:
+            self._mesh = mesh.mesh_of(self.faces)
+        triangles = self._mesh
         corners = triangles.corners.reshape(-1, 3)
         values = mesh.between(corners, points, found.deviations)
         size = self.faces.size()
