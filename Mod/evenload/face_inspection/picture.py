@@ -1,7 +1,8 @@
 """Pictures of measuring points and of deviations on the faces, by matplotlib."""
 
 import numpy
-from matplotlib.collections import PolyCollection
+from matplotlib.collections import PolyCollection, TriMesh
+from matplotlib.tri import Triangulation
 
 from evenload.face_inspection.evaluation import PROFILE
 from evenload.face_inspection.mesh import between, mesh_of, nearest_of
@@ -102,15 +103,17 @@ class _View:
             corners = corners[self._mesh.normals @ self._towards > 0]
         depth = corners.mean(axis=1) @ self._towards
         corners = corners[numpy.argsort(depth, kind="stable")]
-        shown = PolyCollection(self._seen(corners), rasterized=True, linewidths=0.3)
+        seen = self._seen(corners)
         if values is None:
+            shown = PolyCollection(seen, rasterized=True, linewidths=0.3)
             shown.set_facecolor(colour)
             shown.set_edgecolor(colour)
         else:
-            shown.set_array(between(corners.mean(axis=1), points, values))
+            numbers = numpy.arange(3 * len(corners)).reshape(-1, 3)
+            shown = TriMesh(Triangulation(*seen.reshape(-1, 2).T, numbers), rasterized=True)
+            shown.set_array(between(corners.reshape(-1, 3), points, values))
             shown.set_cmap(COLOURS)
             shown.set_clim(-largest, largest)
-            shown.set_edgecolor("face")
         self.axes.add_collection(shown)
         self.axes.autoscale_view()
         return shown
