@@ -96,8 +96,6 @@ def chip(
     return Chip(edge=tuple(found.edge[0].tolist()), **one)
 
 
-
-
 def chips(
     surface,
     tool_diameter,

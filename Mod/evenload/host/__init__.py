@@ -2,6 +2,7 @@
 workbench "CAM") and 1.1 (tool bits are assets). Users' macros and all other rooms have it as one.
 """
 
+from evenload.host.dressups import DRESSUPS, dressed, dressup
 from evenload.host.jobs import (
     create_job,
     create_tool,
@@ -16,7 +17,6 @@ from evenload.host.ops import (
     chosen_tool_controller,
     controller_of,
     cutting_levels,
-    dressup,
     features,
     freecads,
     freecads_adaptive,
@@ -50,6 +50,7 @@ from evenload.host.versions import cam
 
 __all__ = [
     "cam",
+    "DRESSUPS",
     "INACTIVE_ICON",
     "LIST_MAKES_CONTROLLERS",
     "MENU",
@@ -65,6 +66,7 @@ __all__ = [
     "create_job",
     "create_tool",
     "cutting_levels",
+    "dressed",
     "dressup",
     "features",
     "finish_views",

@@ -61,21 +61,6 @@ def freecads_adaptive(name, job, controller):
     return freecads("Adaptive", name, job, controller)
 
 
-def dressup(name):
-    """FreeCAD's module of a dressup, with its Create(operation); name: 'Boundary', 'Dogbone' or
-    'Tags'.
-    """
-    if MOVED:
-        gui = "Gui." if name == "Dogbone" else ""
-        return importlib.import_module("Path.Dressup.%s%s" % (gui, name))
-    old = {
-        "Boundary": "PathDressupPathBoundary",
-        "Dogbone": "PathDressupDogbone",
-        "Tags": "PathDressupHoldingTags",
-    }
-    return importlib.import_module("PathScripts." + old[name])
-
-
 def array(operation):
     """FreeCAD's array of an operation, as a new document object that is in no job yet."""
     module = importlib.import_module(("Path.Op.Gui." if MOVED else "PathScripts.Path") + "Array")

@@ -5,6 +5,7 @@ FreeCAD leaves out.
 import FreeCAD
 
 from evenload import host
+from evenload.operations import dressed
 from evenload.operations.base import Operation, show
 
 
@@ -36,12 +37,16 @@ def create(proxy_class, name, obj=None, parentJob=None, toolController=None):
     return obj
 
 
+def _is_ours(obj):
+    return isinstance(getattr(obj, "Proxy", None), Operation)
+
+
 def _compute_left_out(doc):
     """Computes the operations that FreeCAD has left out because their tool controller failed: 1.1
     does so where it has no tool, and would keep the path that was for another tool.
     """
     for obj in doc.Objects:
-        if not isinstance(getattr(obj, "Proxy", None), Operation):
+        if not _is_ours(obj):
             continue
         controller = host.controller_of(obj)
         if controller is not None and not controller.isValid() and obj.isValid():
@@ -49,3 +54,4 @@ def _compute_left_out(doc):
 
 
 host.call_after_recompute(_compute_left_out)
+host.call_after_recompute(lambda doc: dressed.empty_far_ones(doc, _is_ours))
