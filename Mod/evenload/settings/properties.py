@@ -2,7 +2,7 @@
 
 import FreeCAD
 
-from evenload.settings.setting import ANGLE, CHOICE, GROUP, LENGTH
+from evenload.settings.setting import ANGLE, BOOL, CHOICE, GROUP, LENGTH
 
 OUTPUT = 8  # FreeCAD's property attribute for results
 UNITS = {ANGLE: FreeCAD.Units.Angle, LENGTH: FreeCAD.Units.Length}
@@ -38,6 +38,13 @@ def add_to_prototype(obj, row):
     setattr(obj, row.name, value)
     if row.type == CHOICE:  # so far it only has its choices
         setattr(obj, row.name, row.value[0])
+    if row.type == BOOL:
+        obj.getProperty(row.name).valueFromString = _is_yes
+
+
+def _is_yes(text):
+    """What a job's template says of a yes or no; FreeCAD itself takes every text for a yes."""
+    return text.strip().lower() in ("true", "1")
 
 
 def is_ours(obj):
