@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, page_form, view3d
+from evenload.gui import fields, load_view, page_form, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.slots import slot
 from evenload.gui.status import figures_of
@@ -134,12 +134,15 @@ class OperationPage(page_form.FormPage):
 
     def may_close(self):
         """Takes what is edited, and tells whether it can be used: a panel with values that no path
-        can be computed from is not left by OK, and says what is wrong.
+        can be computed from is not left by OK, and says what is wrong. What it is
+        left with is told to FreeCAD's macro recorder.
         """
         self.getFields(self.obj)
         refusal = self.obj.Proxy.refusal(self.obj)
         if refusal:
             self._show_refusal(refusal)
+        else:
+            recording.record(self.obj)
         return not refusal
 
     # ---- what the user does ----
