@@ -11,8 +11,9 @@ from evenload.gui import stability_inputs as inputs
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
+from evenload.gui.stability_task import chart_of
 from evenload.gui.stability_view import ChartView
-from evenload.gui.stability_worker import Refused, Worker, chart_of
+from evenload.gui.worker import Refused, Worker
 from evenload.stability import choice, picture, taking
 from evenload.stability import cut as cuts
 from evenload.stability import operation as stability

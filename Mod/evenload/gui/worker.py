@@ -4,8 +4,6 @@ import queue
 import threading
 
 from evenload import waiting
-from evenload.stability import cut as cuts
-from evenload.stability import field
 
 
 class Refused:
@@ -72,18 +70,3 @@ def _work(task, results, stop):
             results.put(Refused(str(error)))
         except Exception as error:  # raised again where the results are taken
             results.put(error)
-
-
-def chart_of(cut, box):
-    """The task that generates what the window shows of a Cut, as (what, result), the quickest
-    first.
-
-    box: (low, high) of speeds and of depths.
-    """
-    levels = field.levels(cut, *box)
-    yield "field", next(levels)
-    radius, _ = cuts.worst_of(cut)
-    yield "stable", radius < 1
-    for finer in levels:
-        yield "field", finer
-    yield "verdict", cuts.judged(cut)
