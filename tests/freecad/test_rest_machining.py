@@ -238,7 +238,7 @@ def test_beside_a_drills_point_material_stands(room):
     custom(room, "G0 Z15", "G0 X30 Y30", "G81 X30 Y30 Z-8 R1 F100", "G80", controller=drill)
     op = after(room, 6.0)
     room.done(op)
-    stock, _ = earlier.stock_before(op, 0.05)
+    stock = earlier.before(op).stock(0.05)
     hole = face_of(circle(30, 30, 9))
     region = compiled.core().Region(circle(30, 30, 9))
     for height in (-1.0, -2.5, -DEPTH, -5.0):

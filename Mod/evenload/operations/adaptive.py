@@ -14,7 +14,7 @@ class Adaptive(base.Operation):
     name = NAME
     settings = (*SETTINGS, *OF_ADAPTIVE)
 
-    def generate(self, obj, core, regions, parameters):
+    def generate(self, settings, core, regions, parameters):
         return core.clear_pocket(regions, **parameters), {}
 
 

@@ -2,7 +2,6 @@
 and what becomes of a computed path. `compute` has the way from there to the path.
 """
 
-import contextlib
 import math
 
 import FreeCAD
@@ -10,8 +9,8 @@ import Path
 
 from evenload import commands, host, waiting, window
 from evenload import tool as tools
-from evenload.geometry import body, depths, shape
-from evenload.operations import chatter, checks, compute, following, job_model, rest
+from evenload.geometry import shape
+from evenload.operations import chatter, checks, compute, computing, job_model, rest
 from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled, Refusal
 from evenload.settings import properties
@@ -25,20 +24,16 @@ from evenload.words import clock
 SENTENCES = (ValueError, ImportError)  # exceptions that say all that the user needs
 
 
-class Operation(following.Following):
+class Operation(computing.Computing):
     """Proxy of an operation. A subclass says in `generate` which of the core's strategies it is."""
 
     name = ""  # under which the SetupSheet knows the operation
     settings = SETTINGS
     results = RESULT_SETTINGS
-    partly_open = True  # whether it takes outlines that are open beside walls
     fitted = ()  # names of settings that show what was chosen for the geometry, unless they are set
 
     # Restored proxies come into being without __init__.
     last = None
-    # callable(share) -> bool, asked while the core works; False stops it. None: the GUI's dialog.
-    progress = None
-    _dialog = None
     _wished_controller = None
 
     def __init_subclass__(cls):
@@ -156,10 +151,6 @@ class Operation(following.Following):
             return told(str(error))
         return None
 
-    def read_tool(self, obj):
-        """(tool.Tool, tool.CuttingData). Raises ValueError for a tool that it cannot work with."""
-        return tools.read(obj.ToolController)
-
     def check_settings(self, obj, tool, data):
         """Raises ValueError for settings that no path can be computed with."""
         checks.as_set(obj, self.settings, tool, data)
@@ -212,70 +203,12 @@ class Operation(following.Following):
         obj.Report = why
 
     def opExecute(self, obj):
-        done = compute.run(self, obj)
+        done = self.computed(obj)
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
         self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
         self.last = done
         self._set_results(obj, done)
-
-    def floors(self, obj, tool, slot=None):
-        """The Floor of every region that the base geometry describes. slot: as for shape.floors.
-        Raises ValueError with a sentence that names the geometry.
-        """
-        job = host.parent_job(obj)
-        return shape.floors(
-            obj.Base,
-            [each.shape for _, each in body.models_of(job)],
-            job.Stock.Shape,
-            tool.diameter,
-            obj.Tolerance.Value,
-            slot,
-            self.partly_open,
-            lambda z, is_face: depths.depth_of(obj, z, is_face),
-        )
-
-    def generate(self, obj, core, regions, parameters):
-        """(the core's toolpath for the regions, {name: value} of what else it tells: the results of
-        this kind of operation, and its fitted settings)
-        """
-        raise NotImplementedError
-
-    def results_of(self, cuts):
-        """The second value of `generate` for all of an operation's cuts, by_depth.Cuts."""
-        return cuts[0].own
-
-    def watch(self):
-        """What the core is to ask while it works: callable(share) -> whether to go on, or None."""
-        if self._dialog is not None:
-            self._dialog(0.0)  # what came before may have taken long
-        return self.progress or self._dialog
-
-    @contextlib.contextmanager
-    def _asked_all_along(self, obj):
-        """While this lasts, the GUI's dialog can be asked whether to go on: one for all that an
-        operation does, so that it is there in time whatever takes long.
-        """
-        if self.progress is not None or window.watch is None:
-            with waiting.asking(self.progress):
-                yield
-            return
-        with window.watch(obj.Label) as self._dialog:
-            try:
-                with waiting.asking(self._dialog):
-                    yield
-            finally:
-                self._dialog = None
-
-    def _check_job(self, obj):
-        job = host.parent_job(obj)
-        if job is None:
-            raise ValueError("'%s' belongs to no job: create it in one." % obj.Label)
-        if not job.Model.Group:
-            raise ValueError("The job '%s' has no model: add one to it." % job.Label)
-        if job.Stock is None or job.Stock.Shape.isNull():
-            raise ValueError("The job '%s' has no stock: give it one." % job.Label)
-        self.read_tool(obj)
 
     def _prove(self, obj):
         """Refuses a path with faults, and says in Report whether it was checked, and chatters."""

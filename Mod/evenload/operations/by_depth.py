@@ -74,11 +74,12 @@ class JoinedToolpath:
         return iter(self.moves)
 
 
-def clear(proxy, obj, core, tool, floors, arguments, standing):
+def clear(proxy, settings, core, tool, floors, arguments, standing):
     """The Cuts of an operation, in their order; where it was stopped the last one is cancelled.
 
-    arguments: for the core, but for heights and stock; standing: rest.Standing of what others left,
-    or None where material stands all over the floors. Raises ValueError for a floor with nothing to
+    settings: the operation's, by their names; arguments: for the core, but for heights and stock;
+    standing: rest.Standing of what others left, or None where material stands all over the floors.
+    Raises ValueError for a floor with nothing to
     cut.
     """
     cuts, watch = [], arguments["progress"]
@@ -86,15 +87,15 @@ def clear(proxy, obj, core, tool, floors, arguments, standing):
     for number, depth in enumerate(depths):
         here = [floor for floor in floors if abs(floor.depth - depth) <= SAME_HEIGHT]
         progress = _share_of(watch, number, len(depths))
-        for top, group in _by_top(obj, here, cuts if standing is None else []):
+        for top, group in _by_top(settings, here, cuts if standing is None else []):
             regions = [floor.region() for floor in group]
-            levels = checks.levels(obj, top, depth, [floor.name for floor in group])
+            levels = checks.levels(settings, top, depth, [floor.name for floor in group])
             given = {**arguments, "top": top, "levels": levels, "progress": progress}
             material = regions
             if standing is not None:
-                given["stock"] = standing.at(obj, core, tool, regions, levels, group)
+                given["stock"] = standing.at(settings, core, tool, regions, levels, group)
                 material = next(filter(None, reversed(given["stock"])), [])
-            toolpath, own = proxy.generate(obj, core, regions, given)
+            toolpath, own = proxy.generate(settings, core, regions, given)
             cuts.append(Cut(group, regions, levels, toolpath, own, material))
             if toolpath.report.termination == CANCELLED:
                 return cuts
@@ -167,11 +168,11 @@ def _share_of(watch, number, count):
     return lambda share: watch((number + share) / count)
 
 
-def _by_top(obj, floors, cuts):
+def _by_top(settings, floors, cuts):
     """[(z in mm where material begins, those of the floors over which it does), ...]"""
     result = {}
     for floor in floors:
-        result.setdefault(_top_over(floor, cuts, obj.StartDepth.Value), []).append(floor)
+        result.setdefault(_top_over(floor, cuts, settings.StartDepth.Value), []).append(floor)
     return sorted(result.items(), key=lambda found: -found[0])
 
 

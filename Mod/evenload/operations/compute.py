@@ -1,42 +1,23 @@
-"""The data flow of all operations: from base geometry and settings to the core's toolpath, and what
-is said of it.
+"""What the computing of an operation that clears floors takes from the document: base geometry,
+settings, tool, what was cut before.
 """
 
-from dataclasses import dataclass
-
-from evenload import compiled, host, planar
+from evenload import host
 from evenload import tool as tools
-from evenload.operations import by_depth, checks, force, rest, stock_checks
+from evenload.operations import checks, force, rest, stock_checks
 from evenload.operations.refusal import Cancelled
+from evenload.operations.seen import settings_of
+from evenload.operations.task import Task, area_in_reach
 from evenload.settings import parameters
+from evenload.simulation import earlier
 from evenload.waiting import Stopped
-from evenload.words import name_of
-
-LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 
 
-@dataclass
-class Computation:
-    """What the last successful run worked on, for reports and pictures; it is not saved with the
-    document.
+def read(proxy, op, seen=None):
+    """The Task of an operation. seen: the operation as Seen where nothing may be touched, or None.
+    Raises ValueError with a sentence for what cannot be done, Cancelled where it was stopped.
     """
-
-    floors: list  # of Floor
-    regions: list  # the core's
-    cuts: list  # of by_depth.Cut, in their order
-    toolpath: object  # of all cuts
-    tool: object  # tool.Tool
-    data: object  # tool.CuttingData
-    hole: tuple  # (x, y, diameter) in mm, or None
-    notes: list  # sentences for the report
-    own: dict  # {name: value} of results and fitted settings of its kind of operation
-
-
-def run(proxy, obj):
-    """The Computation of an operation. Raises ValueError with a sentence for what cannot be done,
-    Cancelled where it was stopped.
-    """
-    core = compiled.core()
+    obj = op if seen is None else seen
     tool, data = tools.read(obj.ToolController)
     refuse_turned_work_plane(obj)
     # Geometry first: depths follow it, and what is wrong with them then is not the cause.
@@ -49,28 +30,32 @@ def run(proxy, obj):
     checks.settings(obj, proxy.settings, tool, data)
     regions = [floor.region() for floor in floors]
     slack = max(floor.slack for floor in floors)
-    standing, notes = None, []
-    watch = proxy.watch()
     try:
-        stock_checks.refuse_material_above(obj, core, tool, regions, watch)
-        hole = checks.hole(obj, tool, floors)
-        if rest.is_wanted(obj):
-            standing = rest.Standing(obj, watch)
-            notes += standing.notes
+        above = stock_checks.place_above(obj, tool, regions)
+        matters = above is not None or rest.is_wanted(obj)
+        before = earlier.before(op) if matters else None
     except Stopped:
-        raise Cancelled(_area_in_reach(obj, core, tool, regions)) from None
-    arguments = _parameters(proxy, obj, tool, data, hole, slack)
-    arguments["progress"] = watch
-    cuts = by_depth.clear(proxy, obj, core, tool, floors, arguments, standing)
-    if cuts[-1].toolpath.report.termination == by_depth.CANCELLED:
-        raise Cancelled(_area_in_reach(obj, core, tool, regions))
-    toolpath = by_depth.joined(cuts)
-    _check_entries(tool, toolpath)
-    of_depths, found = by_depth.notes(cuts)
-    notes += spindle_notes(obj, data) + of_depths + _floor_notes(floors)
-    notes += stock_checks.notes_of(obj) + force.notes(obj, tool) + found
-    own = proxy.results_of(cuts)
-    return Computation(floors, regions, cuts, toolpath, tool, data, hole, notes, own)
+        raise Cancelled(area_in_reach(obj, tool, regions)) from None
+    if above is not None and not before.cuts:
+        stock_checks.refuse_above(obj, *above)
+    if matters:
+        rest.wait_for_earlier(op, is_linked=seen is None)
+    hole = checks.hole(obj, tool, floors)
+    return Task(
+        proxy,
+        settings_of(obj, proxy.settings),
+        floors,
+        regions,
+        tool,
+        data,
+        hole,
+        _parameters(proxy, obj, tool, data, hole, slack),
+        before,
+        above is not None,
+        rest.is_wanted(obj),
+        spindle_notes(obj, data),
+        stock_checks.notes_of(obj) + force.notes(obj, tool),
+    )
 
 
 def refuse_turned_work_plane(obj):
@@ -91,26 +76,7 @@ def _area_of_stock(obj):
 
 def area_of(obj, done):
     """What the path of a Computation clears, in mm2."""
-    return _area_in_reach(obj, compiled.core(), done.tool, done.regions)
-
-
-def _area_in_reach(obj, core, tool, regions):
-    """What a path would clear, in mm2."""
-    ground = core.reachable_ground(regions, tool.diameter, obj.StockToLeave.Value)
-    return sum(region.area for region in ground)
-
-
-def _floor_notes(floors):
-    notes = [note for floor in floors for note in floor.notes]
-    beside = {}  # faces by how far FinalDepth, to which they are cut then, lies from them
-    for floor in floors:
-        above = round(floor.z - floor.depth, 4)
-        if floor.is_face and abs(above) > LEVEL:
-            beside.setdefault(above, []).extend(floor.parts)
-    for above, parts in beside.items():
-        what = "below %s: the tool cuts into it." if above > 0 else "above %s: the rest stays."
-        notes.append("FinalDepth lies %g mm " % abs(above) + what % name_of(parts))
-    return notes
+    return area_in_reach(obj, done.tool, done.regions)
 
 
 def _parameters(proxy, obj, tool, data, hole, slack):
@@ -140,23 +106,6 @@ def core_cut_mode(obj, data):
     if data.spindle != tools.REVERSE:
         return obj.CutMode.lower()
     return "conventional" if obj.CutMode == "Climb" else "climb"
-
-
-def _check_entries(tool, toolpath):
-    """A tool that does not cut at its centre can only go down in a helix or a hole, or beside
-    the material.
-    """
-    if tool.centre_cutting:
-        return
-    x = y = None
-    for kind, nx, ny, nz, sweep, *_ in toolpath.moves:
-        if kind == planar.ENTRY and not sweep and x is not None and (nx, ny) != (x, y):
-            raise ValueError(
-                "The tool '%s' does not cut at its centre and cannot enter by a ramp near "
-                "(%g, %g): set a pre-drilled hole, or take a tool that cuts at its centre."
-                % (tool.name, nx, ny)
-            )
-        x, y = nx, ny
 
 
 def spindle_notes(obj, data):

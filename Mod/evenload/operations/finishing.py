@@ -9,6 +9,7 @@ from evenload.geometry import facets
 from evenload.operations import base, checks, compute, job_model, registry
 from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled
+from evenload.operations.seen import settings_of
 from evenload.settings import parameters, ranges
 from evenload.settings.labels import told
 from evenload.settings.notes import KEPT_OFF
@@ -17,6 +18,34 @@ from evenload.settings.table import EVEN_CUSPS, FINISHING, PARALLEL
 from evenload.waiting import Stopped
 
 NAME = "EvenLoad Finishing"
+
+
+@dataclass
+class Task:
+    """The operation as it was read: what the core needs, and no document."""
+
+    facets: object  # facets.Facets
+    settings: object  # by their names, as settings_of() of seen.py has them
+    tool: object  # tool.Tool
+    data: object  # tool.CuttingData
+    arguments: dict  # of the core's finish()
+    notes: list  # sentences for the report
+
+    def run(self, watch):
+        """The Computation. watch: callable(share) -> whether to go on, or None. Raises ValueError
+        with a sentence for what cannot be done, Cancelled where it was stopped.
+        """
+        finish = compiled.core().surface.finish(self.facets.mesh, **self.arguments, progress=watch)
+        if finish.toolpath.report.termination == "cancelled":
+            raise Cancelled(0.0)
+        notes = self.notes + _notes(self.settings, self.tool, finish.toolpath)
+        return Computation(self.facets, finish.toolpath, finish, self.tool, self.data, notes)
+
+    def is_same(self, other):
+        """Whether another task makes the same path: it must be of the same triangles, which are
+        made anew for each task.
+        """
+        return self is other
 
 
 @dataclass
@@ -102,7 +131,7 @@ class Finishing(base.Operation):
         return tools.read(obj.ToolController, takes_balls=True)
 
     def opExecute(self, obj):
-        done = self._computed(obj)
+        done = self.computed(obj)
         last = obj.ClearanceHeight.Value  # where FreeCAD itself ends every operation
         self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
         self.last = done
@@ -120,24 +149,25 @@ class Finishing(base.Operation):
     def _prove(self, obj):
         """The path was made from the models themselves, all of them."""
 
-    def _computed(self, obj):
+    def read(self, op, seen=None):
+        obj = op if seen is None else seen
         tool, data = self.read_tool(obj)
         compute.refuse_turned_work_plane(obj)
         self.check_settings(obj, tool, data)
         try:
-            found = facets.of(
-                _of_models(self.job, obj.Base), self.job.Model.Group, obj.Tolerance.Value
-            )
+            job = host.parent_job(op)
+            found = facets.of(_of_models(job, obj.Base), job.Model.Group, obj.Tolerance.Value)
         except Stopped:
             raise Cancelled(0.0) from None
         _check_heights(obj, found)
-        finish = compiled.core().surface.finish(
-            found.mesh, **_parameters(self, obj, tool, data, found), progress=self.watch()
+        return Task(
+            found,
+            settings_of(obj, self.settings),
+            tool,
+            data,
+            _parameters(self, obj, tool, data, found),
+            compute.spindle_notes(obj, data),
         )
-        if finish.toolpath.report.termination == "cancelled":
-            raise Cancelled(0.0)
-        notes = compute.spindle_notes(obj, data) + _notes(obj, tool, finish.toolpath, found)
-        return Computation(found, finish.toolpath, finish, tool, data, notes)
 
 
 def _end_radius(obj):
@@ -218,7 +248,7 @@ def _parameters(proxy, obj, tool, data, found):
     return arguments
 
 
-def _notes(obj, tool, toolpath, found):
+def _notes(obj, tool, toolpath):
     lowest = min(move[3] for move in toolpath.moves)
     depth = obj.StartDepth.Value - lowest
     notes = []

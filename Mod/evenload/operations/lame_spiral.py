@@ -18,11 +18,11 @@ class LameSpiral(base.Operation):
     settings = (*SETTINGS, *OF_LAME_SPIRAL)
     results = (*RESULT_SETTINGS, *RESULTS_OF_LAME_SPIRAL)
 
-    def generate(self, obj, core, regions, parameters):
+    def generate(self, settings, core, regions, parameters):
         toolpath = core.clear_with_lame_spiral(regions, **parameters)
         if toolpath.figures is None:  # Report tells why; what was fitted before stays
             return toolpath, {"ClearedShare": 0.0}
-        fitted = words.fitted(obj, self.settings, toolpath.figures)
+        fitted = words.fitted(settings, self.settings, toolpath.figures)
         return toolpath, {**fitted, "ClearedShare": toolpath.cleared_share}
 
     def results_of(self, cuts):

@@ -11,7 +11,7 @@ from evenload import host
 from evenload.geometry.floor import SAME_HEIGHT
 from evenload.settings.table import REST_MACHINING
 from evenload.simulation import rest_resolution
-from evenload.simulation.earlier import COARSE, stock_before
+from evenload.simulation.earlier import COARSE
 
 
 def is_wanted(op):
@@ -32,12 +32,7 @@ def link_all(job):
 
     All at once, so that operations which changed places never depend on each other.
     """
-    earlier, wanted = [], {}
-    for item in host.operations(job):
-        for op in host.all_under(item):
-            if op not in wanted and hasattr(op, "EarlierOperations"):
-                wanted[op] = list(earlier) if is_wanted(op) or starts_below(op, job) else []
-        earlier.append(item)
+    wanted = _links_of(job)
     changed = [(op, links) for op, links in wanted.items() if op.EarlierOperations != links]
     for op, _ in changed:
         op.EarlierOperations = []
@@ -45,24 +40,33 @@ def link_all(job):
         op.EarlierOperations = links
 
 
+def _links_of(job):
+    """{operation: what EarlierOperations of it should be} of a job's operations as they are now."""
+    earlier, wanted = [], {}
+    for item in host.operations(job):
+        for op in host.all_under(item):
+            if op not in wanted and hasattr(op, "EarlierOperations"):
+                wanted[op] = list(earlier) if is_wanted(op) or starts_below(op, job) else []
+        earlier.append(item)
+    return wanted
+
+
 class Standing:
     """Where material stands for an operation: what earlier ones left, without what its own cuts
     have taken since.
     """
 
-    def __init__(self, op, progress):
-        """progress: as for simulation.earlier.stock_before. Raises ValueError with a sentence where
-        the earlier operations' paths cannot be relied upon.
+    def __init__(self, settings, before, progress):
+        """settings: the operation's; before: simulation.earlier.Before; progress: as for its
+        stock.
         """
-        wait_for_earlier(op)
-        resolution = rest_resolution(op.SideStep.Value)
-        self._stock, self.notes = stock_before(op, resolution, progress)
+        self._stock = before.stock(rest_resolution(settings.SideStep.Value), progress)
 
-    def at(self, op, core, tool, regions, levels, floors):
+    def at(self, settings, core, tool, regions, levels, floors):
         """[[Region, ...] for each of the levels]: where material stands there within the tool's
         reach of the floors' regions.
         """
-        keep_away = op.StockToLeave.Value + max(floor.slack for floor in floors)
+        keep_away = settings.StockToLeave.Value + max(floor.slack for floor in floors)
         reach = core.reachable_ground(regions, tool.diameter, keep_away)
         return [self._stock.standing(z, reach) for z in levels]
 
@@ -77,10 +81,14 @@ class Standing:
         )
 
 
-def wait_for_earlier(op):
-    """Links an operation to those before it; raises ValueError where one is not up to date."""
-    link_all(host.parent_job(op))
-    for earlier in op.EarlierOperations:
+def wait_for_earlier(op, is_linked=True):
+    """Links an operation to those before it, unless that is not wanted, for it changes the
+    document; raises ValueError where one is not up to date.
+    """
+    job = host.parent_job(op)
+    if is_linked:
+        link_all(job)
+    for earlier in _links_of(job).get(op, op.EarlierOperations):
         if host.is_active(earlier) and any(map(_is_waiting, host.all_under(earlier))):
             raise ValueError(
                 "The path of '%s', which comes before '%s', is not up to date: recompute the "

@@ -2,8 +2,7 @@
 
 from evenload import host
 from evenload.geometry import body
-from evenload.operations import rest
-from evenload.simulation import earlier, rest_resolution
+from evenload.simulation import rest_resolution
 
 LEVEL = 1e-3  # mm: heights nearer than this are the same to a machine
 FILM = 0.02  # mm: what stands no higher above StartDepth is none
@@ -34,29 +33,29 @@ def notes_of(op):
     return ["FinalDepth lies %g mm below the underside of the stock." % round(below, 3)]
 
 
-def refuse_material_above(op, core, tool, regions, progress):
-    """Raises ValueError with the place where material stands above StartDepth within an operation's
-    regions, after all that the job's earlier operations cut. progress: as for
-    simulation.earlier.stock_before.
+def place_above(op, tool, regions):
+    """(x, y, z) of the highest place of the stock above StartDepth within an operation's regions,
+    None without one: the earlier operations must have cut there.
     """
     start = op.StartDepth.Value + FILM
     stock = body.of(host.parent_job(op).Stock.Shape)
     places = [stock.highest_over(region, start, tool.diameter) for region in regions]
-    place = max(filter(None, places), key=lambda place: place[2], default=None)
-    if place is None:
-        return
-    if not earlier.cut_before(op, []):
-        _refuse(op, *place)
-    rest.wait_for_earlier(op)
-    resolution = rest_resolution(op.SideStep.Value)
-    dexels, _ = earlier.stock_before(op, resolution, progress)
+    return max(filter(None, places), key=lambda place: place[2], default=None)
+
+
+def refuse_left_above(settings, before, core, tool, regions, progress):
+    """Raises ValueError with the place where material stands above StartDepth within regions, after
+    all that was cut before, a simulation.earlier.Before. progress: as for its stock.
+    """
+    dexels = before.stock(rest_resolution(settings.SideStep.Value), progress)
+    start = settings.StartDepth.Value + FILM
     left = dexels.standing(start, core.reachable_ground(regions, tool.diameter, 0.0))
-    if sum(region.area for region in left) < LEAST * tool.diameter**2:
-        return
-    _refuse(op, *left[0].outer[0][:2])
+    if sum(region.area for region in left) >= LEAST * tool.diameter**2:
+        refuse_above(settings, *left[0].outer[0][:2])
 
 
-def _refuse(op, x, y, z=None):
+def refuse_above(op, x, y, z=None):
+    """Raises ValueError for material above StartDepth at a place, up to a height, all in mm."""
     up_to = "" if z is None else " up to %g mm," % round(z, 3)
     raise ValueError(
         "Material stands%s above StartDepth (%g mm), near (%.3f, %.3f): raise StartDepth, or clear "

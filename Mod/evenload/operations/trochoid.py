@@ -44,7 +44,7 @@ class Trochoid(base.Operation):
                 )
         return found
 
-    def generate(self, obj, core, regions, parameters):
+    def generate(self, settings, core, regions, parameters):
         toolpath, figures = core.clear_slot(regions, **parameters)
         return toolpath, {
             "TrochoidalStep": figures.step,

@@ -2,6 +2,8 @@
 of the holes drilled for them, and the stock that they leave.
 """
 
+from dataclasses import dataclass
+
 from evenload import commands, compiled, host, planar
 from evenload import tool as tools
 from evenload.settings.properties import is_ours
@@ -15,29 +17,45 @@ COARSE = 0.25
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
-def stock_before(operation, resolution, progress=None):
-    """(DexelStock, notes): what the job's earlier active operations leave for an operation.
+@dataclass
+class Before:
+    """A job's stock and what cuts it before an operation, as read from the document."""
 
-    progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work follows.
-    Raises ValueError with a sentence, waiting.Stopped where it was stopped.
+    blocks: object  # [(Region, top in mm), ...] or a HeightMap
+    bottom: float  # mm
+    cuts: list  # of (moves, tool diameter in mm), in their order
+    notes: list  # sentences on what is left out
+
+    def stock(self, resolution, progress=None):
+        """The DexelStock that is left, its dexels `resolution` mm apart.
+
+        progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work
+        follows. Raises waiting.Stopped where it was stopped.
+        """
+        core, answers = compiled.core(), []
+        stock = core.DexelStock(self.blocks, self.bottom, resolution)
+
+        def ask(_):
+            answers.append(progress is None or progress(0.0))
+            return answers[-1]
+
+        for moves, diameter in self.cuts:
+            step = COARSE * diameter
+            core.simulate(
+                moves, stock, tool_diameter=diameter, step=step, find_rest=False, progress=ask
+            )
+            if not all(answers):
+                raise Stopped()
+        return stock
+
+
+def before(operation):
+    """What comes Before an operation: the stock, the job's earlier active operations. Raises
+    ValueError with a sentence for what cannot be read.
     """
-    core, notes = compiled.core(), []
+    notes = []
     _, blocks, _, bottom = part.stock_of(host.parent_job(operation).Stock)
-    stock = core.DexelStock(blocks, bottom, resolution)
-    answers = []
-
-    def ask(_):
-        answers.append(progress is None or progress(0.0))
-        return answers[-1]
-
-    for moves, diameter in cut_before(operation, notes):
-        step = COARSE * diameter
-        core.simulate(
-            moves, stock, tool_diameter=diameter, step=step, find_rest=False, progress=ask
-        )
-        if not all(answers):
-            raise Stopped()
-    return stock, notes
+    return Before(blocks, bottom, cut_before(operation, notes), notes)
 
 
 def moves_of(operation):
