@@ -38,11 +38,11 @@ def picture(name):
 
 
 def vertices_of(view):
-    """(places, packed colours, numbers of vertices of the lines) in the Coin node."""
-    vertices = view.node.vertices
-    places = [list(p.getValue()) for p in vertices.vertex.getValues()]
-    colours = [int(c) for c in vertices.orderedRGBA.getValues()]
-    return places, colours, list(view.node.line.numVertices.getValues())
+    """(places, colours, numbers of vertices of the lines) in the Coin node."""
+    path = view.node.path
+    places = [list(p.getValue()) for p in path.vertices.vertex.getValues()]
+    colours = [list(c.getValue()) for c in path.colours.rgb.getValues()]
+    return places, colours, list(path.line.numVertices.getValues())
 
 
 def seen_of(view, op):
@@ -135,9 +135,9 @@ def hundred_thousand():
     measure = load_colours.MEASURES[0]
     begin = time.thread_time()
     node = LoadNode(found)
-    node.colour(load_colours.packed(load_colours.colours_of(measure, found, 0, 90, 60)))
+    node.path.colour(load_colours.colours_of(measure, found, 0, 90, 60))
     spent = time.thread_time() - begin
-    assert node.vertices.vertex.getNum() == SAMPLES
+    assert node.path.vertices.vertex.getNum() == SAMPLES
     return spent
 
 

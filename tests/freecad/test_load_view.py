@@ -52,9 +52,7 @@ def test_the_colours_are_those_of_the_simulators_values(session, which):
                 wanted = load_colours.on_scale((value - least) / (largest - least))
                 if seen["limit"] is not None and mean > seen["limit"] and kind == CUT:
                     wanted = load_colours.BEYOND
-            parts = [(colour >> shift) & 255 for shift in (24, 16, 8, 0)]
-            assert parts[3] == 255
-            assert parts[:3] == pytest.approx([255 * part for part in wanted], abs=1), key
+            assert colour == pytest.approx(list(wanted), abs=1e-6), key
 
 
 def test_only_ours_have_a_limit_of_engagement(session):

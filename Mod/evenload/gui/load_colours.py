@@ -27,7 +27,6 @@ KINDS = {  # their lightness, 0 to 100, is more than 15 apart
     ENTRY: (0.80, 0.10, 0.55),
     CUT: (0.05, 0.15, 0.50),
 }
-OPAQUE = 255
 WINDOW = 0.1  # mm of path: single places in corners may meet anything, means over this may not
 
 
@@ -118,9 +117,3 @@ def colours_of(measure, simulation, least, largest, limit=None):
         means = means_of(measure, simulation)
         colours[(simulation.kind == CUT) & (means > limit)] = BEYOND
     return colours
-
-
-def packed(colours):
-    """Colours, n x 3 of 0 to 1, as Coin has them: 32 bits, red the highest."""
-    parts = numpy.round(255 * colours).astype(numpy.uint32)
-    return (parts[:, 0] << 24) | (parts[:, 1] << 16) | (parts[:, 2] << 8) | OPAQUE

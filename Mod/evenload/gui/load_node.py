@@ -3,7 +3,8 @@
 import numpy
 from pivy import coin
 
-WIDTH = 3  # pixels: wider than FreeCAD's own line
+from evenload.gui.path_line import PathLine, unpickable
+
 TOOL_COLOUR, TOOL_TRANSPARENCY = (0.91, 0.64, 0.24), 0.45
 TOOL_HEIGHT = 3.0  # tool diameters
 
@@ -14,39 +15,17 @@ class LoadNode:
     def __init__(self, simulation):
         self.root = coin.SoSeparator()
         self.root.setName("EvenLoadLoad")
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        self.root.addChild(unpickable)
-        self.root.addChild(self._line(simulation))
+        self.path = PathLine(numpy.stack([simulation.x, simulation.y, simulation.z], axis=1))
+        self.root.addChild(unpickable())
+        self.root.addChild(self.path.root)
         self.root.addChild(self._tool(simulation))
         self.show_tool_at(simulation, 0)
-
-    def colour(self, packed):
-        """Gives the vertices their colours, as load_colours.packed makes them."""
-        self.vertices.orderedRGBA.setValues(0, len(packed), packed)
 
     def show_tool_at(self, simulation, number):
         """Moves the tool to a sample."""
         x, y, z = (float(values[number]) for values in (simulation.x, simulation.y, simulation.z))
         height = TOOL_HEIGHT * simulation.tool_diameter
         self._place.translation.setValue(x, y, z + 0.5 * height)
-
-    def _line(self, simulation):
-        part = coin.SoSeparator()
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
-        style = coin.SoDrawStyle()
-        style.lineWidth = WIDTH
-        self.vertices = coin.SoVertexProperty()
-        points = numpy.stack([simulation.x, simulation.y, simulation.z], axis=1)
-        self.vertices.vertex.setValues(0, len(points), points.astype(numpy.float32))
-        self.vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX
-        self.line = coin.SoLineSet()
-        self.line.vertexProperty = self.vertices
-        self.line.numVertices.setValue(len(points))
-        for node in (light, style, self.line):
-            part.addChild(node)
-        return part
 
     def _tool(self, simulation):
         part = coin.SoSeparator()

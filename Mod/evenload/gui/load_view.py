@@ -185,7 +185,7 @@ class LoadView:
         measure, limit = self.measure, self._limit()
         least, largest = load_colours.range_of(measure, self.found)
         colours = load_colours.colours_of(measure, self.found, least, largest, limit)
-        self.node.colour(load_colours.packed(colours))
+        self.node.path.colour(colours)
         self.legend.show_scale(measure, least, largest, limit)
         self.worst.setEnabled(load_colours.worst_of(measure, self.found) is not None)
         self._show_place()

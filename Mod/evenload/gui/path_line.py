@@ -1,0 +1,42 @@
+"""A path as a Coin node: a line whose vertices have colours of their own."""
+
+import numpy
+from pivy import coin
+
+WIDTH = 3  # pixels: wider than FreeCAD's own line
+
+
+class PathLine:
+    """`root` is what goes into a scene; it has a vertex for each place, in their order."""
+
+    def __init__(self, points):
+        """points: n x 3, mm."""
+        self.root = coin.SoSeparator()
+        self.colours, self._binding = coin.SoBaseColor(), coin.SoMaterialBinding()
+        light = coin.SoLightModel()
+        light.model = coin.SoLightModel.BASE_COLOR
+        style = coin.SoDrawStyle()
+        style.lineWidth = WIDTH
+        self.vertices = coin.SoVertexProperty()
+        self.vertices.vertex.setValues(0, len(points), points.astype(numpy.float32))
+        self.line = coin.SoLineSet()
+        self.line.vertexProperty = self.vertices
+        self.line.numVertices.setValue(len(points))
+        for node in (light, style, self.colours, self._binding, self.line):
+            self.root.addChild(node)
+
+    def colour(self, colours):
+        """Gives the vertices their colours, n x 3 of 0 to 1; one colour, 1 x 3, is that of all."""
+        is_one = len(colours) == 1
+        value = coin.SoMaterialBinding.OVERALL if is_one else coin.SoMaterialBinding.PER_VERTEX
+        self._binding.value = value
+        # Packed colours of vertices would take a third; but pivy keeps a copy of them for ever.
+        self.colours.rgb.setNum(len(colours))
+        self.colours.rgb.setValues(0, len(colours), colours.astype(numpy.float32))
+
+
+def unpickable():
+    """A node after which nothing in its group is met by clicks, which are for what lies below."""
+    node = coin.SoPickStyle()
+    node.style = coin.SoPickStyle.UNPICKABLE
+    return node
