@@ -8,6 +8,9 @@ import numpy
 
 RAPID, LINK, ENTRY, CUT = range(4)  # the kinds of moves, as the core counts them
 DEFLECTION = 0.005  # mm: of polygons that stand for an outline
+# Arcs of a path that is drawn: mm by which chords leave them, and rad that a chord turns by at the
+# most.
+DRAWN_DEFLECTION, DRAWN_TURN = 0.02, 0.3
 
 
 def sweep_of(dx, dy, i, j, counter_clockwise):
@@ -37,3 +40,32 @@ def flattened(chain):
                 angle = start + 2 * half * k / steps
                 points.append((cx + radius * math.sin(angle), cy - radius * math.cos(angle)))
     return numpy.array(points)
+
+
+def drawn(moves):
+    """(points, kinds): places (x, y, z) in mm along moves as the core returns them, n x 3, arcs as
+    chords, and for each the kind of the move that leads there.
+    """
+    rows = numpy.array(moves, float).reshape(-1, 8)
+    kinds, ends, sweeps, centres = rows[:, 0], rows[:, 1:4], rows[:, 4], rows[:, 5:7]
+    starts = numpy.vstack([ends[:1], ends[:-1]])
+    sweeps = numpy.where(numpy.arange(len(rows)) > 0, sweeps, 0.0)  # where it begins is a place
+    radii = numpy.linalg.norm(starts[:, :2] - centres, axis=1)
+    turns = 2 * numpy.arccos(1 - numpy.minimum(DRAWN_DEFLECTION / numpy.maximum(radii, 1e-9), 1))
+    counts = numpy.ceil(numpy.abs(sweeps) / numpy.minimum(turns, DRAWN_TURN)).astype(int)
+    counts = numpy.maximum(counts, 1)
+    which = numpy.repeat(numpy.arange(len(rows)), counts)
+    number = numpy.arange(len(which)) - numpy.repeat(numpy.cumsum(counts) - counts, counts) + 1
+    share = number / counts[which]
+    points = starts[which] + share[:, None] * (ends - starts)[which]
+    on_arc = (number < counts[which]) & (sweeps[which] != 0)
+    of = which[on_arc]
+    angles = share[on_arc] * sweeps[of]
+    arms = starts[of, :2] - centres[of]
+    points[on_arc, 0] = (
+        centres[of, 0] + arms[:, 0] * numpy.cos(angles) - arms[:, 1] * numpy.sin(angles)
+    )
+    points[on_arc, 1] = (
+        centres[of, 1] + arms[:, 0] * numpy.sin(angles) + arms[:, 1] * numpy.cos(angles)
+    )
+    return points, kinds[which].astype(int)

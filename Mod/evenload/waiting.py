@@ -23,6 +23,11 @@ def asking(watch):
         _asked.reset(before)
 
 
+def asked():
+    """Who is asked now, watch(share) -> whether to go on, for what asks by itself; None: nobody."""
+    return _asked.get()
+
+
 def go_on(share=0.0):
     """Raises Stopped where the computation shall not go on. share: what is done, where known."""
     watch = _asked.get()

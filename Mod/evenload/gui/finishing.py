@@ -14,13 +14,13 @@ class OperationPage(panel.OperationPage):
     kind = finishing.Finishing
     taskPanelBaseGeometryPage = SurfaceGeometryPage
 
-    def figures(self, obj):
-        if not obj.CuttingTime > 0:
+    def figures(self, values):
+        if not values["CuttingTime"] > 0:
             return []
-        length = FreeCAD.Units.Quantity(obj.PathLength.Value, FreeCAD.Units.Length)
+        length = FreeCAD.Units.Quantity(values["PathLength"], FreeCAD.Units.Length)
         return [
             (
-                _translate("EvenLoad", "Time %s") % clock(obj.CuttingTime),
+                _translate("EvenLoad", "Time %s") % clock(values["CuttingTime"]),
                 _translate("EvenLoad", "Cuts, links, entries and retracts at the path's own feeds"),
             ),
             (
@@ -28,11 +28,11 @@ class OperationPage(panel.OperationPage):
                 _translate("EvenLoad", "Length of cuts and of ways along the surface"),
             ),
             (
-                _translate("EvenLoad", "Passes %d") % obj.Passes,
+                _translate("EvenLoad", "Passes %d") % values["Passes"],
                 _translate("EvenLoad", "Cuts without a break"),
             ),
             (
-                _translate("EvenLoad", "Retracts %d") % obj.Retracts,
+                _translate("EvenLoad", "Retracts %d") % values["Retracts"],
                 _translate("EvenLoad", "How often the tool rises and comes down again"),
             ),
         ]

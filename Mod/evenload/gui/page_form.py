@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import engagement, fields
+from evenload.gui import engagement, fields, preview
 from evenload.gui.folds import Fold, form_in
 from evenload.gui.marks import Marks
 from evenload.gui.slots import slot
@@ -61,6 +61,12 @@ class FormPage(_gui.op.TaskPanelPage):
         self.load.setVisible(engagement.ANGLE in self.settings)  # the simulator knows no others
         above.addWidget(self.load, 0, QtCore.Qt.AlignTop)
         whole.addLayout(above)
+        self.live = QtGui.QCheckBox(_translate("EvenLoad", "Live preview"))
+        self.live.setToolTip(
+            _translate("EvenLoad", "Shows the path in the 3D view while values change")
+        )
+        self.live.setChecked(preview.is_wanted())
+        whole.addWidget(self.live)
         self.area = QtGui.QScrollArea()
         self.area.setWidgetResizable(True)
         self.area.setFrameShape(QtGui.QFrame.NoFrame)

@@ -5,12 +5,12 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, page_form, recording, view3d
+from evenload.gui import fields, load_view, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
+from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
-from evenload.gui.status import figures_of
+from evenload.gui.status import FAILED
 from evenload.operations.base import SENTENCES
-from evenload.settings.notes import fields_of
 from evenload.settings.setting import UNITS
 
 _gui = host.gui()
@@ -49,7 +49,7 @@ def create(operation):
     return obj
 
 
-class OperationPage(page_form.FormPage):
+class OperationPage(PreviewPage):
     """The operation's settings and results.
 
     What is edited goes into the properties at once, so that the two that follow each other can; the
@@ -61,6 +61,7 @@ class OperationPage(page_form.FormPage):
     # ---- what FreeCAD calls ----
 
     def initPage(self, obj):
+        super().initPage(obj)
         for name, widget in self.widgets.items():
             setting = self.settings[name]
             if setting.type in UNITS and not setting.is_fine:
@@ -79,6 +80,7 @@ class OperationPage(page_form.FormPage):
             self._take(name)
 
     def registerSignalHandlers(self, obj):
+        super().registerSignalHandlers(obj)
         self.form.toolController.activated.connect(slot(self._tool_chosen))
         self.form.coolantController.activated.connect(slot(self._coolant_chosen))
         self.load.clicked.connect(slot(self._toggle_load))
@@ -103,6 +105,7 @@ class OperationPage(page_form.FormPage):
             self.again.clicked.connect(slot(self._fit_again))
 
     def updateData(self, obj, prop):
+        super().updateData(obj, prop)
         if prop in (*self.result_names, *self.kind.fitted):
             self._show_settings(obj)
             self._refresh.start()
@@ -114,7 +117,7 @@ class OperationPage(page_form.FormPage):
         buttonBox.setStyleSheet("QPushButton { min-width: %dpx }" % NARROWEST_BUTTON)
 
     def cleanupPage(self, obj):
-        """FreeCAD calls this as the panel closes; the operation may be gone by then."""
+        super().cleanupPage(obj)
         self._refresh.stop()
 
     def setDirty(self):
@@ -141,9 +144,10 @@ class OperationPage(page_form.FormPage):
         refusal = self.obj.Proxy.refusal(self.obj)
         if refusal:
             self._show_refusal(refusal)
-        else:
+        self.is_accepted = not refusal
+        if self.is_accepted:
             recording.record(self.obj)
-        return not refusal
+        return self.is_accepted
 
     # ---- what the user does ----
 
@@ -254,24 +258,8 @@ class OperationPage(page_form.FormPage):
         """What the boxes for a quantity or a point show."""
         return [box.property("text") for box in self.points.get(name, [self.widgets[name]])]
 
-    def figures(self, obj):
-        """What the status tells of a computed path, see status.figures_of()."""
-        return figures_of(obj)
-
-    def show_status(self):
-        obj = self.obj
-        self.status.show(obj, self.figures(obj), self.isdirty)
-        self.load.setEnabled(obj.Path.Size > 1)
-        if not obj.isValid() and not self.isdirty:
-            for name in self._fields_of(obj.Report)[:1]:
-                self.marks.set(self.labels[name])
-
     def _show_refusal(self, refusal):
         self._show_settings(self.obj)  # the value that is refused may come from elsewhere
-        self.status.show(self.obj, [], refusal=refusal)
+        self.status.show(FAILED, refusal)
         for name in self._fields_of(refusal)[:1]:
             self._go_to_field(name)
-
-    def _fields_of(self, sentence):
-        """Those fields of this page that a sentence names."""
-        return [name for name in fields_of(sentence) if name in self.labels]

@@ -14,9 +14,9 @@ from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
 
-VALID, WAITING, FAILED = "valid", "waiting", "failed"
+VALID, WAITING, FAILED, PREVIEW = "valid", "waiting", "failed", "preview"
 MARKS = {VALID: ("\u2714", colours.GOOD), WAITING: ("\u25cf", colours.CAUTION)}
-MARKS[FAILED] = ("\u2716", colours.BAD)
+MARKS[FAILED], MARKS[PREVIEW] = ("\u2716", colours.BAD), ("\u25cf", colours.LINK)
 
 
 def state_of(obj, is_changed):
@@ -39,14 +39,20 @@ def state_of(obj, is_changed):
     return VALID, _translate("EvenLoad", "Valid")
 
 
-def figures_of(obj):
-    """[(what is told, explanation), ...] of a computed path."""
-    if not obj.CuttingTime > 0:
+def values_of(obj):
+    """{name: value} of an operation's results; mm, degrees, s."""
+    values = {row.name: getattr(obj, row.name) for row in obj.Proxy.results}
+    return {name: getattr(value, "Value", value) for name, value in values.items()}
+
+
+def figures_of(values):
+    """[(what is told, explanation), ...] of the results of a path, as values_of() has them."""
+    if not values["CuttingTime"] > 0:
         return []
-    area = FreeCAD.Units.Quantity(obj.UncutArea.Value, FreeCAD.Units.Area)
-    times = clock(obj.CuttingTime)
-    if obj.IdealTime > 0:
-        ratio = obj.CuttingTime / obj.IdealTime
+    area = FreeCAD.Units.Quantity(values["UncutArea"], FreeCAD.Units.Area)
+    times = clock(values["CuttingTime"])
+    if values["IdealTime"] > 0:
+        ratio = values["CuttingTime"] / values["IdealTime"]
         times += _translate("EvenLoad", " (%.2f of the ideal)") % ratio
     return [
         (
@@ -59,7 +65,7 @@ def figures_of(obj):
             ),
         ),
         (
-            _translate("EvenLoad", "Engagement up to %.1f°") % obj.MaxEngagement.Value,
+            _translate("EvenLoad", "Engagement up to %.1f°") % values["MaxEngagement"],
             _translate("EvenLoad", "Largest engagement angle, mean over 0.1 mm of the path"),
         ),
         (
@@ -67,7 +73,7 @@ def figures_of(obj):
             _translate("EvenLoad", "Area that the tool could reach and did not clear"),
         ),
         (
-            _translate("EvenLoad", "Retracts %d") % obj.Retracts,
+            _translate("EvenLoad", "Retracts %d") % values["Retracts"],
             _translate("EvenLoad", "How often the tool rises and comes down again"),
         ),
     ]
@@ -105,12 +111,11 @@ class Status:
         for widget in (self._warnings, self._fold, self._remarks):
             below.addWidget(widget)
 
-    def show(self, obj, figures, is_changed=False, refusal=None):
-        """Shows an operation's state. figures: at most four, as figures_of() tells them; the first
-        two stand in lines of their own. refusal: the sentence why its settings cannot be used.
+    def show(self, state, sentence, figures=(), said=()):
+        """Shows a state and the sentence for it. figures: at most four, as figures_of() tells them;
+        the first two stand in lines of their own; said: sentences on the path.
         """
         self._pieces = []
-        state, sentence = (FAILED, refusal) if refusal else state_of(obj, is_changed)
         mark, colour = MARKS[state]
         shade = colours.shade(colour, self._state)
         self._state.setText(
@@ -122,9 +127,8 @@ class Status:
         for label, (text, tip) in zip(self._figures, told):
             label.setText(text)
             label.setToolTip(tip)
-            label.setEnabled(state == VALID)
+            label.setEnabled(state in (VALID, PREVIEW))
             label.setVisible(bool(text))
-        said = [s for s in obj.Report.splitlines() if s] if obj.isValid() and not refusal else []
         warnings = [s for s in said if notes.kind_of(s) == notes.WARNING]
         remarks = [s for s in said if s not in (*warnings, notes.CHECKED)]
         self._warnings.setText(self._listed(warnings, colours.CAUTION, "\u26a0"))

@@ -227,17 +227,25 @@ class Operation(computing.Computing):
         obj.CycleTime = clock(obj.CuttingTime)
         self.job.Proxy.getCycleTime()
 
-    def _set_results(self, obj, done):
+    def result_values(self, done):
+        """{name: value} of the results of a Computation, and of fitted settings; mm, degrees, s."""
         report = done.toolpath.report
-        assign(obj, "MaxEngagement", math.degrees(report.max_engagement))
-        obj.CuttingTime = report.cutting_time
-        obj.IdealTime = report.ideal_time
-        obj.RemovedVolume = report.removed_volume
-        obj.UncutArea = report.uncut_area
-        obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.Report = "\n".join(told(note) for note in done.notes)
-        for name, value in done.own.items():
+        return {
+            "MaxEngagement": math.degrees(report.max_engagement),
+            "CuttingTime": report.cutting_time,
+            "IdealTime": report.ideal_time,
+            "RemovedVolume": report.removed_volume,
+            "UncutArea": report.uncut_area,
+            "Passes": report.passes,
+            "Links": report.links,
+            "Retracts": report.retracts,
+            **done.own,
+        }
+
+    def _set_results(self, obj, done):
+        for name, value in self.result_values(done).items():
             self.quietly(obj, name, value)
+        obj.Report = "\n".join(map(told, done.notes))
 
     def _clear_results(self, obj):
         for setting in self.results:

@@ -14,16 +14,18 @@ class Computing(following.Following):
 
     partly_open = True  # whether it takes outlines that are open beside walls
 
-    known = None  # (task, its Computation) that a preview has made: the next run may take it
+    known = None  # (task, its Computation) that a preview has made, for runs of the same task
     # callable(share) -> bool, asked while the core works; False stops it. None: the GUI's dialog.
     progress = None
     _dialog = None
 
     def computed(self, obj):
         """The Computation of an operation: the known one where that is of what is asked for now."""
-        task, known, self.known = self.read(obj), self.known, None
-        if known is not None and known[0].is_same(task):
-            return known[1]
+        task = self.read(obj)
+        # It is kept: FreeCAD 1.1 may execute an operation twice in one recompute.
+        if self.known is not None and self.known[0].is_same(task):
+            return self.known[1]
+        self.known = None
         return task.run(self.watch())
 
     def read(self, obj, seen=None):

@@ -3,7 +3,7 @@
 import math
 from dataclasses import dataclass
 
-from evenload import commands, compiled, host
+from evenload import compiled, host
 from evenload import tool as tools
 from evenload.geometry import facets
 from evenload.operations import base, checks, compute, job_model, registry
@@ -11,7 +11,6 @@ from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled
 from evenload.operations.seen import settings_of
 from evenload.settings import parameters, ranges
-from evenload.settings.labels import told
 from evenload.settings.notes import KEPT_OFF
 from evenload.settings.results import FINISHING_RESULTS
 from evenload.settings.table import EVEN_CUSPS, FINISHING, PARALLEL
@@ -38,7 +37,7 @@ class Task:
         finish = compiled.core().surface.finish(self.facets.mesh, **self.arguments, progress=watch)
         if finish.toolpath.report.termination == "cancelled":
             raise Cancelled(0.0)
-        notes = self.notes + _notes(self.settings, self.tool, finish.toolpath)
+        notes = self.notes + _notes(self.settings, self.tool, finish.toolpath) + [KEPT_OFF]
         return Computation(self.facets, finish.toolpath, finish, self.tool, self.data, notes)
 
     def is_same(self, other):
@@ -130,18 +129,17 @@ class Finishing(base.Operation):
     def read_tool(self, obj):
         return tools.read(obj.ToolController, takes_balls=True)
 
-    def opExecute(self, obj):
-        done = self.computed(obj)
-        last = obj.ClearanceHeight.Value  # where FreeCAD itself ends every operation
-        self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
-        self.last = done
+    def result_values(self, done):
         report = done.toolpath.report
-        obj.CuttingTime = report.cutting_time
-        obj.Passes, obj.Links, obj.Retracts = report.passes, report.links, report.retracts
-        obj.PathLength = report.cut_length + report.link_length
-        obj.LeastStepover = done.finish.least_stepover
-        obj.LargestStepover = done.finish.largest_stepover
-        obj.Report = "\n".join(map(told, [*done.notes, KEPT_OFF]))
+        return {
+            "CuttingTime": report.cutting_time,
+            "Passes": report.passes,
+            "Links": report.links,
+            "Retracts": report.retracts,
+            "PathLength": report.cut_length + report.link_length,
+            "LeastStepover": done.finish.least_stepover,
+            "LargestStepover": done.finish.largest_stepover,
+        }
 
     def tell_cancelled(self, obj, error):
         """There is no more to tell."""

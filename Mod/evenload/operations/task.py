@@ -101,7 +101,10 @@ class Task:
     def _key(self):
         arguments = dict(self.arguments)
         force = arguments.pop("force_coefficients", None)
-        floors = [(f.name, f.z, f.depth, f.outer, f.islands, f.slack, f.notes) for f in self.floors]
+        floors = [
+            (f.name, f.z, f.depth, f.outer, f.islands, f.slack, f.notes, f.is_face, f.parts)
+            for f in self.floors
+        ]
         return (
             type(self.proxy),
             vars(self.settings),
