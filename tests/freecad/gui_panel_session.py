@@ -2,7 +2,6 @@
 steps of fields, and how panels fit into a narrow dock.
 """
 
-import itertools
 import os
 import sys
 
@@ -54,24 +53,26 @@ def in_panel(op, look):
 def fits(operations):
     """What does not fit into a narrow dock: of each panel, width and unit schema, folded or not."""
     found = {}
-    for schema, width in itertools.product((METRIC, INCHES), WIDTHS):
+    for schema in (METRIC, INCHES):
         FreeCAD.Units.setSchema(schema)
         for command, op in operations.items():
             fold_all()
             name = "%s %d" % (command, schema)
-            found.update(in_panel(op, lambda page: fit_of(page, name, width)))
+            found.update(in_panel(op, lambda page: fit_of(page, name)))
     FreeCAD.Units.setSchema(METRIC)
     return found
 
 
-def fit_of(page, name, width):
-    resize_dock(page, width)
-    name, seen = "%s %d" % (name, dock_of(page).width()), {}
+def fit_of(page, name):
+    seen = {}
     for folding in ("folded", "unfolded"):
         if folding == "unfolded":
             unfold_all(page)
-        picture("%s %s" % (name, folding))
-        seen["%s %s" % (name, folding)] = too_wide(page)
+        for width in WIDTHS:
+            resize_dock(page, width)
+            look = "%s %d %s" % (name, dock_of(page).width(), folding)
+            picture(look)
+            seen[look] = too_wide(page)
     return seen
 
 

@@ -18,7 +18,7 @@ SHAPES = {
 }
 
 
-@pytest.mark.parametrize("deflection", [0.05, 0.002])
+@pytest.mark.parametrize("deflection", [0.05, pytest.param(0.002, marks=pytest.mark.core)])
 @pytest.mark.parametrize("name", SHAPES)
 def test_triangles_are_as_near_to_their_faces_as_they_say(name, deflection):
     shape = SHAPES[name]()

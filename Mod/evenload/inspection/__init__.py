@@ -15,7 +15,21 @@ from evenload.inspection.sampling import halton_zaremba, matrix
 from evenload.inspection.tables import read_csv, read_dmis, write_csv, write_dmis
 
 __all__ = [
-    *("AtPoints", "BentPart", "Fit", "OutsideRange", "Profile", "compensated", "fit"),
-    *("halton_zaremba", "matrix", "predict", "probing_moves", "profile", "read_csv", "read_dmis"),
-    *("test_part", "write_csv", "write_dmis"),
+    "AtPoints",
+    "BentPart",
+    "Fit",
+    "OutsideRange",
+    "Profile",
+    "compensated",
+    "fit",
+    "halton_zaremba",
+    "matrix",
+    "predict",
+    "probing_moves",
+    "profile",
+    "read_csv",
+    "read_dmis",
+    "test_part",
+    "write_csv",
+    "write_dmis",
 ]
