@@ -24,6 +24,7 @@ from gui_tools import (  # noqa: E402
 )
 
 WIDTHS = 264, 300  # pixels of FreeCAD's dock: as it is at first, and somewhat wider
+LAPTOP = 1366, 980  # pixels: what is above the report view is as high as all of a laptop's 768
 METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
 COMMANDS = ("EvenLoad_Adaptive", "EvenLoad_Trochoid", "EvenLoad_LameSpiral")
 
@@ -60,6 +61,19 @@ def fits(operations):
             name = "%s %d" % (command, schema)
             found.update(in_panel(op, lambda page: fit_of(page, name)))
     FreeCAD.Units.setSchema(METRIC)
+    found.update(in_low_window(next(iter(operations.values()))))
+    return found
+
+
+def in_low_window(op):
+    """The same in a window as a laptop has it, in which the panel is to be scrolled."""
+    window = FreeCADGui.getMainWindow()
+    before = window.size()
+    window.resize(*LAPTOP)
+    fold_all()
+    found = in_panel(op, lambda page: fit_of(page, "EvenLoad_Adaptive low"))
+    window.resize(before)
+    later()
     return found
 
 

@@ -42,7 +42,8 @@ def core_file():
 
 def cleared(case, standing):
     """What the core makes of a case: {"exact": digest of the moves to the last bit, "program":
-    lines of G-code, "moves": as posted, "findings": codes, "seconds": of the processor}, or {"error"}.
+    lines of G-code, "moves": as posted, "findings": codes, "seconds": of the processor}, or
+    {"error"}.
 
     standing: [(outer, islands)] of what a larger tool left, None without one.
     """

@@ -20,6 +20,15 @@ ADDED_TO = "Feeds"  # where FreeCAD's own choice of the coolant stands; without 
 FITTED_IN = "Spiral"  # that whose values may be fitted again
 
 
+class _Area(QtGui.QScrollArea):
+    """Scrolls what is below the status. It asks for no height: with what it would like FreeCAD's
+    own area around the page had a scroll bar too in a low window, and the two cut off the right.
+    """
+
+    def sizeHint(self):
+        return self.minimumSizeHint()
+
+
 class FormPage(_gui.op.TaskPanelPage):
     """A page with its widgets: `widgets` and `labels` of settings by their names, `points` of those
     that are places, `folds` by their titles.
@@ -67,7 +76,7 @@ class FormPage(_gui.op.TaskPanelPage):
         )
         self.live.setChecked(preview.is_wanted())
         whole.addWidget(self.live)
-        self.area = QtGui.QScrollArea()
+        self.area = _Area()
         self.area.setWidgetResizable(True)
         self.area.setFrameShape(QtGui.QFrame.NoFrame)
         self.area.setWidget(self._content(form))
