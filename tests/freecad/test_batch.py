@@ -13,12 +13,14 @@ import Part
 import pytest
 from conftest import freecad
 from models import DEPTH, SQUARE, block_with, face_of, floors_of, rectangle, wire
-from evenload import batch
+from evenload import batch, tool
 from evenload.host import posts
 from evenload.job_files import outputs, read, report
 from evenload.simulation import run as simulator_run
 from FreeCAD import Vector
 from simulated import faulty
+
+BULLNOSE = {"diameter": 6, "shape": "bullnose"}
 
 
 @pytest.fixture
@@ -314,6 +316,12 @@ def breaking(post):
         ("output/document", "plate.FCStd", ["the document would overwrite its model, plate.FCStd"]),
         ("output/gcode", "jobs.json", ["the gcode would overwrite the job file, jobs.json"]),
         ("tool/shape", "ballend", ["a ball end mill", "flat or bull-nosed"]),
+        ("tool/corner_radius", 1, ["tool: the tool has no rounded corner", "bullnose"]),
+        (
+            "tool",
+            {**BULLNOSE, "corner_radius": 4},
+            ["tool: a corner radius of 4 mm does not fit", "at most the 3 mm"],
+        ),
         ("cutting/feed", True, ["cutting: 'feed' must be a number"]),
         ("base", "Face1", ["'base' must be a list"]),
         ("base", [], ["no base geometry"]),
@@ -371,6 +379,19 @@ def test_a_job_file_that_cannot_be_used_is_refused(tmp_path, text, words):
         batch.run_file(str(path), lambda line: None)
     for word in words:
         assert word in str(caught.value)
+
+
+def test_a_bull_nose_has_the_corner_that_its_job_names(folder):
+    job = a_job(folder, tool={**BULLNOSE, "corner_radius": 0.5})
+    job["output"]["document"] = "out/job.FCStd"
+    report, _ = run(folder, job)
+    assert report["jobs"][0]["ok"], report["jobs"][0]["error"]
+    doc = FreeCAD.openDocument(str(folder / "out" / "job.FCStd"))
+    try:
+        (controller,) = (o for o in doc.Objects if hasattr(o, "HorizFeed"))
+        assert tool.corner_radius(controller) == pytest.approx(0.5)
+    finally:
+        FreeCAD.closeDocument(doc.Name)
 
 
 def test_what_two_jobs_would_write_goes_to_the_first(folder):

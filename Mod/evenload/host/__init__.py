@@ -7,6 +7,7 @@ from evenload.host.jobs import (
     create_job,
     create_tool,
     finish_views,
+    set_corner_radius,
     set_rapid_feed,
     set_stock_margin,
 )
@@ -84,6 +85,7 @@ __all__ = [
     "post",
     "post_processors",
     "register_operation",
+    "set_corner_radius",
     "set_rapid_feed",
     "set_stock_margin",
     "show_field",

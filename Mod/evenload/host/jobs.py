@@ -111,6 +111,24 @@ def _remove_tool(tool):
     doc.removeObject(tool.Name)
 
 
+def set_corner_radius(tool, radius):
+    """Gives a bull-nosed tool bit the radius of its corner, in mm. Raises ValueError for a bit that
+    has no corner, and for a radius that its diameter has no room for.
+    """
+    most = tool.Diameter.Value / 2
+    if not (hasattr(tool, "CornerRadius") or hasattr(tool, "FlatRadius")):
+        raise ValueError("the tool has no rounded corner: only a bullnose has one.")
+    if not 0 < radius <= most:
+        raise ValueError(
+            "a corner radius of %g mm does not fit: it must be more than 0, and at most the %g mm "
+            "of the tool's radius." % (radius, most)
+        )
+    if hasattr(tool, "CornerRadius"):  # since FreeCAD 1.1
+        tool.CornerRadius = radius
+    else:
+        tool.FlatRadius = most - radius  # of the flat in the middle of the bottom
+
+
 def set_rapid_feed(controller, feed):
     """Sets a tool controller's rapid feeds, in mm/min; at first they follow the SetupSheet."""
     for name in ("HorizRapid", "VertRapid"):

@@ -135,6 +135,11 @@ def _machine_job(job, doc, machined):
     )
     if "shape" in tool:
         controller.Tool = host.create_tool(tool["shape"], {"Diameter": tool["diameter"]})
+    if "corner_radius" in tool:
+        try:
+            host.set_corner_radius(controller.Tool, tool["corner_radius"])
+        except ValueError as error:
+            raise ValueError("tool: %s" % error) from None
     if "cutting_length" in tool:
         controller.Tool.CuttingEdgeHeight = tool["cutting_length"]
     if "plunge_feed" in cutting:

@@ -27,6 +27,7 @@ SECTION_KEYS = {
     "tool": {
         "diameter": (NUMBER, REQUIRED),
         "shape": (str, OPTIONAL),
+        "corner_radius": (NUMBER, OPTIONAL),
         "flutes": (int, OPTIONAL),
         "cutting_length": (NUMBER, OPTIONAL),
     },
