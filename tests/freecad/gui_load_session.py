@@ -11,7 +11,7 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, later, result, run  # noqa: E402
+from gui_tools import OUT, begun, freecads_adaptive, later, result, run  # noqa: E402
 
 SAMPLES = 100_000
 NODE = "EvenLoadLoad"
@@ -156,15 +156,7 @@ def session():
     from evenload.operations import adaptive
     from models import SQUARE, block_with, face_of, floors_of
 
-    for module in ("Path", "CAM"):
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(6)
-    FreeCADGui.activateWorkbench(host.WORKBENCH)
-    FreeCADGui.getMainWindow().resize(1300, 1000)
-    later(800)
-    doc = FreeCAD.newDocument("Session")
+    doc = begun(1300, 1000)
     part = doc.addObject("Part::Feature", "Part")
     part.Shape = block_with(face_of(SQUARE))
     doc.recompute()
@@ -173,13 +165,7 @@ def session():
     base = [(model, tuple(floors_of(model.Shape)))]
     ours = adaptive.Create("Ours", parentJob=job)
     ours.Base = base
-    # What FreeCAD's own operation says of itself stands in the report view like an error.
-    result["provoked"] += [
-        "SetupSheet has no support for Theirs",
-        "Adaptive toolpath processing started",
-        "Done. Elapsed time",
-    ]
-    theirs = host.freecads_adaptive("Theirs", job, controller)
+    theirs = freecads_adaptive(job, controller)
     theirs.Base = base
     doc.recompute()
     model.ViewObject.Visibility = False

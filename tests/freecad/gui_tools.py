@@ -135,6 +135,35 @@ def base_list(op):
     return [model.index(row, 0).data() for row in range(model.rowCount())]
 
 
+def begun(width, height):
+    """An empty document in a window of so many pixels, with the workbench and mm/min."""
+    from evenload import host
+
+    for module in ("Path", "CAM"):
+        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
+        settings.SetBool("WarningSuppressVelocity", True)
+        settings.SetBool("WarningSuppressSelectionMode", True)
+    FreeCAD.Units.setSchema(6)
+    FreeCADGui.activateWorkbench(host.WORKBENCH)
+    FreeCADGui.getMainWindow().resize(width, height)
+    later(800)
+    return FreeCAD.newDocument("Session")
+
+
+def freecads_adaptive(job, controller):
+    """FreeCAD's own operation, called Theirs. What it says of itself stands in the report view like
+    an error.
+    """
+    from evenload import host
+
+    result["provoked"] += [
+        "SetupSheet has no support for Theirs",
+        "Adaptive toolpath processing started",
+        "Done. Elapsed time",
+    ]
+    return host.freecads_adaptive("Theirs", job, controller)
+
+
 def report_view():
     """The lines of the report view."""
     view = next(w for w in widgets(QtGui.QTextEdit) if w.objectName() == "Report view")

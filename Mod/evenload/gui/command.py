@@ -40,7 +40,22 @@ class Command:
         import_module("evenload.gui." + self.panel).create()
 
 
-class ShowLoad:
+class _OfPath:
+    """A command on the selected operation's path: `show` gets the operation."""
+
+    def IsActive(self):
+        return _selected_path() is not None
+
+    def Activated(self):
+        missing = compiled.missing()
+        if missing:
+            FreeCAD.Console.PrintError(missing + "\n")
+            return
+        # What shows it is not imported before: it loads the simulator and the workbench.
+        self.show(_selected_path())
+
+
+class ShowLoad(_OfPath):
     """Colours the path of the selected operation by its load, or takes the colours away again."""
 
     def GetResources(self):
@@ -53,16 +68,25 @@ class ShowLoad:
             ),
         }
 
-    def IsActive(self):
-        return _selected_path() is not None
+    def show(self, operation):
+        import_module("evenload.gui.load_view").toggle(operation)
 
-    def Activated(self):
-        missing = compiled.missing()
-        if missing:
-            FreeCAD.Console.PrintError(missing + "\n")
-            return
-        # Not before: it loads the simulator and the Path / CAM workbench.
-        import_module("evenload.gui.load_view").toggle(_selected_path())
+
+class Simulation(_OfPath):
+    """Opens the window that shows the load of the selected operation over time."""
+
+    def GetResources(self):
+        return {
+            "Pixmap": "EvenLoad_Simulation",
+            "MenuText": _translated("EvenLoad Simulation"),
+            "ToolTip": _translated(
+                "Shows engagement, removal rate and force of the selected operation over time, "
+                "beside another one if wished, with a cursor in the 3D view"
+            ),
+        }
+
+    def show(self, operation):
+        import_module("evenload.gui.simulation").show(operation)
 
 
 def _selected_path():
@@ -123,6 +147,7 @@ COMMANDS = {
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
     ),
     "EvenLoad_ShowLoad": ShowLoad(),
+    "EvenLoad_Simulation": Simulation(),
     "EvenLoad_Finishing": Command(
         "finishing",
         "EvenLoad_Finishing",

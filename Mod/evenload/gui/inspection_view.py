@@ -14,7 +14,7 @@ from evenload.face_inspection import html_report, mesh, picture
 from evenload.face_inspection.evaluation import IN, OPEN, OUT
 from evenload.face_inspection.measured import DMIS
 from evenload.face_inspection.probing_program import Probe, probing_program
-from evenload.gui import colours, view3d
+from evenload.gui import colours, files, view3d
 from evenload.gui.inspection_dock import ALIGNED, DEVIATION, InspectionDock
 from evenload.gui.inspection_node import InspectionNode
 from evenload.gui.observer import Observer
@@ -24,7 +24,6 @@ _translate = FreeCAD.Qt.translate
 
 POINT_FILES = "CSV (*.csv);;DMIS (%s)" % " ".join("*" + each for each in DMIS)
 ALL_POINT_FILES = "*.csv " + " ".join("*" + each for each in DMIS)
-PICTURES = "PNG (*.png);;SVG (*.svg)"
 MEASURED = 1  # the number of the tab with measured points
 SHADES = {IN: colours.GOOD, OUT: colours.BAD, OPEN: colours.CAUTION}
 # Of the objects whose faces are picked: what changes these faces.
@@ -142,7 +141,7 @@ class InspectionView:
                 write(path, self.samples.points, self.samples.normals, "mm")
 
     def save_picture(self):
-        path = self._asked_name("Save Picture", PICTURES, ".png")
+        path = self._asked_name("Save Picture", files.PICTURES, ".png")
         if path:
             with self._telling(self.dock.told_samples):
                 picture.save_samples(self.faces, self.samples, path)
@@ -205,7 +204,7 @@ class InspectionView:
                 html_report.write_report(self.found, path, os.path.basename(self._path))
 
     def save_map(self):
-        path = self._asked_name("Save Picture", PICTURES, ".png")
+        path = self._asked_name("Save Picture", files.PICTURES, ".png")
         if path:
             with self._telling(self.dock.told):
                 picture.save_map(self.found, path)
@@ -244,12 +243,8 @@ class InspectionView:
             widget.setEnabled(self.found is not None)
         dock.legend.setVisible(self.found is not None)
 
-    def _asked_name(self, title, filters, extension):
-        """The name of a file to write, '' where the user cancels."""
-        path, _ = QtGui.QFileDialog.getSaveFileName(
-            self.dock, _translate("EvenLoad", title), "", filters
-        )
-        return path + extension if path and not os.path.splitext(path)[1] else path
+    def _asked_name(self, *asked):
+        return files.asked_name(self.dock, *asked)
 
     @contextlib.contextmanager
     def _telling(self, label):
@@ -260,8 +255,7 @@ class InspectionView:
         except ValueError as error:
             self._tell(label, str(error), colours.BAD)
         except OSError as error:
-            told = _translate("EvenLoad", "The file cannot be written (%s): name another one.")
-            self._tell(label, told % (error.strerror or error), colours.BAD)
+            self._tell(label, files.refusal(error), colours.BAD)
         finally:
             QtGui.QApplication.restoreOverrideCursor()
 

@@ -65,18 +65,22 @@ def close():
 
 def simulated(operation):
     """The Simulation of an operation, None where the user stops it. Raises ValueError."""
-    length = max(operation.Path.Length, FINEST)
     with progress.Watch(operation.Label) as watch:
         try:
             result = simulation.of(
                 operation,
-                step=max(FINEST, length / MOST_SAMPLES),
+                step=step_of(operation),
                 material=material_of(operation),
                 progress=watch,
             )
         except Stopped:
             return None
     return None if result.cancelled else result
+
+
+def step_of(operation):
+    """mm between the samples along an operation's path."""
+    return max(FINEST, operation.Path.Length / MOST_SAMPLES)
 
 
 def material_of(operation):
@@ -88,6 +92,16 @@ def material_of(operation):
         return None
     inner = host.operation_under(operation)
     return inner.Material if is_ours(inner) else materials.names()[0]
+
+
+def values_at(found, number, time):
+    """What a Simulation tells at a sample, as rich text; time: s of all samples."""
+    rows = [(_translate("EvenLoad", "Time"), clock(float(time[number])))]
+    for each in load_colours.MEASURES:
+        values = load_colours.values_of(each, found)
+        if each is not load_colours.KIND and values is not None:
+            rows.append((_translate("EvenLoad", each.title), told(each, float(values[number]))))
+    return "<table>%s</table>" % "".join(ROW % row for row in rows)
 
 
 class LoadView:
@@ -193,12 +207,7 @@ class LoadView:
     def _show_place(self):
         number = self.slider.value()
         self.node.show_tool_at(self.found, number)
-        rows = [(_translate("EvenLoad", "Time"), clock(float(self.found.time_s[number])))]
-        for each in load_colours.MEASURES:
-            if each is not load_colours.KIND and self._has(each):
-                value = float(load_colours.values_of(each, self.found)[number])
-                rows.append((_translate("EvenLoad", each.title), told(each, value)))
-        self.told.setText("<table>%s</table>" % "".join(ROW % row for row in rows))
+        self.told.setText(values_at(self.found, number, self.found.time_s))
 
     # ---- what happens meanwhile ----
 

@@ -21,6 +21,19 @@ def button(title, tip, action):
     return made
 
 
+def scrolled(content, width):
+    """A column that can be scrolled up and down, at least so many pixels wide."""
+    area = QtGui.QScrollArea()
+    area.setWidgetResizable(True)
+    area.setFrameShape(QtGui.QFrame.NoFrame)
+    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
+    area.setWidget(content)
+    # As wide as a style's widgets need, with room for a scroll bar.
+    bar = area.verticalScrollBar().sizeHint().width()
+    area.setFixedWidth(max(width, content.minimumSizeHint().width() + bar + 4))
+    return area
+
+
 def lay_out(window):
     """Puts the widgets of the window Stability chart in their places."""
     told = window.told
@@ -33,14 +46,7 @@ def lay_out(window):
     for widget in (window.operations, window.modes, window.cut, window.limits, window.chart):
         column.addWidget(widget)
     column.addStretch(1)
-    area = QtGui.QScrollArea()
-    area.setWidgetResizable(True)
-    area.setFrameShape(QtGui.QFrame.NoFrame)
-    area.setHorizontalScrollBarPolicy(QtCore.Qt.ScrollBarAlwaysOff)
-    area.setWidget(left)
-    # As wide as a style's widgets need, with room for a scroll bar.
-    bar = area.verticalScrollBar().sizeHint().width()
-    area.setFixedWidth(max(LEFT, left.minimumSizeHint().width() + bar + 4))
+    area = scrolled(left, LEFT)
     below = QtGui.QHBoxLayout()
     below.addWidget(told, 1)
     below.addWidget(window.apply_button)

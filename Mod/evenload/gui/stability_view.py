@@ -3,7 +3,7 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui.images import image_of
+from evenload.gui.images import image_of, paint_message
 from evenload.pictures.figure import new_figure
 from evenload.stability import picture
 
@@ -83,9 +83,7 @@ class ChartView(QtGui.QWidget):
         painter = QtGui.QPainter(self)
         painter.fillRect(self.rect(), QtCore.Qt.white)
         if self.field is None:
-            painter.setPen(QtGui.QColor("#5f6368"))
-            where = self.rect().adjusted(20, 20, -20, -20)
-            painter.drawText(where, QtCore.Qt.AlignCenter | QtCore.Qt.TextWordWrap, self.message)
+            paint_message(painter, self.rect(), self.message)
             return
         if self._image is None:
             self._render()

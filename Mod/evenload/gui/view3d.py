@@ -28,10 +28,15 @@ def fly_to(place, tool_diameter):
 
 def scene_of(document):
     """The scene of a document's 3D view, where Coin nodes go. Raises ValueError without a view."""
+    return view_of(document).getSceneGraph()
+
+
+def view_of(document):
+    """A document's 3D view. Raises ValueError without one."""
     view = FreeCADGui.getDocument(document.Name).activeView()
     if not hasattr(view, "getSceneGraph"):
         raise ValueError("The document '%s' has no 3D view: open one." % document.Label)
-    return view.getSceneGraph()
+    return view
 
 
 def _view():

@@ -6,6 +6,7 @@ from evenload import host
 from evenload.job_files import inspection, model, outputs, parameters, report
 from evenload.operations import adaptive, finishing, lame_spiral, trochoid
 from evenload.simulation import job as job_simulation
+from evenload.simulation import limits
 from evenload.stability import cut
 from evenload.stability import operation as stability
 
@@ -188,8 +189,6 @@ def _simulate(op, wishes, folder, progress):
     options = _options(wishes, folder)
     setup = job_simulation.read(op)
     simulation = setup.simulate(progress=progress, **options)
-    final = op.FinalDepth.Value + op.StockToLeaveAxial.Value
-    depth = min(op.StepDown.Value, op.StartDepth.Value - final)
     last = op.Proxy.last
 
     def draw(path):
@@ -203,7 +202,7 @@ def _simulate(op, wishes, folder, progress):
             setup.part,
             last.hole,
             target_deg=op.EngagementAngle.Value,
-            nominal_rate=op.SideStep.Value * depth * last.data.feed,
+            nominal_rate=limits.nominal_rate(op, last.data.feed),
             title=op.Label,
         )
 

@@ -17,15 +17,15 @@ COLUMNS = 1200  # of a plot over time: more samples are drawn as their least, me
 
 def draw_load(upper, lower, simulation, target_deg, nominal_rate):
     time = simulation.time_s
-    _draw_band(upper, time, simulation.engagement_deg)
+    draw_band(upper, time, simulation.engagement_deg)
     upper.set_ylabel("engagement, degrees")
-    _limit(upper, target_deg, "target %.4g\u00b0")
-    _draw_kinds(upper, simulation)
-    _draw_band(lower, time, numpy.asarray(simulation.removal_rate) / 1000.0)
+    draw_limit(upper, target_deg, "target %.4g\u00b0")
+    draw_kinds(upper, time, simulation.kind)
+    draw_band(lower, time, numpy.asarray(simulation.removal_rate) / 1000.0)
     lower.set_ylabel("removal rate, cm\u00b3/min")
-    _limit(lower, nominal_rate / 1000.0 if nominal_rate else None, "nominal %.4g cm\u00b3/min")
+    draw_limit(lower, nominal_rate / 1000.0 if nominal_rate else None, "nominal %.4g cm\u00b3/min")
     for axes in (upper, lower):
-        _dress(axes, time)
+        dress(axes, time)
     upper.tick_params(labelbottom=False)
     lower.set_xlabel("time, s")
     _legend_above(upper)
@@ -34,16 +34,17 @@ def draw_load(upper, lower, simulation, target_deg, nominal_rate):
 
 
 def draw_force(axes, simulation, reference):
-    _draw_band(axes, simulation.time_s, simulation.force_peak, colour=PEAK_COLOUR, label="peak")
-    _draw_band(axes, simulation.time_s, simulation.force_mean, label="mean of a revolution")
-    _limit(axes, reference, "reference %.4g N")
-    _dress(axes, simulation.time_s)
+    draw_band(axes, simulation.time_s, simulation.force_peak, colour=PEAK_COLOUR, label="peak")
+    draw_band(axes, simulation.time_s, simulation.force_mean, label="mean of a revolution")
+    draw_limit(axes, reference, "reference %.4g N")
+    dress(axes, simulation.time_s)
     axes.set_ylabel("force in XY, N")
     axes.set_xlabel("time, s")
     _legend_above(axes)
 
 
-def _dress(axes, time):
+def dress(axes, time):
+    """The ends of the axes and their grid."""
     axes.set_xlim(0, max(time[-1], 1e-9) if len(time) else 1)
     axes.set_ylim(bottom=min(0.0, axes.get_ylim()[0]))
     axes.grid(color="#e8eaed", linewidth=0.6)
@@ -63,7 +64,8 @@ def _legend_above(axes):
     )
 
 
-def _limit(axes, value, words):
+def draw_limit(axes, value, words):
+    """A line at a value, if there is one; words: with a place for it."""
     if value:
         axes.axhline(
             value, color=LIMIT_COLOUR, linestyle="--", lw=1.1, label=words % value, zorder=4
@@ -71,7 +73,7 @@ def _limit(axes, value, words):
         axes.set_ylim(top=max(axes.get_ylim()[1], 1.12 * value))
 
 
-def _draw_band(axes, time, values, colour=LOAD_COLOUR, label=None):
+def draw_band(axes, time, values, colour=LOAD_COLOUR, label=None):
     """Values over time: a line, or many of them as a band from the least to the largest with their
     mean in it.
     """
@@ -99,9 +101,9 @@ def columns(time, values, count):
     return middle, least, numpy.add.reduceat(values, starts) / sizes, largest
 
 
-def _draw_kinds(axes, simulation):
+def draw_kinds(axes, time, kind):
     """A strip at the foot of the axes that tells what kind of move it is."""
-    time, kind = numpy.asarray(simulation.time_s), numpy.asarray(simulation.kind)
+    time, kind = numpy.asarray(time), numpy.asarray(kind)
     if len(time) < 2:
         return
     height = 0.05 * axes.get_ylim()[1]

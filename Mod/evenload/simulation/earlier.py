@@ -72,10 +72,11 @@ def moves_of(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
-def cut_before(operation, notes):
+def cut_before(operation, notes, without=()):
     """[(moves, tool diameter), ...] of the job's active operations before one, in their order, and
     of the holes drilled for them and for it; `notes` gets a sentence on each that is left out.
-    Raises ValueError for a path that cannot be followed.
+    without: names of operations that count as not cut. Raises ValueError for a path that cannot be
+    followed.
     """
     result, job = [], host.parent_job(operation)
     top = job.Stock.Shape.BoundBox.ZMax
@@ -83,6 +84,8 @@ def cut_before(operation, notes):
     for other in host.operations(job):
         if inner in host.all_under(other):  # also where the job has but its dressup or array
             break
+        if other.Name in without:
+            continue
         controller = host.controller_of(other)
         if not host.is_active(other) or controller is None or not controller.Tool:
             continue

@@ -85,8 +85,10 @@ def of(
     return setup.simulate(resolution, step, material, machine, progress, fixtures)
 
 
-def read(operation, after_earlier=True):
-    """The Setup of a Path operation in its Job. Raises ValueError with a sentence."""
+def read(operation, after_earlier=True, without=()):
+    """The Setup of a Path operation in its Job. without: names of earlier operations that have not
+    cut before, such as one that it is compared with. Raises ValueError with a sentence.
+    """
     job = host.parent_job(operation)
     if job is None:
         raise ValueError("'%s' belongs to no job: put it into one." % operation.Label)
@@ -108,7 +110,7 @@ def read(operation, after_earlier=True):
     if data.spindle == tools.REVERSE:
         notes.append("The spindle turns counter-clockwise: it is simulated as if clockwise.")
     cuts = (
-        earlier.cut_before(operation, notes)
+        earlier.cut_before(operation, notes, without)
         if after_earlier
         else earlier.hole_of(host.operation_under(operation), top)
     )

@@ -1,0 +1,192 @@
+"""The widgets of the window Simulation."""
+
+import html
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from evenload import machines, materials
+from evenload.gui.simulation_plot import PlotView
+from evenload.gui.stability_inputs import Rows, combo, number
+from evenload.gui.stability_layout import button, scrolled
+from evenload.words import clock
+
+_translate = FreeCAD.Qt.translate
+
+NAME = "EvenLoadSimulation"  # of the dock
+FILE = "\0file"  # of the list of machines: another one, which is asked for
+LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
+CM3 = 1e3  # mm3
+BAR = 1000  # steps of the progress bar
+ROW = '<tr><td style="padding-right: 10px">%s</td>%s</tr>'
+CELL = '<td align="right" style="padding-left: 8px">%s</td>'
+
+
+class SimulationDock(QtGui.QDockWidget):
+    """view: whose methods the widgets call, a SimulationView."""
+
+    def __init__(self, view):
+        window = FreeCADGui.getMainWindow()
+        super().__init__(_translate("EvenLoad", "EvenLoad Simulation"), window)
+        self.setObjectName(NAME)
+        self.asked, self.limits = _asked(), _limits()
+        self.plot = PlotView()
+        self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
+        self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
+        self.told, self.values, self.totals = _label(), _label(), _label()
+        self.bar = QtGui.QProgressBar()
+        self.bar.setRange(0, BAR)
+        self.cancel = button("Cancel", "Stops the simulation", view.cancel)
+        self.whole = button("Whole Time", "Shows all of the time", self.plot.show_all)
+        self.picture = button("Picture…", "Draws the plots, PNG or SVG", view.save_picture)
+        self.table = button("Table…", "Writes all samples, CSV", view.save_table)
+        self.worst = button("Fly to the Worst", "Shows the place with the largest value", view.fly)
+        content = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(content)
+        row.addWidget(self._left())
+        row.addLayout(self._middle(), 1)
+        row.addWidget(self._right())
+        self.setWidget(content)
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self)
+        window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
+
+    def list_operations(self, operations, chosen):
+        """Lists operations to choose from, one of which is chosen; tells nobody."""
+        for widget in (self.asked.operation, self.asked.against):
+            widget.blockSignals(True)
+        self.asked.against.addItem(_translate("EvenLoad", "None"), "")
+        for each in dict.fromkeys((*operations, chosen)):
+            self.asked.operation.addItem(each.Label, each.Name)
+            self.asked.against.addItem(each.Label, each.Name)
+        for widget in (self.asked.operation, self.asked.against):
+            widget.blockSignals(False)
+        self.asked.show_values(operation=chosen.Name)
+
+    def show_progress(self, share):
+        """Shows what is done, 0 to 1; None: nothing is under way."""
+        for widget in (self.bar, self.cancel):
+            widget.setVisible(share is not None)
+        self.slider.setVisible(share is None)
+        self.bar.setValue(round(BAR * (share or 0.0)))
+
+    def _left(self):
+        return _column((self.asked, self.limits), LEFT)
+
+    def _middle(self):
+        column = QtGui.QVBoxLayout()
+        column.addWidget(self.plot, 1)
+        below = QtGui.QHBoxLayout()
+        for widget in (self.slider, self.bar):
+            below.addWidget(widget, 1)
+        for widget in (self.cancel, self.whole, self.worst, self.picture, self.table):
+            below.addWidget(widget)
+        column.addLayout(below)
+        return column
+
+    def _right(self):
+        return _column((self.told, self.values, self.totals), RIGHT)
+
+
+def _asked():
+    machine = [("None: programmed feeds", None)]
+    machine += [(name, name) for name in machines.names()] + [("File…", FILE)]
+    return Rows(
+        "Simulation",
+        (
+            ("operation", "Operation", "Whose path is simulated", combo(())),
+            (
+                "against",
+                "Against",
+                "Another one beside it on the same scale; each as if the other had cut nothing",
+                combo(()),
+            ),
+            ("machine", "Machine", "Times are within its limits", combo(machine)),
+            (
+                "material",
+                "Material",
+                "Its force coefficients",
+                combo((name, name) for name in materials.names()),
+            ),
+        ),
+    )
+
+
+def _limits():
+    """Named as the attributes of a Simulation are."""
+    return Rows(
+        "Limits",
+        (
+            (
+                "engagement_deg",
+                "Engagement",
+                "Draws a line at this engagement angle",
+                number(0, 360, 1, 5, "°", "none"),
+            ),
+            (
+                "removal_rate",
+                "Removal rate",
+                "Draws a line at this removal rate",
+                number(0, 1e5, 4, 1, "cm³/min", "none"),
+            ),
+            (
+                "force_peak",
+                "Force",
+                "Draws a line at this force",
+                number(0, 1e6, 0, 10, "N", "none"),
+            ),
+        ),
+    )
+
+
+def _label():
+    label = QtGui.QLabel()
+    label.setWordWrap(True)
+    label.setTextFormat(QtCore.Qt.RichText)
+    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    return label
+
+
+def _column(widgets, width):
+    """Widgets one below the other."""
+    content = QtGui.QWidget()
+    column = QtGui.QVBoxLayout(content)
+    column.setContentsMargins(0, 0, 0, 0)
+    for widget in widgets:
+        column.addWidget(widget)
+    column.addStretch(1)
+    return scrolled(content, width)
+
+
+def totals_of(runs):
+    """The figures of Runs beside each other, as rich text."""
+    found = [run.simulation for run in runs]
+    rate = 1 / CM3
+    rows = [
+        ("", ["<b>%s</b>" % html.escape(run.name) for run in runs]),
+        (_translate("EvenLoad", "Time"), [clock(each.time_total_s) for each in found]),
+    ]
+    if all(each.machine_time_total_s is not None for each in found):
+        times = [clock(each.machine_time_total_s) for each in found]
+        rows.append((_translate("EvenLoad", "On the machine"), times))
+    rows += [
+        (_translate("EvenLoad", "Engagement"), _figures("%.1f°", "max_engagement_deg", found)),
+        (
+            _translate("EvenLoad", "Removal rate, cm³/min"),
+            _figures("%.3g", "removal_rate_peak", found, rate),
+        ),
+    ]
+    if all(each.force_peak_max is not None for each in found):
+        forces = _figures("%.0f", "force_peak_max", found)
+        rows.append((_translate("EvenLoad", "Force, N"), forces))
+    rows += [
+        (_translate("EvenLoad", "Rest, mm²"), _figures("%.3g", "rest_area", found)),
+        (_translate("EvenLoad", "Gouge, mm"), _figures("%.3f", "gouge_mm", found)),
+        (_translate("EvenLoad", "Incidents"), ["%d" % len(each.incidents) for each in found]),
+    ]
+    lines = [ROW % (title, "".join(CELL % value for value in values)) for title, values in rows]
+    return "<table>%s</table>" % "".join(lines)
+
+
+def _figures(form, key, found, factor=1.0):
+    return [form % (factor * getattr(each, key)) for each in found]

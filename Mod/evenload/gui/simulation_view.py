@@ -1,0 +1,298 @@
+"""The window Simulation: the load of one or two operations over time, with a cursor that is linked
+with the tool in the 3D view.
+"""
+
+import html
+import os
+
+import FreeCAD
+from PySide import QtCore, QtGui
+
+from evenload import host, materials
+from evenload.gui import colours, files, load_view, picking, simulation_task, view3d
+from evenload.gui.observer import Observer
+from evenload.gui.simulation_dock import CM3, FILE, SimulationDock, totals_of
+from evenload.gui.simulation_node import COLOURED, RunInView
+from evenload.gui.slots import slot, telling_slot
+from evenload.gui.stability_worker import Refused, Worker
+from evenload.pictures import load_rows
+from evenload.pictures.figure import save
+from evenload.simulation.limits import limits_of
+from evenload.simulation.table import write_csv
+
+_translate = FreeCAD.Qt.translate
+
+LOOK = 20  # ms between looks at what the thread has found
+
+
+class SimulationView:
+    """Of one operation, and another beside it where one is chosen. closed: called when it is to be
+    removed.
+    """
+
+    def __init__(self, operation, closed):
+        self.operation, self._closed = operation, closed
+        self.worker, self.runs = Worker(), []
+        self._share, self._coming, self._machine_file = 0.0, [], ""
+        self._view = view3d.view_of(operation.Document)
+        self._scene = self._view.getSceneGraph()
+        self.in_view = RunInView(self._scene)
+        self._clicks = picking.Clicks(telling_slot(self._view_clicked))
+        self._observer = None
+        self.dock = SimulationDock(self)
+        self._timer = QtCore.QTimer(self.dock)
+        self._timer.setInterval(LOOK)
+        self._again = QtCore.QTimer(self.dock)
+        self._again.setSingleShot(True)
+        self._connect()
+        self._scene.addChild(self._clicks.root)
+        self._list_operations()
+        self._show_defaults()
+        self.dock.show()
+        self.simulate()
+
+    def _connect(self):
+        dock = self.dock
+        self._timer.timeout.connect(slot(self._look))
+        self._again.timeout.connect(slot(self.simulate))
+        dock.asked.machine.activated.connect(slot(self._machine_chosen))
+        dock.asked.changed.connect(slot(self._asked_changed))
+        dock.limits.changed.connect(slot(self._limits_changed))
+        dock.slider.valueChanged.connect(telling_slot(self._slid))
+        dock.plot.placed.connect(telling_slot(self.place))
+        dock.visibilityChanged.connect(telling_slot(self._dock_shown))
+
+    def remove(self):
+        """Removes it from the scene and the window, and stops what is under way."""
+        self._timer.stop()
+        self.worker.cancel()
+        self._observe([])
+        self._scene.removeChild(self._clicks.root)
+        self.in_view.show(None)
+        self.dock.hide()
+        self.dock.deleteLater()
+
+    # ---- what is asked ----
+
+    def _list_operations(self):
+        job = host.parent_job(self.operation)
+        listed = [each for each in host.operations(job) if each.Path.Size > 1] if job else []
+        self.dock.list_operations(listed, self.operation)
+
+    def _show_defaults(self):
+        """The material and the limits of the operation."""
+        material = load_view.material_of(self.operation) or materials.names()[0]
+        self.dock.asked.show_values(material=material)
+        try:
+            degrees, rate = limits_of(self.operation)
+        except ValueError:  # without a tool: the simulation tells why there is none
+            degrees = rate = None
+        self.dock.limits.show_values(
+            engagement_deg=degrees or 0.0, removal_rate=(rate or 0.0) / CM3, force_peak=0.0
+        )
+
+    def _asked_changed(self):
+        chosen = self.dock.asked.operation.currentData()
+        if chosen != self.operation.Name:
+            self.operation = self.operation.Document.getObject(chosen)
+            self._show_defaults()
+        self.simulate()
+
+    def _machine_chosen(self):
+        """Asks for a file where the machine is in one."""
+        machine = self.dock.asked.machine
+        if machine.currentData() != FILE:
+            return
+        title = _translate("EvenLoad", "Open Machine Profile")
+        path, _ = QtGui.QFileDialog.getOpenFileName(
+            self.dock, title, self._machine_file, "JSON (*.json)"
+        )
+        self._machine_file = path
+        if path:
+            machine.setItemText(machine.currentIndex(), os.path.basename(path))
+        else:
+            self.dock.asked.show_values(machine=None)
+        self.simulate()
+
+    def operations(self):
+        """The one or two operations that are asked for."""
+        names = [self.dock.asked.operation.currentData(), self.dock.asked.against.currentData()]
+        found = [self.operation.Document.getObject(name) for name in dict.fromkeys(names) if name]
+        return [each for each in found if each is not None]
+
+    def limits(self):
+        """{key of a row: its limit in the simulation's unit, or None}"""
+        asked = self.dock.limits
+        return {
+            "engagement_deg": asked.engagement_deg.value() or None,
+            "removal_rate": CM3 * asked.removal_rate.value() or None,
+            "force_peak": asked.force_peak.value() or None,
+        }
+
+    def _limits_changed(self):
+        self.dock.plot.show_limits(self.limits())
+        self.in_view.show_limit(self.limits()[COLOURED.key])
+
+    # ---- simulating ----
+
+    def simulate(self):
+        """Simulates what is asked for in a thread, in place of what is under way."""
+        asked = self.dock.asked
+        machine = asked.machine.currentData()
+        if machine == FILE:
+            machine = self._machine_file
+            if not machine:
+                return  # it is being asked for
+        operations = self.operations()
+        self._observe(operations)
+        self.worker.cancel()
+        self._share, self._coming = 0.0, []
+        try:
+            setups = simulation_task.setups_of(operations, asked.material.currentData(), machine)
+        except ValueError as error:
+            self._refuse(str(error))
+            return
+        self._tell("")
+        self.dock.show_progress(0.0)
+        self.worker.start(lambda: simulation_task.simulated(setups, self._done))
+        self._timer.start()
+
+    def cancel(self):
+        """Stops the simulation; what was there before stays."""
+        self.worker.cancel()
+        self._timer.stop()
+        self.dock.show_progress(None)
+        self._tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
+
+    def _done(self, share):
+        self._share = share
+
+    def _look(self):
+        is_done = not self.worker.is_busy  # asked first, so that nothing comes after what is taken
+        for result in self.worker.results():
+            if isinstance(result, Refused):
+                self._timer.stop()
+                self._refuse(result.sentence)
+                return
+            self._coming.append(result)
+        self.dock.show_progress(None if is_done else self._share)
+        if is_done:
+            self._timer.stop()
+            self._take(self._coming)
+
+    def _refuse(self, sentence):
+        self.runs = []
+        self.dock.show_progress(None)
+        self.in_view.show(None)
+        self.dock.plot.show_message(sentence)
+        self.dock.values.clear()
+        self.dock.totals.clear()
+        self._tell(sentence, colours.BAD)
+
+    def _take(self, runs):
+        self.runs = runs
+        self.in_view.show_limit(self.limits()[COLOURED.key])
+        self.dock.plot.show_runs(runs, self.limits())
+        self.dock.totals.setText(totals_of(runs))
+        self._tell("\n".join(dict.fromkeys(s for run in runs for s in run.simulation.notes)))
+        self.place(self.dock.plot.active, 0)
+
+    # ---- what is shown ----
+
+    @property
+    def run(self):
+        """The Run whose path is in the 3D view, None without any."""
+        return self.runs[self.dock.plot.active] if self.runs else None
+
+    def place(self, number, sample):
+        """Shows the tool of a run at a sample, in the plots and in the 3D view."""
+        run = self.runs[number]
+        self.dock.plot.show_cursor(number, sample)
+        if self.in_view.run is not run:
+            self.in_view.show(run)
+        self.in_view.show_tool_at(sample)
+        slider = self.dock.slider
+        blocked = slider.blockSignals(True)
+        slider.setRange(0, len(run.time) - 1)
+        slider.setValue(sample)
+        slider.blockSignals(blocked)
+        told = load_view.values_at(run.simulation, sample, run.time)
+        self.dock.values.setText("<b>%s</b>%s" % (html.escape(run.name), told))
+
+    def _slid(self, sample):
+        if self.runs:
+            self.place(self.dock.plot.active, sample)
+
+    def fly(self):
+        """Goes to the place of the largest engagement."""
+        if self.run is None:
+            return
+        found = self.run.simulation
+        number = self.in_view.worst()
+        if number is not None:
+            self.place(self.dock.plot.active, number)
+            place = found.x[number], found.y[number], found.z[number]
+            view3d.fly_to(map(float, place), found.tool_diameter)
+
+    def _view_clicked(self, pixel, size):
+        """Moves the cursor to the place of the path that a click into the 3D view is on."""
+        if self.run is None:
+            return
+        camera = self._view.getCameraNode()
+        sample = picking.sample_at(camera, size, pixel, self.run.simulation)
+        if sample is not None:
+            self.place(self.dock.plot.active, sample)
+
+    def _tell(self, text, colour=None):
+        told = self.dock.told
+        told.setText(html.escape(text).replace("\n", "<br>"))
+        told.setStyleSheet("color: %s" % colours.shade(colour, told) if colour else "")
+        told.setVisible(bool(text))
+
+    # ---- files ----
+
+    def save_picture(self):
+        path = self._asked_name("Save Picture", files.PICTURES, ".png")
+        if path:
+            plot = self.dock.plot
+            drawn = load_rows.picture(self.runs, plot.limits, plot.span)
+            self._write(lambda: save(drawn, path))
+
+    def save_table(self):
+        path = self._asked_name("Save Table", "CSV (*.csv)", ".csv")
+        if path:
+            rows = [(run.name, run.simulation) for run in self.runs]
+            self._write(lambda: write_csv(path, rows))
+
+    def _asked_name(self, *asked):
+        return files.asked_name(self.dock, *asked) if self.runs else ""
+
+    def _write(self, write):
+        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+        try:
+            write()
+        except OSError as error:
+            self._tell(files.refusal(error), colours.BAD)
+        finally:
+            QtGui.QApplication.restoreOverrideCursor()
+
+    # ---- what happens meanwhile ----
+
+    def _observe(self, operations):
+        if self._observer is not None:
+            FreeCAD.removeDocumentObserver(self._observer)
+            self._observer = None
+        if operations:
+            self._observer = Observer(operations, ("Path",), telling_slot(self._changed))
+            FreeCAD.addDocumentObserver(self._observer)
+
+    def _changed(self, is_gone):
+        if is_gone:
+            self._closed()
+        else:
+            self._again.start()
+
+    def _dock_shown(self, is_shown):
+        """A dock that its user closes takes all with it; one behind others does not."""
+        if not is_shown and self.dock.isHidden():
+            self._closed()
