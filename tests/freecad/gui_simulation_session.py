@@ -15,11 +15,15 @@ from gui_tools import picture, result, run, widgets  # noqa: E402
 NODE = "EvenLoadLoad"
 
 
+def names_in_scene():
+    """The names of the nodes in the active view's scene."""
+    scene = FreeCADGui.activeDocument().activeView().getSceneGraph()
+    return [str(scene.getChild(i).getName()) for i in range(scene.getNumChildren())]
+
+
 def nodes_in_scene():
     """How many load nodes are in the active view's scene."""
-    scene = FreeCADGui.activeDocument().activeView().getSceneGraph()
-    names = [str(scene.getChild(i).getName()) for i in range(scene.getNumChildren())]
-    return names.count(NODE)
+    return names_in_scene().count(NODE)
 
 
 def docks():
@@ -141,6 +145,47 @@ def written(view):
     return view.dock.told.text()
 
 
+def points_of(faces):
+    """The vertices of a set of faces in Coin."""
+    vertices = faces.vertexProperty.getValue()
+    return [list(p.getValue()) for p in vertices.vertex.getValues()]
+
+
+def areas_seen(view):
+    """What the areas of rest are in the 3D view, beside the simulator's outlines."""
+    found, shown = view.run.simulation, view.in_view.areas
+    outlines = [len(each) for each in found.rest_outlines]
+    corners = [list(map(float, p)) for each in found.rest_outlines for p in each]
+    return {
+        "area": found.rest_area,
+        "counts": [list(shown.rest.numVertices.getValues()), outlines],
+        "corners": [points_of(shown.rest), corners],
+        "in_scene": names_in_scene().count("EvenLoadAreas"),
+    }
+
+
+def gouge_seen():
+    """The areas and marks of a path that gouges a wall, put into the scene."""
+    import evenload
+    from evenload.gui.areas_node import AreasNode
+
+    moves = [(0, 5, 9, 5, 0, 0, 0, 0), (2, 5, 9, -3, 0, 0, 0, 100), (3, 17, 9, -3, 0, 0, 0, 255)]
+    around = (-10, -10, 28, 28)
+    walls = [[(18, -10, 0), (28, -10, 0), (28, 28, 0), (18, 28, 0)]]
+    found = evenload.simulate(moves, around, 0, -12, 6, part=walls)
+    node, scene = AreasNode(found), FreeCADGui.activeDocument().activeView().getSceneGraph()
+    scene.addChild(node.root)
+    save_view("gouge.png")
+    scene.removeChild(node.root)
+    marks = sum(each.vertexProperty.getValue().vertex.getNum() for each in node.marks)
+    return {"points": points_of(node.gouges), "marks": marks, "incidents": len(found.incidents)}
+
+
+def save_view(name):
+    view = FreeCADGui.activeDocument().activeView()
+    view.saveImage(os.path.join(OUT, name), 900, 700, "Current")
+
+
 def actions():
     """Where the command is: the kinds of the widgets that show its action."""
     window = FreeCADGui.getMainWindow()
@@ -196,9 +241,7 @@ def session():
     result["removed"] = [each.simulation.removed_volume_total for each in view.runs]
     result["from_both"] = clicks_into_plots(view)
     picture("two")
-    FreeCADGui.activeDocument().activeView().saveImage(
-        os.path.join(OUT, "view.png"), 900, 700, "Current"
-    )
+    save_view("view.png")
     programmed = [float(each.time[-1]) for each in view.runs]
     asked.machine.setCurrentIndex(asked.machine.findData("hobby_router_grbl"))
     simulated(view)
@@ -209,11 +252,14 @@ def session():
     result["refused"] = written(view)
     result["samples"] = sum(len(each.time) for each in view.runs)
     # A change is followed; the end of an operation ends it, and its user does.
-    ours.EngagementAngle = 40
+    ours.EngagementAngle, ours.WallPass = 40, False
     doc.recompute()
     later(100)
     simulated(view)
     result["followed"] = view.runs[0].simulation.max_engagement_deg
+    view.place(0, 0)
+    result["areas"], result["gouge"] = areas_seen(view), gouge_seen()
+    save_view("rest.png")
     asked.material.setCurrentIndex((asked.material.currentIndex() + 1) % asked.material.count())
     view.cancel()
     later(300)

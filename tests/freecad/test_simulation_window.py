@@ -101,6 +101,23 @@ def test_it_follows_each_computation_and_can_be_cancelled(session):
     assert "cancelled" in told and runs == 2 and not is_busy
 
 
+def test_rest_is_an_area_in_the_view(session):
+    seen = session["areas"]
+    assert seen["area"] > 0.1 and seen["in_scene"] == 1
+    counts, outlines = seen["counts"]
+    assert counts == outlines and len(counts) > 0
+    for (x, y, z), (u, v) in zip(*seen["corners"]):
+        assert (x, y) == pytest.approx((u, v), abs=1e-4)
+        assert -3.0 < z <= 0.06
+
+
+def test_a_gouge_is_an_area_in_the_view_and_has_its_mark(session):
+    seen = session["gouge"]
+    assert seen["marks"] == seen["incidents"] > 0
+    xs = [x for x, _, _ in seen["points"]]
+    assert 18 <= min(xs) < max(xs) == pytest.approx(20, abs=1e-3)
+
+
 def test_it_goes_with_its_operation_its_dock_and_its_document(session):
     assert session["deleted"] == [0, 0]
     assert session["closed"] == [0, 0]

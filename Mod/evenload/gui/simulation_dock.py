@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import machines, materials
+from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
@@ -20,6 +21,7 @@ LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
 CM3 = 1e3  # mm3
 BAR = 1000  # steps of the progress bar
 ROW = '<tr><td style="padding-right: 10px">%s</td>%s</tr>'
+SIGN = '<span style="color: %s">\u25a0</span> '  # of the areas in the 3D view
 CELL = '<td align="right" style="padding-left: 8px">%s</td>'
 
 
@@ -180,8 +182,14 @@ def totals_of(runs):
         forces = _figures("%.0f", "force_peak_max", found)
         rows.append((_translate("EvenLoad", "Force, N"), forces))
     rows += [
-        (_translate("EvenLoad", "Rest, mm²"), _figures("%.3g", "rest_area", found)),
-        (_translate("EvenLoad", "Gouge, mm"), _figures("%.3f", "gouge_mm", found)),
+        (
+            SIGN % REST_COLOUR + _translate("EvenLoad", "Rest, mm²"),
+            _figures("%.3g", "rest_area", found),
+        ),
+        (
+            SIGN % GOUGE_COLOUR + _translate("EvenLoad", "Gouge, mm"),
+            _figures("%.3f", "gouge_mm", found),
+        ),
         (_translate("EvenLoad", "Incidents"), ["%d" % len(each.incidents) for each in found]),
     ]
     lines = [ROW % (title, "".join(CELL % value for value in values)) for title, values in rows]

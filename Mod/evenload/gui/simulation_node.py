@@ -1,6 +1,7 @@
 """What the window Simulation shows in the 3D view."""
 
 from evenload.gui import load_colours
+from evenload.gui.areas_node import AreasNode
 from evenload.gui.load_node import LoadNode
 from evenload.gui.load_view import OVER
 
@@ -8,22 +9,25 @@ COLOURED = load_colours.MEASURES[0]  # by what the path is coloured
 
 
 class RunInView:
-    """The path of a Run, coloured by engagement, and its tool. `run`: the one that is shown, None
-    without any.
+    """The path of a Run, coloured by engagement, its tool, and areas of rest and gouges. `run`: the
+    one that is shown, None without any.
     """
 
     def __init__(self, scene):
         self._scene, self._limit = scene, None
-        self.run = self.node = None
+        self.run = self.node = self.areas = None
 
     def show(self, run):
         """Shows another Run in place of the one before; None: nothing."""
         if self.node is not None:
             self._scene.removeChild(self.node.root)
-        self.run, self.node = run, None
+            self._scene.removeChild(self.areas.root)
+        self.run, self.node, self.areas = run, None, None
         if run is not None:
             self.node = LoadNode(run.simulation)
             self.show_limit(self._limit)
+            self.areas = AreasNode(run.simulation)
+            self._scene.addChild(self.areas.root)
             self._scene.addChild(self.node.root)
 
     def show_limit(self, limit):
