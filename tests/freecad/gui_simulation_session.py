@@ -37,7 +37,7 @@ def simulated(view):
     """Waits until nothing is under way; the window has to be alive meanwhile."""
     for _ in range(400):
         later(50)
-        if not view.worker.is_busy and not view._timer.isActive():
+        if not view.task.is_busy:
             return
     raise AssertionError("the simulation does not end")
 
@@ -145,6 +145,21 @@ def written(view):
     return view.dock.told.text()
 
 
+def reported(view):
+    """What the window says once it has written the report of the job."""
+    ask = QtGui.QFileDialog.getSaveFileName
+    QtGui.QFileDialog.getSaveFileName = lambda *_: (os.path.join(OUT, "report"), "")
+    try:
+        view.save_report()
+    finally:
+        QtGui.QFileDialog.getSaveFileName = ask
+    for _ in range(400):
+        later(50)
+        if not view.report.task.is_busy:
+            return view.dock.told.text()
+    raise AssertionError("the report does not end")
+
+
 def points_of(faces):
     """The vertices of a set of faces in Coin."""
     vertices = faces.vertexProperty.getValue()
@@ -250,6 +265,7 @@ def session():
     later(100)
     picture("machine")
     result["refused"] = written(view)
+    result["reported"] = reported(view)
     result["samples"] = sum(len(each.time) for each in view.runs)
     # A change is followed; the end of an operation ends it, and its user does.
     ours.EngagementAngle, ours.WallPass = 40, False

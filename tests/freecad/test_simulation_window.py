@@ -95,6 +95,14 @@ def test_plots_and_samples_are_written(session, folder):
     assert "cannot be written" in session["refused"]
 
 
+def test_the_report_of_the_job_has_its_operations_times_and_pictures(session, folder):
+    assert session["reported"] == "The report is written."
+    text = (folder / "report.html").read_text()
+    assert text.count("<h2>Ours</h2>") == text.count("<h2>Theirs</h2>") == 1
+    assert text.count("data:image/png;base64,") == 6
+    assert "hobby_router_grbl" in text and "No incidents" in text
+
+
 def test_it_follows_each_computation_and_can_be_cancelled(session):
     assert 35 < session["followed"] < 45
     told, runs, is_busy = session["cancelled"]

@@ -1,69 +1,38 @@
 """A report of an evaluation as one HTML file, with its picture in it, made to be printed."""
 
-import base64
-import html
-import io
-
 from evenload.face_inspection.evaluation import IN, OUT
 from evenload.face_inspection.picture import save_map
+from evenload.pictures import html_page
 
 VERDICTS = {IN: "good", OUT: "bad"}
-STYLE = """
-body { font: 10pt/1.4 sans-serif; color: #202124; max-width: 180mm; margin: 10mm auto; }
-h1 { font-size: 16pt; margin: 0 0 2mm; } h2 { font-size: 12pt; margin: 6mm 0 2mm; }
-img { width: 100%; max-width: 150mm; display: block; }
-table { border-collapse: collapse; width: 100%; font-variant-numeric: tabular-nums; }
-th, td { text-align: right; padding: 0.6mm 2mm; border-bottom: 0.2mm solid #dadce0; }
-th:first-child, td:first-child { text-align: left; }
-thead { display: table-header-group; } tr { break-inside: avoid; }
-.facts td:last-child { text-align: left; width: 75%; }
-.verdict { font-size: 13pt; font-weight: bold; padding: 2mm 3mm; border: 0.5mm solid; }
-.good { color: #137333; } .bad { color: #b3261e; } .open { color: #7a4f00; }
-tr.bad td { font-weight: bold; }
-@page { margin: 15mm; } @media print { body { margin: 0; max-width: none; } }
-"""
 
 
 def write_report(evaluation, path, source=""):
-    """Writes the report of an Evaluation; source: the name of the file of points.
-
-    The same evaluation gives the same bytes: a browser prints the day itself.
+    """Writes the report of an Evaluation; source: the name of the file of points. The same
+    evaluation gives the same bytes.
     """
-    with open(path, "w", encoding="utf-8") as file:
-        file.write(report_of(evaluation, source))
+    html_page.write(report_of(evaluation, source), path)
 
 
 def report_of(evaluation, source=""):
     """The report as a text."""
-    title = "Inspection of %s" % evaluation.faces.name
     parts = [
-        "<h1>%s</h1>" % html.escape(title),
         _verdict(evaluation),
-        "".join("<p>%s</p>" % html.escape(each) for each in evaluation.sentences),
+        html_page.sentences(evaluation.sentences),
         _facts(evaluation, source),
-        '<h2>Deviations</h2><img alt="Map of the deviations" src="data:image/png;base64,%s">'
-        % _picture(evaluation),
+        "<h2>Deviations</h2>",
+        html_page.picture(lambda file: save_map(evaluation, file), "Map of the deviations"),
         _certificate(evaluation),
         _points(evaluation),
     ]
-    return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>%s</title>'
-        "<style>%s</style></head>\n<body>%s</body></html>\n"
-        % (html.escape(title), STYLE, "\n".join(parts))
-    )
+    return html_page.page("Inspection of %s" % evaluation.faces.name, parts)
 
 
 def _verdict(evaluation):
     if evaluation.verdict is None:
         return ""
     kind = VERDICTS.get(evaluation.verdict, "open")
-    return '<p class="verdict %s">%s</p>' % (kind, evaluation.verdict.capitalize())
-
-
-def _picture(evaluation):
-    data = io.BytesIO()
-    save_map(evaluation, data)
-    return base64.b64encode(data.getvalue()).decode("ascii")
+    return html_page.verdict(kind, evaluation.verdict.capitalize())
 
 
 def _facts(evaluation, source):
@@ -85,8 +54,7 @@ def _facts(evaluation, source):
     if hasattr(found, "shift"):
         rows.append(("Shift of the points", _numbers(found.shift) + " mm"))
         rows.append(("Turn of the points", "; ".join(map(_numbers, found.turn))))
-    cells = "".join("<tr><td>%s</td><td>%s</td></tr>" % tuple(map(html.escape, r)) for r in rows)
-    return '<table class="facts">%s</table>' % cells
+    return html_page.facts(rows)
 
 
 def _certificate(evaluation):
@@ -102,7 +70,7 @@ def _certificate(evaluation):
         found.imbalance,
     )
     head = ("Contact, point", "Bound", "Multiplier")
-    return "<h2>Certificate</h2><p>%s</p>%s" % (told, _table(head, rows))
+    return "<h2>Certificate</h2>" + html_page.sentences([told]) + html_page.table(head, rows)
 
 
 def _points(evaluation):
@@ -115,20 +83,7 @@ def _points(evaluation):
     ]
     bad = set() if beyond is None else {row for row, is_bad in enumerate(beyond) if is_bad}
     head = ("Point", "x, mm", "y, mm", "z, mm", "Deviation, mm")
-    return "<h2>Points</h2>" + _table(head, rows, bad)
-
-
-def _table(head, rows, bad=()):
-    lines = ["<tr>%s</tr>" % "".join("<th>%s</th>" % html.escape(each) for each in head)]
-    body = [
-        "<tr%s>%s</tr>"
-        % (
-            ' class="bad"' if number in bad else "",
-            "".join("<td>%s</td>" % html.escape(each) for each in row),
-        )
-        for number, row in enumerate(rows)
-    ]
-    return "<table><thead>%s</thead><tbody>%s</tbody></table>" % (lines[0], "\n".join(body))
+    return "<h2>Points</h2>" + html_page.table(head, rows, bad)
 
 
 def _numbers(value):

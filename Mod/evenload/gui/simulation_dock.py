@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import machines, materials
+from evenload.gui import colours
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
@@ -43,6 +44,9 @@ class SimulationDock(QtGui.QDockWidget):
         self.whole = button("Whole Time", "Shows all of the time", self.plot.show_all)
         self.picture = button("Picture…", "Draws the plots, PNG or SVG", view.save_picture)
         self.table = button("Table…", "Writes all samples, CSV", view.save_table)
+        self.report = button(
+            "Report…", "Simulates the job and writes a report to print, HTML", view.save_report
+        )
         self.worst = button("Fly to the Worst", "Shows the place with the largest value", view.fly)
         content = QtGui.QWidget()
         row = QtGui.QHBoxLayout(content)
@@ -72,6 +76,12 @@ class SimulationDock(QtGui.QDockWidget):
         self.slider.setVisible(share is None)
         self.bar.setValue(round(BAR * (share or 0.0)))
 
+    def tell(self, text, colour=None):
+        """Shows sentences, or hides those before where there are none."""
+        self.told.setText(html.escape(text).replace("\n", "<br>"))
+        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
+        self.told.setVisible(bool(text))
+
     def _left(self):
         return _column((self.asked, self.limits), LEFT)
 
@@ -81,13 +91,18 @@ class SimulationDock(QtGui.QDockWidget):
         below = QtGui.QHBoxLayout()
         for widget in (self.slider, self.bar):
             below.addWidget(widget, 1)
-        for widget in (self.cancel, self.whole, self.worst, self.picture, self.table):
+        for widget in (self.cancel, self.whole, self.worst):
             below.addWidget(widget)
         column.addLayout(below)
         return column
 
     def _right(self):
-        return _column((self.told, self.values, self.totals), RIGHT)
+        files = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(files)
+        row.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.picture, self.table, self.report):
+            row.addWidget(widget)
+        return _column((self.told, files, self.values, self.totals), RIGHT)
 
 
 def _asked():

@@ -2,10 +2,65 @@
 another one.
 """
 
+from PySide import QtCore
+
 from evenload import host, waiting
 from evenload.gui.load_view import step_of
+from evenload.gui.slots import slot, telling_slot
+from evenload.gui.stability_worker import Refused, Worker
 from evenload.pictures.load_rows import Run
 from evenload.simulation import job
+
+LOOK = 20  # ms between looks at what the thread has found
+
+
+class Simulating:
+    """One simulation at a time of setups, in a thread. dock: shows the progress; taken: a bound
+    method that gets the Runs, refused: one that gets the sentence why there are none. Neither is
+    kept alive.
+    """
+
+    def __init__(self, dock, taken, refused):
+        self.worker, self._dock = Worker(), dock
+        self._taken, self._refused = telling_slot(taken), telling_slot(refused)
+        self._share, self._runs = 0.0, []
+        self._timer = QtCore.QTimer(dock)
+        self._timer.setInterval(LOOK)
+        self._timer.timeout.connect(slot(self._look))
+
+    @property
+    def is_busy(self):
+        return self._timer.isActive()
+
+    def start(self, setups):
+        """Simulates setups in place of what is under way."""
+        self.worker.cancel()
+        self._share, self._runs = 0.0, []
+        self._dock.show_progress(0.0)
+        self.worker.start(lambda: simulated(setups, self._done))
+        self._timer.start()
+
+    def cancel(self):
+        """Stops what is under way, of which nothing is told any more."""
+        self._timer.stop()
+        self.worker.cancel()
+        self._dock.show_progress(None)
+
+    def _done(self, share):
+        self._share = share
+
+    def _look(self):
+        is_done = not self.worker.is_busy  # asked first, so that nothing comes after what is taken
+        for result in self.worker.results():
+            if isinstance(result, Refused):
+                self.cancel()
+                self._refused(result.sentence)
+                return
+            self._runs.append(result)
+        self._dock.show_progress(None if is_done else self._share)
+        if is_done:
+            self._timer.stop()
+            self._taken(self._runs)
 
 
 def setups_of(operations, material, machine):

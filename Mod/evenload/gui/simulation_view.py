@@ -13,16 +13,14 @@ from evenload.gui import colours, files, load_view, picking, simulation_task, vi
 from evenload.gui.observer import Observer
 from evenload.gui.simulation_dock import CM3, FILE, SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
+from evenload.gui.simulation_report import JobReport
 from evenload.gui.slots import slot, telling_slot
-from evenload.gui.stability_worker import Refused, Worker
 from evenload.pictures import load_rows
 from evenload.pictures.figure import save
 from evenload.simulation.limits import limits_of
 from evenload.simulation.table import write_csv
 
 _translate = FreeCAD.Qt.translate
-
-LOOK = 20  # ms between looks at what the thread has found
 
 
 class SimulationView:
@@ -32,16 +30,15 @@ class SimulationView:
 
     def __init__(self, operation, closed):
         self.operation, self._closed = operation, closed
-        self.worker, self.runs = Worker(), []
-        self._share, self._coming, self._machine_file = 0.0, [], ""
+        self.runs, self._machine_file = [], ""
         self._view = view3d.view_of(operation.Document)
         self._scene = self._view.getSceneGraph()
         self.in_view = RunInView(self._scene)
         self._clicks = picking.Clicks(telling_slot(self._view_clicked))
         self._observer = None
         self.dock = SimulationDock(self)
-        self._timer = QtCore.QTimer(self.dock)
-        self._timer.setInterval(LOOK)
+        self.report = JobReport(self.dock)
+        self.task = simulation_task.Simulating(self.dock, self._take, self._refuse)
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)
         self._connect()
@@ -53,7 +50,6 @@ class SimulationView:
 
     def _connect(self):
         dock = self.dock
-        self._timer.timeout.connect(slot(self._look))
         self._again.timeout.connect(slot(self.simulate))
         dock.asked.machine.activated.connect(slot(self._machine_chosen))
         dock.asked.changed.connect(slot(self._asked_changed))
@@ -64,8 +60,8 @@ class SimulationView:
 
     def remove(self):
         """Removes it from the scene and the window, and stops what is under way."""
-        self._timer.stop()
-        self.worker.cancel()
+        self.task.cancel()
+        self.report.task.cancel()
         self._observe([])
         self._scene.removeChild(self._clicks.root)
         self.in_view.show(None)
@@ -133,68 +129,51 @@ class SimulationView:
         self.dock.plot.show_limits(self.limits())
         self.in_view.show_limit(self.limits()[COLOURED.key])
 
+    def _machine(self):
+        """The name or file of the machine; None without one, '' while its file is asked for."""
+        machine = self.dock.asked.machine.currentData()
+        return self._machine_file if machine == FILE else machine
+
     # ---- simulating ----
 
     def simulate(self):
         """Simulates what is asked for in a thread, in place of what is under way."""
         asked = self.dock.asked
-        machine = asked.machine.currentData()
-        if machine == FILE:
-            machine = self._machine_file
-            if not machine:
-                return  # it is being asked for
+        machine = self._machine()
+        if machine == "":
+            return  # it is being asked for
         operations = self.operations()
         self._observe(operations)
-        self.worker.cancel()
-        self._share, self._coming = 0.0, []
+        self.report.task.cancel()  # what it tells of may have changed
         try:
             setups = simulation_task.setups_of(operations, asked.material.currentData(), machine)
         except ValueError as error:
+            self.task.cancel()
             self._refuse(str(error))
             return
-        self._tell("")
-        self.dock.show_progress(0.0)
-        self.worker.start(lambda: simulation_task.simulated(setups, self._done))
-        self._timer.start()
+        self.dock.tell("")
+        self.task.start(setups)
 
     def cancel(self):
         """Stops the simulation; what was there before stays."""
-        self.worker.cancel()
-        self._timer.stop()
-        self.dock.show_progress(None)
-        self._tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
-
-    def _done(self, share):
-        self._share = share
-
-    def _look(self):
-        is_done = not self.worker.is_busy  # asked first, so that nothing comes after what is taken
-        for result in self.worker.results():
-            if isinstance(result, Refused):
-                self._timer.stop()
-                self._refuse(result.sentence)
-                return
-            self._coming.append(result)
-        self.dock.show_progress(None if is_done else self._share)
-        if is_done:
-            self._timer.stop()
-            self._take(self._coming)
+        self.task.cancel()
+        self.report.task.cancel()
+        self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
 
     def _refuse(self, sentence):
         self.runs = []
-        self.dock.show_progress(None)
         self.in_view.show(None)
         self.dock.plot.show_message(sentence)
         self.dock.values.clear()
         self.dock.totals.clear()
-        self._tell(sentence, colours.BAD)
+        self.dock.tell(sentence, colours.BAD)
 
     def _take(self, runs):
         self.runs = runs
         self.in_view.show_limit(self.limits()[COLOURED.key])
         self.dock.plot.show_runs(runs, self.limits())
         self.dock.totals.setText(totals_of(runs))
-        self._tell("\n".join(dict.fromkeys(s for run in runs for s in run.simulation.notes)))
+        self.dock.tell("\n".join(dict.fromkeys(s for run in runs for s in run.simulation.notes)))
         self.place(self.dock.plot.active, 0)
 
     # ---- what is shown ----
@@ -243,12 +222,6 @@ class SimulationView:
         if sample is not None:
             self.place(self.dock.plot.active, sample)
 
-    def _tell(self, text, colour=None):
-        told = self.dock.told
-        told.setText(html.escape(text).replace("\n", "<br>"))
-        told.setStyleSheet("color: %s" % colours.shade(colour, told) if colour else "")
-        told.setVisible(bool(text))
-
     # ---- files ----
 
     def save_picture(self):
@@ -256,25 +229,22 @@ class SimulationView:
         if path:
             plot = self.dock.plot
             drawn = load_rows.picture(self.runs, plot.limits, plot.span)
-            self._write(lambda: save(drawn, path))
+            files.write(lambda: save(drawn, path), self.dock.tell)
 
     def save_table(self):
         path = self._asked_name("Save Table", "CSV (*.csv)", ".csv")
         if path:
             rows = [(run.name, run.simulation) for run in self.runs]
-            self._write(lambda: write_csv(path, rows))
+            files.write(lambda: write_csv(path, rows), self.dock.tell)
+
+    def save_report(self):
+        job, machine = host.parent_job(self.operation), self._machine()
+        path = self._asked_name("Save Report", "HTML (*.html)", ".html")
+        if path and job is not None:
+            self.report.start(job, self.dock.asked.material.currentData(), machine, path)
 
     def _asked_name(self, *asked):
         return files.asked_name(self.dock, *asked) if self.runs else ""
-
-    def _write(self, write):
-        QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
-        try:
-            write()
-        except OSError as error:
-            self._tell(files.refusal(error), colours.BAD)
-        finally:
-            QtGui.QApplication.restoreOverrideCursor()
 
     # ---- what happens meanwhile ----
 
