@@ -36,19 +36,25 @@ def fresh(home, tmp_path_factory):
     return seen
 
 
-def opened_again(document, home):
+def opened_again(document, home, stage="again"):
     return in_gui(
         "gui_job_session.py",
         pathlib.Path(document).parent,
         FREECAD_USER_HOME=str(home),
-        EVENLOAD_GUI_STAGE="again",
+        EVENLOAD_GUI_STAGE=stage,
         EVENLOAD_GUI_DOCUMENT=str(document),
     )
 
 
 @pytest.fixture(scope="module")
-def again(fresh, home):
-    """The first session's document in another process."""
+def second(fresh, home):
+    """A second operation in the first session's document, in another process."""
+    return opened_again(fresh["document"], home, "second")
+
+
+@pytest.fixture(scope="module")
+def again(fresh, second, home):
+    """That document in a third process."""
     return opened_again(fresh["document"], home)
 
 
@@ -103,16 +109,16 @@ def test_freecads_operations_keep_their_own_defaults(fresh):
     assert "HelixAngle" in fresh["freecads_rows"] and "StepOver" in fresh["freecads_rows"]
 
 
-def test_a_default_reaches_new_operations_and_only_those(fresh):
-    second = fresh["second"]
-    assert fresh["clicked_again"] == fresh["clicked"]
-    assert second["new"] and second["valid"]
-    assert second["EngagementAngle"] == pytest.approx(45)
-    step = second["diameter"] / 2 * (1 - math.cos(math.pi / 4))
-    assert second["SideStep"] == pytest.approx(step)
-    assert second["StockToLeave"] == pytest.approx(0.4)
-    assert second["CutMode"] == "Conventional" and second["Arcs"] is False
-    assert fresh["first_kept"] == [pytest.approx(60), "Climb"]
+def test_a_default_reaches_new_operations_and_only_those(fresh, second):
+    made = second["second"]
+    assert second["clicked"] == fresh["clicked"]
+    assert made["new"] and made["valid"]
+    assert made["EngagementAngle"] == pytest.approx(45)
+    step = made["diameter"] / 2 * (1 - math.cos(math.pi / 4))
+    assert made["SideStep"] == pytest.approx(step)
+    assert made["StockToLeave"] == pytest.approx(0.4)
+    assert made["CutMode"] == "Conventional" and made["Arcs"] is False
+    assert second["first_kept"] == [pytest.approx(60), "Climb"]
 
 
 def test_the_job_panel_of_a_document_that_is_opened_again(again):
@@ -123,8 +129,8 @@ def test_the_job_panel_of_a_document_that_is_opened_again(again):
     assert again["all_valid"] == [True, True]
 
 
-def test_a_cancelled_operation_passes_for_whole_nowhere(fresh, again):
-    for state in (fresh["cancelled"], again["states"][1]):
+def test_a_cancelled_operation_passes_for_whole_nowhere(second, again):
+    for state in (second["cancelled"], again["states"][1]):
         assert not state["valid"] and state["report"].startswith("Cancelled")
         assert state["uncut"] > 600, "the pocket has 720 mm2"
         assert " ".join(state["path"]) == "(Cancelled: nothing is cut here)"
