@@ -9,7 +9,16 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, answering, click, later, picture, result, run  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    answering,
+    click,
+    later,
+    picture,
+    result,
+    run,
+    toolbar_texts,
+)
 
 NODE = "EvenLoadInspection"
 
@@ -91,10 +100,7 @@ def session():
     doc.recompute()
     FreeCADGui.activeDocument().activeView().viewAxonometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
-    actions = FreeCADGui.getMainWindow().findChildren(QtGui.QAction)
-    result["actions"] = sorted(
-        {a.text().replace("&", "") for a in actions if "EvenLoad Inspect" in a.text()}
-    )
+    result["actions"] = toolbar_texts()
     result["enabled"] = [is_enabled()]
     FreeCADGui.Selection.addSelection(part, "Edge1")
     result["enabled"].append(is_enabled())
@@ -114,7 +120,9 @@ def session():
     later(100)
     result["samples"] = [dock.faces.text(), dock.told_samples.text(), len(nodes())]
     points = view.node.points
-    marks = points.getChild(points.getNumChildren() - 1).vertexProperty.getValue().vertex
+    marks = (
+        points.getChild(points.getNumChildren() - 1).getChild(2).vertexProperty.getValue().vertex
+    )
     raised = view.samples.points + RAISED * view.faces.size() * view.samples.normals
     result["off"] = float(
         numpy.abs(numpy.array([p.getValue() for p in marks.getValues()]) - raised).max()
@@ -148,9 +156,10 @@ def session():
     dock.tolerance.width.setValue(0.01)
     later(100)
     result["out"] = [dock.told.text(), dock.legend.swatches() != []]
-    faces = view.node.colours.getChild(1)
-    result["triangles"] = faces.numVertices.getNum()
-    result["colours"] = len(set(faces.vertexProperty.getValue().orderedRGBA.getValues()))
+    group = view.node.colours.getChild(1)
+    colours, _, triangles = (group.getChild(number) for number in range(3))
+    result["triangles"] = triangles.numVertices.getNum()
+    result["colours"] = len({colour.getValue() for colour in colours.rgb.getValues()})
     result["cut_off"] += cut_off(dock)
     picture("measured")
     FreeCADGui.activeDocument().activeView().saveImage(

@@ -10,7 +10,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import OUT, begun, click, freecads_adaptive, later  # noqa: E402
-from gui_tools import picture, result, run, widgets  # noqa: E402
+from gui_tools import picture, result, run, toolbar_texts, widgets  # noqa: E402
 
 NODE = "EvenLoadLoad"
 
@@ -201,14 +201,6 @@ def save_view(name):
     view.saveImage(os.path.join(OUT, name), 900, 700, "Current")
 
 
-def actions():
-    """Where the command is: the kinds of the widgets that show its action."""
-    window = FreeCADGui.getMainWindow()
-    bars = [t for t in widgets(QtGui.QToolBar) if t.parent() is window]
-    texts = [a.text().replace("&", "") for bar in bars for a in bar.actions()]
-    return texts.count("EvenLoad Simulation")
-
-
 def session():
     from evenload import host
     from evenload.operations import adaptive
@@ -229,7 +221,7 @@ def session():
     model.ViewObject.Visibility = False
     FreeCADGui.activeDocument().activeView().viewTop()
     FreeCADGui.SendMsgToActiveView("ViewFit")
-    result["actions"] = actions()
+    result["actions"] = toolbar_texts().count("EvenLoad Simulation")
     view = command(ours)
     simulated(view)
     result["shown"] = [nodes_in_scene(), docks()]

@@ -11,7 +11,16 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, answering, click, later, picture, result, run  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    answering,
+    click,
+    later,
+    picture,
+    result,
+    run,
+    toolbar_texts,
+)
 
 TAP = os.environ["EVENLOAD_TAP_TEST"]
 PATIENCE = 20.0  # s
@@ -161,11 +170,7 @@ def session():
         later(800)
     result["provoked"].append("SetupSheet has no support for Pocket")  # FreeCAD's own words
     doc, job, op, pocket = a_job()
-    result["actions"] = sorted(
-        action.text().replace("&", "")
-        for action in FreeCADGui.getMainWindow().findChildren(QtGui.QAction)
-        if "Stability Chart" in action.text()
-    )
+    result["actions"] = toolbar_texts()
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(op)
     FreeCADGui.runCommand("EvenLoad_StabilityChart")

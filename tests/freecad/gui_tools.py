@@ -164,6 +164,17 @@ def freecads_adaptive(job, controller):
     return host.freecads_adaptive("Theirs", job, controller)
 
 
+def toolbar_texts():
+    """The texts of our commands in FreeCAD's toolbars. By the bars' own actions: the main window's
+    are many that end, and would be taken for what is made in their places.
+    """
+    from evenload import host
+
+    bars = [bar for bar in widgets(QtGui.QToolBar) if bar.objectName() == host.TOOLBAR]
+    texts = [action.text().replace("&", "") for bar in bars for action in bar.actions()]
+    return [text for text in texts if text.startswith("EvenLoad")]
+
+
 def report_view():
     """The lines of the report view."""
     view = next(w for w in widgets(QtGui.QTextEdit) if w.objectName() == "Report view")

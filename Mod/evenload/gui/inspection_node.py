@@ -39,10 +39,9 @@ class InspectionNode:
         style = coin.SoDrawStyle()
         style.lineWidth = NEEDLE_WIDTH
         needles = coin.SoLineSet()
-        needles.vertexProperty = _vertices(pairs, numpy.tile(POINT, (len(pairs), 1)))
         needles.numVertices.setValues(0, len(samples.points), [2] * len(samples.points))
         self.points.addChild(style)
-        self.points.addChild(needles)
+        self.points.addChild(_coloured(needles, pairs, numpy.tile(POINT, (len(pairs), 1))))
         raised = samples.points + RAISED * size * samples.normals
         self._mark(raised, numpy.tile(POINT, (len(raised), 1)))
 
@@ -57,10 +56,9 @@ class InspectionNode:
         both_sides.vertexOrdering = coin.SoShapeHints.UNKNOWN_ORDERING
         triangles = coin.SoFaceSet()
         shares = 0.5 + 0.5 * values / largest
-        triangles.vertexProperty = _vertices(corners, load_colours.on_scale(shares))
         triangles.numVertices.setValues(0, len(mesh.corners), [3] * len(mesh.corners))
         self.colours.addChild(both_sides)
-        self.colours.addChild(triangles)
+        self.colours.addChild(_coloured(triangles, corners, load_colours.on_scale(shares)))
         marks = numpy.zeros((len(points), 3))
         if is_beyond is not None:
             marks[is_beyond] = BAD
@@ -69,14 +67,18 @@ class InspectionNode:
 
     def _mark(self, points, colours):
         markers = coin.SoMarkerSet()
-        markers.vertexProperty = _vertices(points, colours)
         markers.markerIndex = coin.SoMarkerSet.CIRCLE_FILLED_7_7
-        self.points.addChild(markers)
+        self.points.addChild(_coloured(markers, points, colours))
 
 
-def _vertices(points, colours):
+def _coloured(shape, points, colours):
+    """A group with a shape whose vertices are points, in colours of their own."""
+    group, colour, binding = coin.SoSeparator(), coin.SoBaseColor(), coin.SoMaterialBinding()
+    colour.rgb.setValues(0, len(points), numpy.asarray(colours, numpy.float32))
+    binding.value = coin.SoMaterialBinding.PER_VERTEX
     vertices = coin.SoVertexProperty()
     vertices.vertex.setValues(0, len(points), numpy.asarray(points, numpy.float32))
-    vertices.orderedRGBA.setValues(0, len(points), load_colours.packed(colours))
-    vertices.materialBinding = coin.SoVertexProperty.PER_VERTEX
-    return vertices
+    shape.vertexProperty = vertices
+    for node in (colour, binding, shape):
+        group.addChild(node)
+    return group

@@ -39,7 +39,7 @@ class RunInView:
         least, largest = load_colours.range_of(COLOURED, found)
         above = None if limit is None else limit + OVER
         shades = load_colours.colours_of(COLOURED, found, least, largest, above)
-        self.node.colour(load_colours.packed(shades))
+        self.node.path.colour(shades)
 
     def show_tool_at(self, sample):
         self.node.show_tool_at(self.run.simulation, sample)

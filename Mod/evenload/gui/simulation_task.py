@@ -7,7 +7,7 @@ from PySide import QtCore
 from evenload import host, waiting
 from evenload.gui.load_view import step_of
 from evenload.gui.slots import slot, telling_slot
-from evenload.gui.stability_worker import Refused, Worker
+from evenload.gui.worker import Refused, Worker
 from evenload.pictures.load_rows import Run
 from evenload.simulation import job
 
