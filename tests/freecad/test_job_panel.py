@@ -47,14 +47,26 @@ def opened_again(document, home, stage="again"):
 
 
 @pytest.fixture(scope="module")
-def second(fresh, home):
-    """A second operation in the first session's document, in another process."""
+def panel(fresh, home):
+    """The Job panel of the first session's document, in another process."""
+    return opened_again(fresh["document"], home, "panel")["panel"]
+
+
+@pytest.fixture(scope="module")
+def defaults(fresh, panel, home):
+    """Defaults that are set in that document's Job panel, in a third process."""
+    return opened_again(fresh["document"], home, "defaults")
+
+
+@pytest.fixture(scope="module")
+def second(fresh, defaults, home):
+    """A second operation in that document, in a fourth process."""
     return opened_again(fresh["document"], home, "second")
 
 
 @pytest.fixture(scope="module")
 def again(fresh, second, home):
-    """That document in a third process."""
+    """That document in a fifth process."""
     return opened_again(fresh["document"], home)
 
 
@@ -90,23 +102,24 @@ def test_the_path_follows_the_jobs_model(fresh):
     assert moved == pytest.approx([a + b for a, b in zip(there, [200, 0, 0] * 2)], abs=1e-3)
 
 
-def test_the_job_panel_opens_with_our_defaults_and_cancel_loses_nothing(fresh):
-    check_panel(fresh["panel"])
-    rows = fresh["panel"]["rows"]
+def test_the_job_panel_opens_with_our_defaults_and_cancel_loses_nothing(panel):
+    check_panel(panel)
+    rows = panel["rows"]
     assert not any(is_set for is_set, _ in rows.values())
     assert rows["EngagementAngle"][1].startswith("60")
     assert rows["CutMode"][1] == "Climb"
-    assert fresh["panel"]["valid"] == [True]
+    assert panel["valid"] == [True]
 
 
-def test_every_default_has_its_editor(fresh):
-    assert sorted(fresh["editors"]) == ROWS
-    assert set(fresh["editors"].values()) == {"QLineEdit", "QComboBox"}
+def test_every_default_has_its_editor(defaults):
+    assert sorted(defaults["editors"]) == ROWS
+    assert set(defaults["editors"].values()) == {"QLineEdit", "QComboBox"}
 
 
-def test_freecads_operations_keep_their_own_defaults(fresh):
-    assert fresh["freecads_rows"] and "EngagementAngle" not in fresh["freecads_rows"]
-    assert "HelixAngle" in fresh["freecads_rows"] and "StepOver" in fresh["freecads_rows"]
+def test_freecads_operations_keep_their_own_defaults(defaults):
+    rows = defaults["freecads_rows"]
+    assert rows and "EngagementAngle" not in rows
+    assert "HelixAngle" in rows and "StepOver" in rows
 
 
 def test_a_default_reaches_new_operations_and_only_those(fresh, second):
