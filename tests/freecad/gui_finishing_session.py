@@ -19,6 +19,7 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
+    set_up,
     unfold_all,
     widgets,
 )
@@ -40,11 +41,7 @@ def edit(page, name, value):
 def session():
     from evenload import host
 
-    for module in ("Path", "CAM"):  # FreeCAD warns, in a dialog, of units without minutes
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(6)
+    set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     later(800)
     bars = [b for b in widgets(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]

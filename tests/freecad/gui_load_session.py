@@ -11,7 +11,7 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, freecads_adaptive, later, result, run  # noqa: E402
+from gui_tools import OUT, begun, later, ours_and_theirs, result, run  # noqa: E402
 
 SAMPLES = 100_000
 NODE = "EvenLoadLoad"
@@ -152,25 +152,10 @@ def command(op):
 
 
 def session():
-    from evenload import host
-    from evenload.operations import adaptive
-    from models import SQUARE, block_with, face_of, floors_of
+    from models import SQUARE, face_of
 
     doc = begun(1300, 1000)
-    part = doc.addObject("Part::Feature", "Part")
-    part.Shape = block_with(face_of(SQUARE))
-    doc.recompute()
-    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
-    model = job.Model.Group[0]
-    base = [(model, tuple(floors_of(model.Shape)))]
-    ours = adaptive.Create("Ours", parentJob=job)
-    ours.Base = base
-    theirs = freecads_adaptive(job, controller)
-    theirs.Base = base
-    doc.recompute()
-    model.ViewObject.Visibility = False
-    FreeCADGui.activeDocument().activeView().viewTop()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    job, ours, theirs = ours_and_theirs(doc, face_of(SQUARE))
     result["before"] = len(nodes_in_scene())
     result["ours_shown"] = command(ours)
     from evenload.gui import load_view

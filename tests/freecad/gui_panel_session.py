@@ -20,6 +20,7 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
+    set_up,
     unfold_all,
 )
 
@@ -251,11 +252,7 @@ def session():
     from evenload import host
     from models import SQUARE, block_with, face_of, floors_of, sketch_of
 
-    for module in ("Path", "CAM"):
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(METRIC)
+    set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     FreeCADGui.getMainWindow().resize(1200, 1400)
     later(800)

@@ -30,7 +30,7 @@ from gui_preview_tools import (  # noqa: E402
     until,
     wait,
 )
-from gui_tools import later, press, result, run  # noqa: E402
+from gui_tools import later, press, result, run, set_up  # noqa: E402
 
 OK, APPLY = QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply
 CHANGES, BETWEEN = 20, 100  # ms: 20 changes in 2 s
@@ -242,11 +242,7 @@ def two_panels(doc, job, op):
 def session():
     from evenload import host
 
-    for module in ("Path", "CAM"):
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(6)
+    set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     FreeCADGui.getMainWindow().resize(1300, 1000)
     later(800)

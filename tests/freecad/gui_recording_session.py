@@ -11,7 +11,7 @@ import FreeCADGui
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, later, press, result, run  # noqa: E402
+from gui_tools import OUT, later, press, result, run, set_up  # noqa: E402
 
 
 @contextlib.contextmanager
@@ -52,10 +52,7 @@ def session():
     from evenload import host
     from models import SQUARE, block_with, face_of, floors_of
 
-    for module in ("Path", "CAM"):
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
+    set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     later(500)
     doc = FreeCAD.newDocument("Session")

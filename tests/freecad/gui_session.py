@@ -22,6 +22,7 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
+    set_up,
     unfold_all,
     widgets,
 )
@@ -231,12 +232,7 @@ def session():
     from models import SQUARE, block_with, face_of, floors_of, wire
     from evenload import host
 
-    # FreeCAD warns, in a dialog, of units without minutes.
-    for module in ("Path", "CAM"):
-        settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
-        settings.SetBool("WarningSuppressVelocity", True)
-        settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(6)  # metric, with mm/min
+    set_up()
     fold_all()
     reopened()
     FreeCADGui.activateWorkbench(host.WORKBENCH)

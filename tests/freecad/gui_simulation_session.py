@@ -9,7 +9,7 @@ import numpy
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, click, freecads_adaptive, later  # noqa: E402
+from gui_tools import OUT, begun, click, later, ours_and_theirs  # noqa: E402
 from gui_tools import picture, result, run, toolbar_texts, widgets  # noqa: E402
 
 NODE = "EvenLoadLoad"
@@ -202,25 +202,10 @@ def save_view(name):
 
 
 def session():
-    from evenload import host
-    from evenload.operations import adaptive
-    from models import block_with, face_of, floors_of, rectangle
+    from models import face_of, rectangle
 
     doc = begun(1390, 1100)
-    part = doc.addObject("Part::Feature", "Part")
-    part.Shape = block_with(face_of(rectangle(0, 0, 18, 18)))
-    doc.recompute()
-    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
-    model = job.Model.Group[0]
-    base = [(model, tuple(floors_of(model.Shape)))]
-    ours = adaptive.Create("Ours", parentJob=job)
-    ours.Base = base
-    theirs = freecads_adaptive(job, controller)
-    theirs.Base = base
-    doc.recompute()
-    model.ViewObject.Visibility = False
-    FreeCADGui.activeDocument().activeView().viewTop()
-    FreeCADGui.SendMsgToActiveView("ViewFit")
+    job, ours, theirs = ours_and_theirs(doc, face_of(rectangle(0, 0, 18, 18)))
     result["actions"] = toolbar_texts().count("EvenLoad Simulation")
     view = command(ours)
     simulated(view)

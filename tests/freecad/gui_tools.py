@@ -135,15 +135,20 @@ def base_list(op):
     return [model.index(row, 0).data() for row in range(model.rowCount())]
 
 
-def begun(width, height):
-    """An empty document in a window of so many pixels, with the workbench and mm/min."""
-    from evenload import host
-
+def set_up():
+    """mm/min, and none of the warnings that FreeCAD gives new users in dialogs."""
     for module in ("Path", "CAM"):
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
         settings.SetBool("WarningSuppressVelocity", True)
         settings.SetBool("WarningSuppressSelectionMode", True)
     FreeCAD.Units.setSchema(6)
+
+
+def begun(width, height):
+    """An empty document in a window of so many pixels, with the workbench and mm/min."""
+    from evenload import host
+
+    set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     FreeCADGui.getMainWindow().resize(width, height)
     later(800)
@@ -162,6 +167,29 @@ def freecads_adaptive(job, controller):
         "Done. Elapsed time",
     ]
     return host.freecads_adaptive("Theirs", job, controller)
+
+
+def ours_and_theirs(doc, outline):
+    """(the job, our Adaptive, FreeCAD's) on the floor of a pocket of a face's shape, computed and
+    seen from above.
+    """
+    from evenload import host
+    from evenload.operations import adaptive
+    from models import block_with, floors_of
+
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(outline)
+    doc.recompute()
+    job, controller = host.create_job(doc, [part], 6, 255, 6366, 1)
+    model = job.Model.Group[0]
+    ours = adaptive.Create("Ours", parentJob=job)
+    theirs = freecads_adaptive(job, controller)
+    ours.Base = theirs.Base = [(model, tuple(floors_of(model.Shape)))]
+    doc.recompute()
+    model.ViewObject.Visibility = False
+    FreeCADGui.activeDocument().activeView().viewTop()
+    FreeCADGui.SendMsgToActiveView("ViewFit")
+    return job, ours, theirs
 
 
 def toolbar_texts():

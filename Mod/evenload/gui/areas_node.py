@@ -3,6 +3,7 @@
 import numpy
 from pivy import coin
 
+from evenload.gui.nodes import unlit, unpickable
 from evenload.pictures import areas
 from evenload.pictures.simulation_pictures import INCIDENTS, REST_COLOUR
 
@@ -17,14 +18,10 @@ class AreasNode:
     def __init__(self, simulation):
         self.root = coin.SoSeparator()
         self.root.setName("EvenLoadAreas")
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         hints = coin.SoShapeHints()
         hints.vertexOrdering = coin.SoShapeHints.UNKNOWN_ORDERING
         hints.faceType = coin.SoShapeHints.UNKNOWN_FACE_TYPE  # outlines may be hollow
-        for node in (unpickable, light, hints):
+        for node in (unpickable(), unlit(), hints):
             self.root.addChild(node)
         self.rest = self._faces(areas.rest_areas(simulation), REST_COLOUR)
         self.gouges = self._faces(areas.gouge_areas(simulation), GOUGE_COLOUR)

@@ -13,10 +13,13 @@ def _translated(text):
 
 
 class Command:
-    """Creates an operation for what is selected and opens its panel, or opens a window."""
+    """What is done by a module of evenload.gui, and for what: in a document with a job, it creates
+    an operation and opens its panel, or opens a window.
+    """
 
-    def __init__(self, panel, icon, menu_text, tool_tip):
-        self.panel = panel  # module in evenload.gui whose function `create` does it
+    def __init__(self, module, icon, menu_text, tool_tip, does="create"):
+        """module: of evenload.gui, does: its function, icon: a name without the file's ending."""
+        self.module, self.does = module, does
         self.resources = icon, menu_text, tool_tip
 
     def GetResources(self):
@@ -36,57 +39,23 @@ class Command:
         if missing:
             FreeCAD.Console.PrintError(missing + "\n")
             return
-        # Not before: panels load the Path / CAM workbench.
-        import_module("evenload.gui." + self.panel).create()
+        # Not before: these modules load matplotlib, the simulator and the Path / CAM workbench.
+        module = import_module("evenload.gui." + self.module)
+        getattr(module, self.does)(*self.arguments())
+
+    def arguments(self):
+        """Those of the module's function."""
+        return ()
 
 
-class _OfPath:
-    """A command on the selected operation's path: `show` gets the operation."""
+class OfPath(Command):
+    """For the selected operation, dressup or array that has a path."""
 
     def IsActive(self):
         return _selected_path() is not None
 
-    def Activated(self):
-        missing = compiled.missing()
-        if missing:
-            FreeCAD.Console.PrintError(missing + "\n")
-            return
-        # What shows it is not imported before: it loads the simulator and the workbench.
-        self.show(_selected_path())
-
-
-class ShowLoad(_OfPath):
-    """Colours the path of the selected operation by its load, or takes the colours away again."""
-
-    def GetResources(self):
-        return {
-            "Pixmap": "EvenLoad_ShowLoad",
-            "MenuText": _translated("EvenLoad Show Load"),
-            "ToolTip": _translated(
-                "Colours the path of the selected operation by engagement, removal rate, feed, "
-                "chip thickness or force, or takes the colours away again"
-            ),
-        }
-
-    def show(self, operation):
-        import_module("evenload.gui.load_view").toggle(operation)
-
-
-class Simulation(_OfPath):
-    """Opens the window that shows the load of the selected operation over time."""
-
-    def GetResources(self):
-        return {
-            "Pixmap": "EvenLoad_Simulation",
-            "MenuText": _translated("EvenLoad Simulation"),
-            "ToolTip": _translated(
-                "Shows engagement, removal rate and force of the selected operation over time, "
-                "beside another one if wished, with a cursor in the 3D view"
-            ),
-        }
-
-    def show(self, operation):
-        import_module("evenload.gui.simulation").show(operation)
+    def arguments(self):
+        return (_selected_path(),)
 
 
 def _selected_path():
@@ -98,18 +67,8 @@ def _selected_path():
     return selected[0] if getattr(path, "Size", 0) > 0 else None
 
 
-class Inspect:
-    """Opens the dock that tells where to measure the selected faces, and what points say."""
-
-    def GetResources(self):
-        return {
-            "Pixmap": "EvenLoad_Inspect",
-            "MenuText": _translated("EvenLoad Inspect"),
-            "ToolTip": _translated(
-                "Tells where to measure the selected faces, and how far measured points lie from "
-                "them"
-            ),
-        }
+class OfFaces(Command):
+    """For the selected faces, in a job or not."""
 
     def IsActive(self):
         return any(
@@ -117,14 +76,6 @@ class Inspect:
             for selected in FreeCADGui.Selection.getSelectionEx()
             for name in selected.SubElementNames
         )
-
-    def Activated(self):
-        missing = compiled.missing()
-        if missing:
-            FreeCAD.Console.PrintError(missing + "\n")
-            return
-        # Not before: it loads matplotlib and the Path / CAM workbench.
-        import_module("evenload.gui.inspection").create()
 
 
 COMMANDS = {
@@ -146,8 +97,22 @@ COMMANDS = {
         "EvenLoad Lamé Spiral",
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
     ),
-    "EvenLoad_ShowLoad": ShowLoad(),
-    "EvenLoad_Simulation": Simulation(),
+    "EvenLoad_ShowLoad": OfPath(
+        "load_view",
+        "EvenLoad_ShowLoad",
+        "EvenLoad Show Load",
+        "Colours the path of the selected operation by engagement, removal rate, feed, chip "
+        "thickness or force, or takes the colours away again",
+        does="toggle",
+    ),
+    "EvenLoad_Simulation": OfPath(
+        "simulation",
+        "EvenLoad_Simulation",
+        "EvenLoad Simulation",
+        "Shows engagement, removal rate and force of the selected operation over time, beside "
+        "another one if wished, with a cursor in the 3D view",
+        does="show",
+    ),
     "EvenLoad_Finishing": Command(
         "finishing",
         "EvenLoad_Finishing",
@@ -160,5 +125,10 @@ COMMANDS = {
         "EvenLoad Stability Chart",
         "Shows at which spindle speeds and depths an operation chatters, and finds the best cut",
     ),
-    "EvenLoad_Inspect": Inspect(),
+    "EvenLoad_Inspect": OfFaces(
+        "inspection",
+        "EvenLoad_Inspect",
+        "EvenLoad Inspect",
+        "Tells where to measure the selected faces, and how far measured points lie from them",
+    ),
 }

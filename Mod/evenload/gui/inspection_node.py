@@ -5,6 +5,7 @@ from pivy import coin
 
 from evenload.face_inspection.mesh import nearest_of
 from evenload.gui import load_colours
+from evenload.gui.nodes import unlit, unpickable
 
 POINT, BAD = (0.11, 0.44, 0.65), load_colours.BEYOND
 NEEDLE = 0.02  # of the faces' extent: length of the normals that are shown
@@ -19,12 +20,8 @@ class InspectionNode:
     def __init__(self):
         self.root = coin.SoSeparator()
         self.root.setName("EvenLoadInspection")
-        unpickable = coin.SoPickStyle()
-        unpickable.style = coin.SoPickStyle.UNPICKABLE
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         self.colours, self.points = coin.SoSeparator(), coin.SoSeparator()
-        for node in (unpickable, light, self.colours, self.points):
+        for node in (unpickable(), unlit(), self.colours, self.points):
             self.root.addChild(node)
 
     def clear(self):

@@ -3,7 +3,8 @@
 import numpy
 from pivy import coin
 
-from evenload.gui.path_line import PathLine, unpickable
+from evenload.gui.nodes import unpickable
+from evenload.gui.path_line import PathLine
 
 TOOL_COLOUR, TOOL_TRANSPARENCY = (0.91, 0.64, 0.24), 0.45
 TOOL_HEIGHT = 3.0  # tool diameters

@@ -3,6 +3,8 @@
 import numpy
 from pivy import coin
 
+from evenload.gui.nodes import unlit
+
 WIDTH = 3  # pixels: wider than FreeCAD's own line
 
 
@@ -13,8 +15,6 @@ class PathLine:
         """points: n x 3, mm."""
         self.root = coin.SoSeparator()
         self.colours, self._binding = coin.SoBaseColor(), coin.SoMaterialBinding()
-        light = coin.SoLightModel()
-        light.model = coin.SoLightModel.BASE_COLOR
         style = coin.SoDrawStyle()
         style.lineWidth = WIDTH
         self.vertices = coin.SoVertexProperty()
@@ -22,7 +22,7 @@ class PathLine:
         self.line = coin.SoLineSet()
         self.line.vertexProperty = self.vertices
         self.line.numVertices.setValue(len(points))
-        for node in (light, style, self.colours, self._binding, self.line):
+        for node in (unlit(), style, self.colours, self._binding, self.line):
             self.root.addChild(node)
 
     def colour(self, colours):
@@ -33,10 +33,3 @@ class PathLine:
         # Packed colours of vertices would take a third; but pivy keeps a copy of them for ever.
         self.colours.rgb.setNum(len(colours))
         self.colours.rgb.setValues(0, len(colours), colours.astype(numpy.float32))
-
-
-def unpickable():
-    """A node after which nothing in its group is met by clicks, which are for what lies below."""
-    node = coin.SoPickStyle()
-    node.style = coin.SoPickStyle.UNPICKABLE
-    return node

@@ -7,7 +7,8 @@ its properties is touched.
 import numpy
 from pivy import coin
 
-from evenload.gui.path_line import PathLine, unpickable
+from evenload.gui.nodes import unpickable
+from evenload.gui.path_line import PathLine
 from evenload.planar import CUT, ENTRY, LINK, RAPID
 
 NAME = "EvenLoadPreview"  # of all nodes of a preview
