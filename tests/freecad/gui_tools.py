@@ -27,10 +27,13 @@ def later(milliseconds=300):
     """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
     makes a widget in the place of one that is gone, Python may else take it for that one.
     """
+    from evenload.gui.wrappers import forget_the_dead
+
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
     gc.collect()
+    forget_the_dead()
 
 
 def widgets(kind):
@@ -50,6 +53,9 @@ def picture(name):
 
 
 def panel_buttons():
+    from evenload.gui.wrappers import forget_the_dead
+
+    forget_the_dead()  # also what FreeCAD's own panels left
     boxes = widgets(QtGui.QDialogButtonBox)
     return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
 

@@ -10,6 +10,7 @@ from evenload.gui.folds import Fold, form_in
 from evenload.gui.marks import Marks
 from evenload.gui.slots import slot
 from evenload.gui.status import Status
+from evenload.gui.wrappers import forget_the_dead
 from evenload.settings.setting import BOOL, POINT
 from evenload.settings.table import sections_of
 
@@ -18,6 +19,11 @@ _translate = FreeCAD.Qt.translate
 
 ADDED_TO = "Feeds"  # where FreeCAD's own choice of the coolant stands; without it in the last part
 FITTED_IN = "Spiral"  # that whose values may be fitted again
+
+
+def _forget_the_panel(*_):
+    """After the end of a page's widgets: once the rest of its panel is deleted, too."""
+    QtCore.QTimer.singleShot(0, forget_the_dead)
 
 
 class _Area(QtGui.QScrollArea):
@@ -54,6 +60,7 @@ class FormPage(_gui.op.TaskPanelPage):
         self.status = Status(self.follow)
         self.marks = Marks()
         form = QtGui.QWidget()
+        form.destroyed.connect(_forget_the_panel)
         # Whether an operation is valid shows only after the recompute that sets its results.
         self._refresh = QtCore.QTimer(form)
         self._refresh.setSingleShot(True)

@@ -7,6 +7,7 @@ from evenload.gui import adaptive, finishing, lame_spiral, trochoid
 from evenload.gui.icons import ICONS
 from evenload.gui.selection import select, select_surfaces
 from evenload.gui.slots import telling_slot
+from evenload.gui.wrappers import forget_the_dead
 
 _gui = host.gui()
 
@@ -47,6 +48,8 @@ class ViewProvider(_gui.op.ViewProvider):
         return self.OpIcon if self.Object is None or self.Object.Active else host.INACTIVE_ICON
 
     def getTaskPanelOpPage(self, obj):
+        """FreeCAD calls this before it makes the widgets of the panel's other pages."""
+        forget_the_dead()
         return self.page(obj, 0)
 
     def getSelectionFactory(self):

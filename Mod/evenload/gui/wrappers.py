@@ -1,0 +1,24 @@
+"""Python's wrappers of Qt's objects, which may outlive these.
+
+PySide 2 keeps for ever what a slot in Python is connected to. When Qt deletes such a widget and
+makes another in its place, PySide takes the one for the other, and Python is told that the new one
+is deleted: panels, FreeCAD's too, fail to open then.
+"""
+
+import gc
+from importlib import import_module
+
+from PySide import QtCore
+
+# shiboken2 or shiboken6, which comes with the PySide that FreeCAD runs on.
+_shiboken = import_module(QtCore.QObject.__module__.split(".")[0].replace("PySide", "shiboken"))
+
+
+def forget_the_dead():
+    """Has PySide forget the wrappers of all objects that Qt has deleted: in some hundredths of a
+    second, so that it is for the opening and the end of panels.
+    """
+    wrappers = [each for each in gc.get_objects() if isinstance(each, QtCore.QObject)]
+    for wrapper in wrappers:
+        if not _shiboken.isValid(wrapper):
+            _shiboken.invalidate(wrapper)
