@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import engagement, fields, preview
+from evenload.gui import engagement, fields, preferences
 from evenload.gui.folds import Fold, form_in
 from evenload.gui.marks import Marks
 from evenload.gui.slots import slot
@@ -81,7 +81,7 @@ class FormPage(_gui.op.TaskPanelPage):
         self.live.setToolTip(
             _translate("EvenLoad", "Shows the path in the 3D view while values change")
         )
-        self.live.setChecked(preview.is_wanted())
+        self.live.setChecked(preferences.live_preview())
         whole.addWidget(self.live)
         self.area = _Area()
         self.area.setWidgetResizable(True)

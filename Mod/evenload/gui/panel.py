@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, recording, view3d
+from evenload.gui import fields, load_view, preferences, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
@@ -34,6 +34,7 @@ def create(operation):
         obj = operation.Create(operation.NAME.replace(" ", ""), parentJob=job)
         obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
         obj.ViewObject.Visibility = True
+        preferences.set_defaults(obj)
     except host.no_tool_chosen():
         doc.abortTransaction()
         return None
