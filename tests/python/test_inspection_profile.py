@@ -220,36 +220,6 @@ def test_tables_come_back_in_mm(tmp_path, unit, scale):
     points, normals = inspection.read_csv(tmp_path / "p.csv")
     assert points == pytest.approx(scale * POINTS, rel=1e-15)
     assert normals == pytest.approx(NORMALS)
-    inspection.write_dmis(tmp_path / "p.dmi", POINTS, NORMALS, unit)
-    text = (tmp_path / "p.dmi").read_text()
-    assert text.startswith(
-        "DMISMN/'EVENLOAD',05.2\nUNITS/%s,ANGDEC\n" % {"mm": "MM", "inch": "INCH"}[unit]
-    )
-    assert "F(P2)=FEAT/POINT,CART,40,0.125,36,0,0,1\nMEAS/POINT,F(P2),1\n" in text
-    measured = "UNITS/%s\nF(P1)=FEAT/POINT,CART,0,0,0,0,0,1\n"
-    measured += "FA(P1)=FEAT/POINT,CART,$\n 1.5,-2.25,30.,0,.6,.8\n"
-    (tmp_path / "r.dmi").write_text(measured % {"mm": "MM", "inch": "INCH"}[unit])
-    found = inspection.read_dmis(tmp_path / "r.dmi")
-    assert list(found) == ["P1"]
-    assert found["P1"][0] == pytest.approx(scale * POINTS[0])
-    assert found["P1"][1] == pytest.approx(NORMALS[0])
-
-
-@pytest.mark.parametrize(
-    "text, words",
-    [
-        ("FA(P1)=FEAT/POINT,CART,1,2,3,0,0,1\n", "no unit"),
-        ("UNITS/MM\nUNITS/INCH\n", "mixes"),
-        ("UNITS/FEET\n", "mm or inch"),
-        ("UNITS/MM\n", "no measured points"),
-        ("UNITS/MM\nFA(P1)=FEAT/POINT,CART,1,2,3,0,0\n", "six numbers"),
-        ("UNITS/MM\n" + 2 * "FA(P1)=FEAT/POINT,CART,1,2,3,0,0,1\n", "twice"),
-    ],
-)
-def test_dmis_that_is_unclear_is_refused(tmp_path, text, words):
-    (tmp_path / "r.dmi").write_text(text)
-    with pytest.raises(ValueError, match=words):
-        inspection.read_dmis(tmp_path / "r.dmi")
 
 
 @pytest.mark.parametrize(

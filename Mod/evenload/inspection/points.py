@@ -35,3 +35,11 @@ def mm_per(unit):
     if unit not in MM_PER:
         raise ValueError("The unit of the points is mm or inch, not %r: state which." % (unit,))
     return MM_PER[unit]
+
+
+def given(points, normals, unit):
+    """(points, normals, mm of the unit) as they are written into a file. Raises ValueError, in a
+    sentence, for what is none.
+    """
+    points = points_of(points)
+    return points, normals_of(normals, len(points)), mm_per(unit)
