@@ -168,7 +168,7 @@ def session():
     choose(dock.evaluation.points, False)
     result["of_faces"] = dock.told.text()
     choose(dock.evaluation.points, True)
-    choose(dock.evaluation.kind, "aligned")
+    choose(dock.alignment.free, "none")
     result["aligned"] = [view.found.zone, float(2 * numpy.abs(waves).max())]
     dock.tolerance.width.setValue(0.05)
     later(100)
@@ -179,7 +179,7 @@ def session():
     }
     open_points(dock, measured("far.csv", feet + [0, 0, 30], normals))
     result["far"] = dock.told.text()
-    choose(dock.evaluation.kind, "profile")
+    choose(dock.alignment.free, "all")
     open_points(dock, measured("few.csv", feet[:3], normals[:3]))
     result["few"] = [dock.told.text(), dock.save_report.isEnabled()]
 
