@@ -92,13 +92,14 @@ def _prediction(evaluation, prediction, unit):
     rows = [
         (
             MEANINGS[name].capitalize(),
-            length_told(error, unit),
+            _number(error, unit),
             "%.1f %%" % (100 * ADJUSTED_R_SQUARED[name]),
-            length_told(evaluation.zone, unit) if name == measured else "",
+            _number(evaluation.zone, unit) if name == measured else "",
         )
         for name, error in prediction.errors.items()
     ]
-    head = ("Form error", "Predicted", "R² adjusted", "Measured")
+    name = SHOWN[unit][0]
+    head = ("Form error", "Predicted, " + name, "R² adjusted", "Measured, " + name)
     told = "By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, %s."
     nature = "convex" if prediction.nature == "CX" else "concave"
     asked = nature, round(prediction.feed_direction, 2), "Rz %g µm" % round(prediction.rz, 3)

@@ -71,6 +71,8 @@ class DatumBox(QtGui.QWidget):
         self.list = fields.combo_box()
         self.list.addItem(_translate("EvenLoad", "None"), NO_DATUM)
         self.pick = button("Pick", "Takes the plane face or datum plane that is selected", pick)
+        # Buttons ask for more room than a short word needs.
+        self.pick.setMinimumWidth(fields.width_of(self.pick, self.pick.text()) + fields.AROUND)
         row = QtGui.QHBoxLayout(self)
         row.setContentsMargins(0, 0, 0, 0)
         row.addWidget(self.list, 1)

@@ -17,6 +17,7 @@ _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadInspection"  # of the dock
 WIDTH = 264  # pixels, as FreeCAD's own dock has at first
+MARGINS = 4, 4, 4, 4  # pixels around what stands in each other: there is little room
 TO_MEASURE, MEASURED, PREDICTED = 0, 1, 2  # the numbers of the tabs
 
 
@@ -66,14 +67,16 @@ class InspectionDock(QtGui.QDockWidget):
         self.save_report = button("Report…", "Writes a report to print, HTML", view.save_report)
         self.save_map = button("Picture…", "Draws the deviations", view.save_map)
         self.tabs = QtGui.QTabWidget()
-        for page, title in (
-            (_page(*self._to_measure()), "To measure"),
-            (_page(*self._measured()), "Measured"),
-            (_page(self.cutting, self.predicted), "Predicted"),
+        for page, title, tip in (
+            (_page(*self._where()), "Where", "Where to measure"),
+            (_page(*self._measured()), "Measured", "What measured points say"),
+            (_page(self.cutting, self.predicted), "Predicted", "What to expect of a finishing"),
         ):
-            self.tabs.addTab(page, _translate("EvenLoad", title))
+            number = self.tabs.addTab(page, _translate("EvenLoad", title))
+            self.tabs.setTabToolTip(number, _translate("EvenLoad", tip))
         content = QtGui.QWidget()
         column = QtGui.QVBoxLayout(content)
+        column.setContentsMargins(*MARGINS)
         column.addWidget(self.faces)
         column.addWidget(self.take)
         column.addWidget(self.tabs, 1)
@@ -86,7 +89,7 @@ class InspectionDock(QtGui.QDockWidget):
         self.setWidget(area)
         window.addDockWidget(QtCore.Qt.RightDockWidgetArea, self)
 
-    def _to_measure(self):
+    def _where(self):
         saving = self.save_points, self.save_picture
         return self.samples, self.told_samples, saving, self.probing
 
@@ -122,11 +125,14 @@ def _page(*parts):
     """A tab with widgets, and rows of widgets, below each other."""
     page = QtGui.QWidget()
     column = QtGui.QVBoxLayout(page)
+    column.setContentsMargins(*MARGINS)
     for part in parts:
         if isinstance(part, tuple):
             column.addLayout(_row(*part))
-        else:
-            column.addWidget(part)
+            continue
+        if isinstance(part, rows.Rows):
+            part.layout().setContentsMargins(*MARGINS)
+        column.addWidget(part)
     column.addStretch(1)
     return page
 

@@ -12,13 +12,15 @@ from evenload.settings.table import PARALLEL
 
 _translate = FreeCAD.Qt.translate
 
+ONE_TOOTH = "The tool '%s' does not tell its number of teeth: 1 tooth is assumed."
 NOT_ROUND = "None of the faces is a cylinder: the prediction is for the one that is told here."
 UNASKED = "Tell Rz, or choose a finishing operation, whose cusps tell the least Rz."
 
 
 def cut_of(operation):
-    """{name of the dock's value: value} of a finishing operation, lengths in mm. Raises ValueError,
-    in a sentence, for a tool controller that tells no feed per tooth.
+    """({name of the dock's value: value}, sentences on what was assumed) of a finishing operation,
+    lengths in mm. Raises ValueError, in a sentence, for a tool controller that tells no feed per
+    tooth.
     """
     controller = operation.ToolController
     tool, data = tools.read(controller, takes_balls=True)
@@ -26,7 +28,10 @@ def cut_of(operation):
         raise ValueError(
             "The spindle speed of '%s' is 0: set it, for the feed per tooth." % controller.Label
         )
-    return {
+    assumed = []
+    if "number of teeth" in tool.assumed:
+        assumed.append(ONE_TOOTH % tool.name)
+    values = {
         "stepover": operation.Stepover.Value,
         "feed": data.feed / (tool.teeth * data.spindle_speed),
         "tool": tools.end_radius(controller),
@@ -34,6 +39,7 @@ def cut_of(operation):
         "speed": data.spindle_speed,
         "passes": operation.Strategy,
     }
+    return values, assumed
 
 
 class Predicting:
@@ -44,6 +50,7 @@ class Predicting:
     def __init__(self):
         self.prediction = None
         self._source, self._filled = OWN, {}  # the operation that was read, and its values
+        self._assumed = []  # sentences on that
 
     def offer_operations(self):
         """Lists the finishing operations of the document."""
@@ -81,14 +88,15 @@ class Predicting:
         chosen, before = cutting.source.currentData(), self._source
         self._source = chosen
         if chosen == OWN:
+            self._assumed = []
             return
         if chosen == before:
             if {name: _values(cutting)[name] for name in self._filled} != self._filled:
                 cutting.show_values(source=OWN)
-                self._source = OWN
+                self._source, self._assumed = OWN, []
             return
         operation = self.document.getObject(chosen)
-        values = cut_of(operation)
+        values, self._assumed = cut_of(operation)
         bent = face_inspection.round_face(self.faces)
         if bent is not None and operation.Strategy in PARALLEL:
             values["direction"] = round(bent.feed_direction(operation.PassAngle.Value), 1)
@@ -99,8 +107,8 @@ class Predicting:
         self._filled = {name: _values(cutting)[name] for name in values}
 
     def _tell_prediction(self):
-        told = self.prediction.sentences(unit())
-        is_guess = bool(self.prediction.warnings())
+        told = self.prediction.sentences(unit()) + self._assumed
+        is_guess = bool(self.prediction.warnings() or self._assumed)
         if face_inspection.round_face(self.faces) is None:
             told.append(_translate("EvenLoad", NOT_ROUND))
             is_guess = True

@@ -5,6 +5,7 @@ from PySide import QtGui
 from evenload import host
 from evenload.face_inspection.patterns import LEAST
 from evenload.face_inspection.probing_program import Probe
+from evenload.gui import fields
 from evenload.gui.length_box import FineLengthBox, LengthBox, RoughnessBox
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.inspection.predictions import SOURCE, ZIG_ZAG
@@ -83,8 +84,10 @@ def cutting():
     (strategy,) = (setting for setting in FINISHING if setting.name == "Strategy")
     passes = combo((each, each) for each in strategy.value)
     passes.setCurrentIndex(passes.findData(ZIG_ZAG))
-    speed = number(0, 200000, 0, 50, "rev/min")
+    direction, speed = number(0, 90, 1, 5, "°"), number(0, 200000, 0, 50, "rev/min")
     speed.setValue(SOURCE.spindle_speed)
+    for box in (direction, speed):  # or they would ask for room for the largest number
+        box.setMinimumWidth(fields.NARROWEST)
     return Rows(
         "Finishing",
         (
@@ -94,7 +97,7 @@ def cutting():
                 "direction",
                 "Feed direction",
                 "Of the passes, seen from above, to the cylinder's axis",
-                number(0, 90, 1, 5, "°"),
+                direction,
             ),
             (
                 "roughness",

@@ -4,7 +4,7 @@ import math
 import warnings
 from dataclasses import dataclass
 
-from evenload.inspection.points import length_told
+from evenload.inspection.points import SHOWN, length_told, mm_per
 
 # [Varga 2023, pp. 86-87]: constant, nature, feed direction in degrees, Rz in um; errors in mm.
 PUBLISHED = {
@@ -75,8 +75,9 @@ class Cut:
         for name in ("stepover", "feed_per_tooth", "depth", "tool_radius", "face_radius"):
             here, there = getattr(self, name), getattr(SOURCE, name)
             if abs(here - there) > SAME * there:
-                words = name.replace("_", " "), length_told(here, unit), length_told(there, unit)
-                told.append("%s %s, not %s" % words)
+                lengths = tuple("%.4g" % (each / mm_per(unit)) for each in (here, there))
+                words = (name.replace("_", " "), *lengths, SHOWN[unit][0])
+                told.append("%s %s, not %s %s" % words)
         if abs(self.spindle_speed - SOURCE.spindle_speed) > SAME * SOURCE.spindle_speed:
             speeds = self.spindle_speed, SOURCE.spindle_speed
             told.append("spindle speed %.0f rev/min, not %.0f" % speeds)
