@@ -61,12 +61,7 @@ def plane_choices(part, view):
     click(alignment.datum.pick)
     later(50)
     result["nothing_picked"] = view.dock.told.text()
-    below = next(
-        name
-        for name, face in ((f"Face{n}", f) for n, f in enumerate(part.Shape.Faces, 1))
-        if face.BoundBox.ZLength < 1e-6 and face.CenterOfMass.z < 20
-    )
-    FreeCADGui.Selection.addSelection(part, below)
+    FreeCADGui.Selection.addSelection(part, underside(part))
     click(alignment.datum.pick)
     later(50)
     FreeCADGui.Selection.clearSelection()
@@ -203,6 +198,12 @@ def predictions(part, view):
     result["provoked"].append("SetupSheet has no support for Finish")
 
 
+def underside(part):
+    """The name of the plane face that looks down, which is none of the inspected ones."""
+    faces = enumerate(part.Shape.Faces, 1)
+    return "Face%d" % min((face.BoundBox.ZMax, number) for number, face in faces)[1]
+
+
 def number_of_top(part):
     faces = enumerate(part.Shape.Faces, 1)
     return max((face.BoundBox.ZMax, number) for number, face in faces)[1]
@@ -210,6 +211,7 @@ def number_of_top(part):
 
 def session():
     from evenload import inspection
+    from evenload.gui import inspection as command
 
     FreeCAD.closeDocument(begun(1300, 1400).Name)
     part, view = opened()
@@ -222,7 +224,20 @@ def session():
     plane_choices(part, view)
     inches(view, points, normals)
     predictions(part, view)
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(part, "Face%d" % number_of_top(part))
+    view.dock.tabs.setCurrentIndex(1)
+    click(view.dock.alignment.datum.pick)  # of a round face, which is none
+    later(50)
+    result["round_datum"] = view.dock.told.text()
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(part, underside(part))
+    click(view.dock.alignment.datum.pick)
+    later(50)
+    picked = view.dock.alignment.value()[1]
     FreeCAD.closeDocument(part.Document.Name)
+    later(200)
+    result["closed_with_datum"] = [picked, len(command._shown)]
 
 
 run(session)

@@ -53,6 +53,12 @@ def test_a_datum_plane_is_followed_and_given_up_when_it_ends(session):
     assert session["datum_gone"] == ["", None]
 
 
+def test_a_round_face_is_no_datum_and_a_document_may_close_with_one(session):
+    assert "The datum is one plane face, not" in session["round_datum"]
+    picked, shown = session["closed_with_datum"]
+    assert picked.startswith("Dome.Face") and shown == 0
+
+
 def test_features_have_no_alignment(session):
     assert session["of_feature"] == [False, True]
 

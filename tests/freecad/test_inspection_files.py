@@ -112,6 +112,8 @@ def test_the_report_tells_a_prediction_beside_what_was_measured(bore):
     row = "<td>Cylindricity</td><td>0.0445</td><td>95.6 %%</td><td>%.4f</td>" % found.zone
     assert row in text and "a concave face, passes at 90° to its axis, Rz 3 µm" in text
     assert "face radius 8, not 45 mm" in text
+    text = html_report.report_of(found, unit="inch", prediction=predicted)
+    assert "Rz 118.1 µin" in text and "face radius 0.315, not 1.772 in" in text
     found = face_inspection.evaluate(bore, as_measured(WALL), free=())
     text = html_report.report_of(found, prediction=predicted)
     measured = re.findall(r"<td>([^<]*)</td><td>[^<]*</td><td>[^<]* %</td><td>[^<]+</td>", text)

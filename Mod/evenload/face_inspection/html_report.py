@@ -6,6 +6,7 @@ from evenload.inspection.points import SHOWN, length_told, mm_per
 from evenload.inspection.predictions import ADJUSTED_R_SQUARED, MEANINGS
 from evenload.pictures import html_page
 
+ROUGHNESS = {"mm": ("µm", 1.0), "inch": ("µin", 0.0254)}  # how it is written, and its µm
 VERDICTS = {IN: "good", OUT: "bad"}
 
 
@@ -100,10 +101,14 @@ def _prediction(evaluation, prediction, unit):
     ]
     name = SHOWN[unit][0]
     head = ("Form error", "Predicted, " + name, "R² adjusted", "Measured, " + name)
-    told = "By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, %s."
+    told = (
+        "By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, Rz %s."
+    )
     nature = "convex" if prediction.nature == "CX" else "concave"
-    asked = nature, round(prediction.feed_direction, 2), "Rz %g µm" % round(prediction.rz, 3)
-    sentences = [told % asked, *prediction.warnings(unit)]
+    sign, micrometres = ROUGHNESS[unit]
+    roughness = "%.4g %s" % (prediction.rz / micrometres, sign)
+    told %= (nature, round(prediction.feed_direction, 2), roughness)
+    sentences = [told, *prediction.warnings(unit)]
     return "<h2>Prediction</h2>" + html_page.sentences(sentences) + html_page.table(head, rows)
 
 

@@ -66,9 +66,8 @@ class Measuring:
             FreeCAD.addDocumentObserver(self._datum_observer)
 
     def _datum_changed(self, is_gone):
-        if is_gone:
+        if is_gone:  # not read at once: its document may be closing
             self._pick(None)
-            self.offer_planes()
         self.read_later()
 
     def forget_datum(self):
