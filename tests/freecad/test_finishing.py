@@ -13,6 +13,7 @@ import pytest
 from conftest import moves_of, reopened
 from finishing_parts import DOME, LEAN, lofted, part, upper
 from FreeCAD import Vector
+from models import sketch_of
 
 from evenload import batch, host
 from evenload.geometry import facets
@@ -35,7 +36,7 @@ def finish(bench, shape, tool="ballend", faces=None, **properties):
     names = upper(b.model.Shape) if faces is None else faces
     op = finishing.Create("Finish", parentJob=b.job, toolController=b.controller)
     op.Base = [(b.model, names)]
-    b.set(op, Stepover=2.0, Tolerance=TOLERANCE)
+    b.set(op, Stepover=2.0, Tolerance=TOLERANCE, LeadRadius=0.0)
     b.set(op, **properties)
     return b, op
 
@@ -152,7 +153,7 @@ def test_stepover_and_cusp_height_follow_each_other(bench):
     assert op.CuspHeight.Value == pytest.approx(BALL - math.sqrt(BALL**2 - 0.3**2))
     op.CuspHeight = 0.01
     assert op.Stepover.Value == pytest.approx(2 * math.sqrt(0.01 * (2 * BALL - 0.01)))
-    assert op.OwnValues == ["Stepover"]
+    assert op.OwnValues == ["Stepover", "LeadRadius"]
 
 
 def test_even_cusps_take_narrower_steps_where_the_part_is_steep(bench):
@@ -315,3 +316,69 @@ def test_the_example_finishes_the_whole_upper_side():
     examples = Path(__file__).resolve().parents[2] / "examples"
     (job,) = json.loads((examples / "dome.json").read_text())["jobs"]
     assert job["base"] == list(upper(Part.read(str(examples / job["model"]))))
+
+
+@pytest.mark.parametrize("strategy", ["Spiral inwards", "Spiral outwards"])
+def test_spirals_touch_the_part_all_along(bench, strategy):
+    b, op = finish(bench, part(True), Strategy=strategy)
+    b.done(op)
+    least, largest = off_by(b.model.Shape, cut_places(cuts_of(op), 500))
+    assert least > -BELOW - UNIT_ROUNDING and largest < TOLERANCE
+
+
+def borders(shape, y):
+    """The names of the edges of the upper side along x at an ordinate."""
+    return [
+        "Edge%d" % number
+        for number, edge in enumerate(shape.Edges, 1)
+        if all(abs(v.Y - y) < 1e-6 and v.Z > -60 for v in edge.Vertexes)
+        and edge.BoundBox.XLength > 70
+        and edge.BoundBox.ZLength < 1e-6
+    ]
+
+
+def test_passes_between_two_edges_are_parallel_to_both(bench):
+    b, op = finish(bench, part(True), Strategy="Between guides")
+    assert "need two of them beside the faces" in b.refused(op) and "makes 0 lines" in op.Report
+    b.set(op, Base=[*op.Base, (b.model, [_top(b, 40.0)])])
+    assert "makes 1 lines" in b.refused(op)
+    b.set(op, Base=[*op.Base, (b.model, [_top(b, -40.0)])])
+    b.done(op)
+    passes = [(s, e) for _, s, e in cuts_of(op) if abs(e.x - s.x) > 1]
+    assert all(abs(e.y - s.y) < 1e-6 for s, e in passes)
+    ordinates = sorted({round(e.y, 4) for s, e in passes})
+    assert ordinates == pytest.approx([-39 + 2 * k for k in range(40)], abs=1e-3)
+    least, largest = off_by(b.model.Shape, cut_places(cuts_of(op), 300))
+    assert least > -BELOW - UNIT_ROUNDING and largest < TOLERANCE
+
+
+def _top(b, y):
+    """The name of the upper edge at an ordinate."""
+    names = borders(b.model.Shape, y)
+    return max(names, key=lambda name: b.model.Shape.getElement(name).BoundBox.ZMax)
+
+
+def test_a_sketch_may_be_a_guide(bench):
+    b, op = finish(bench, part(True), Strategy="Between guides")
+    chain = [(-35, -20, 0), (0, -28, 0), (35, -20, 0)]
+    guide = sketch_of(b.doc, chain, z=60, closed=False)
+    b.set(op, Base=[*op.Base, (b.model, [_top(b, 40.0)]), (guide, "")])
+    b.done(op)
+    assert op.LeastStepover.Value < op.LargestStepover.Value <= 2.0
+    first = min(cuts_of(op), key=lambda cut: cut[2].y)
+    assert first[2].y == pytest.approx(-28 + 1, abs=0.2)
+
+
+def test_arcs_lead_into_passes_and_follow_the_tool(bench):
+    b, op = finish(bench, part(True), Strategy="One way", Stepover=8.0, PassAngle=0)
+    other = finishing.Create("Other", parentJob=b.job, toolController=b.controller)
+    assert other.LeadRadius.Value == pytest.approx(0.1 * 2 * BALL) and not other.OwnValues
+    b.doc.removeObject(other.Name)
+    b.set(op, LeadRadius=1.0)
+    b.done(op)
+    rises = [e.z - s.z for name, s, e in lines_of(op) if name == "G1" and e.z - s.z > 0.1]
+    assert len(rises) >= 10
+    b.set(op, LeadRadius=0.0)
+    b.done(op)
+    ways = [(s, e) for name, s, e in lines_of(op) if name == "G1"]
+    assert all(abs(e.z - s.z) < 1e-6 for s, e in ways if (s.x, s.y) != (e.x, e.y))

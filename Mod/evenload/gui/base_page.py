@@ -54,9 +54,6 @@ class BaseGeometryPage(_gui.op.TaskPanelBaseGeometryPage):
 
 
 class SurfaceGeometryPage(BaseGeometryPage):
-    """The same for faces alone, of any slope."""
+    """The same for faces of any slope, with edges and sketches as guides."""
 
-    wanted = "Select faces that do not stand upright."
-
-    def _names(self, item):
-        return [name for name in item.SubElementNames if name.startswith("Face")]
+    wanted = "Select faces that do not stand upright; edges or sketches as guides."

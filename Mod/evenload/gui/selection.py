@@ -22,11 +22,17 @@ class Gate:
 
 
 class SurfaceGate:
-    """What can be selected while a panel for surfaces is open: faces that do not stand upright."""
+    """What can be selected while a panel for surfaces is open: faces that do not stand upright,
+    and edges and sketches as guides.
+    """
 
     def allow(self, doc, obj, sub):
         shape = getattr(obj, "Shape", None)
-        return shape is not None and sub.startswith("Face") and not _is_wall(shape.getElement(sub))
+        if shape is None or shape.isNull():
+            return False
+        if is_outline(obj) or sub.startswith("Edge"):
+            return True
+        return sub.startswith("Face") and not _is_wall(shape.getElement(sub))
 
 
 def _is_wall(face):

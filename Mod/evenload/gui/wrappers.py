@@ -10,14 +10,16 @@ from importlib import import_module
 
 from PySide import QtCore
 
-# shiboken2 or shiboken6, which comes with the PySide that FreeCAD runs on.
-_shiboken = import_module(QtCore.QObject.__module__.split(".")[0].replace("PySide", "shiboken"))
+# PySide 6 keeps nothing.
+_shiboken = import_module("shiboken2") if QtCore.qVersion().startswith("5.") else None
 
 
 def forget_the_dead():
     """Has PySide forget the wrappers of all objects that Qt has deleted: in some hundredths of a
     second, so that it is for the opening and the end of panels.
     """
+    if _shiboken is None:
+        return
     wrappers = [each for each in gc.get_objects() if isinstance(each, QtCore.QObject)]
     for wrapper in wrappers:
         if not _shiboken.isValid(wrapper):

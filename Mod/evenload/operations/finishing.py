@@ -5,7 +5,7 @@ from dataclasses import dataclass
 
 from evenload import compiled, host
 from evenload import tool as tools
-from evenload.geometry import facets
+from evenload.geometry import facets, guides
 from evenload.operations import base, checks, compute, job_model, registry
 from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled
@@ -13,7 +13,7 @@ from evenload.operations.seen import settings_of
 from evenload.settings import parameters, ranges
 from evenload.settings.notes import KEPT_OFF
 from evenload.settings.results import FINISHING_RESULTS
-from evenload.settings.table import EVEN_CUSPS, FINISHING, PARALLEL
+from evenload.settings.table import BETWEEN_GUIDES, EVEN_CUSPS, FINISHING, PARALLEL
 from evenload.waiting import Stopped
 
 NAME = "EvenLoad Finishing"
@@ -152,9 +152,10 @@ class Finishing(base.Operation):
         tool, data = self.read_tool(obj)
         compute.refuse_turned_work_plane(obj)
         self.check_settings(obj, tool, data)
+        job = host.parent_job(op)
+        faces, lines = _sorted(_of_models(job, obj.Base), obj.Strategy)
         try:
-            job = host.parent_job(op)
-            found = facets.of(_of_models(job, obj.Base), job.Model.Group, obj.Tolerance.Value)
+            found = facets.of(faces, job.Model.Group, obj.Tolerance.Value)
         except Stopped:
             raise Cancelled(0.0) from None
         _check_heights(obj, found)
@@ -163,7 +164,7 @@ class Finishing(base.Operation):
             settings_of(obj, self.settings),
             tool,
             data,
-            _parameters(self, obj, tool, data, found),
+            {**_parameters(self, obj, tool, data, found), **lines},
             compute.spindle_notes(obj, data),
         )
 
@@ -185,6 +186,16 @@ def _of_models(job, picked):
         for name in names or ("",)
         for model, element in (job_model.of(job, obj, name),)
     ]
+
+
+def _sorted(base, strategy):
+    """(the faces of base geometry, {"guides": the lines of the rest}) where the strategy has
+    guides; else all of it counts as faces.
+    """
+    if strategy != BETWEEN_GUIDES:
+        return base, {}
+    faces = [(obj, names) for obj, names in base if names[0].startswith("Face")]
+    return faces, {"guides": guides.of([each for each in base if each not in faces])}
 
 
 def _check_stepover(obj, tool):

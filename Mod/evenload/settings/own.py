@@ -201,14 +201,17 @@ OF_LAME_SPIRAL = (
 
 EVEN_CUSPS = "Constant cusp height"
 PARALLEL = ["Zig-zag", "One way"]  # strategies with passes side by side
+SPIRALS = ["Spiral inwards", "Spiral outwards"]
+BETWEEN_GUIDES = "Between guides"
 
 OF_FINISHING = (
     Setting(
         "Strategy",
         CHOICE,
-        [*PARALLEL, "Contours inwards", "Contours outwards"],
-        "Parallel passes to and fro, or all in one direction with a way back over the part; or "
-        "passes along the outline of the faces, from the outside or from the inside on",
+        [*PARALLEL, "Contours inwards", "Contours outwards", *SPIRALS, BETWEEN_GUIDES],
+        "Parallel passes to and fro, or all in one direction with a way back over the part; passes "
+        "along the outline of the faces, or a spiral round their middle, from the outside or from "
+        "the inside on; or passes between two picked edges, from the shape of one to the other's",
         label="Strategy",
         box="Passes",
         is_first=True,
@@ -216,7 +219,9 @@ OF_FINISHING = (
         page="parallel passes to and fro, joined along the surface; or One way: all in the same "
         "direction, so that each cuts as CutMode says, with a way back over the part; or Contours "
         "inwards, Contours outwards: along the faces' outline as it is seen from above, from the "
-        "border or from the middle on",
+        "border or from the middle on; or Spiral inwards, Spiral outwards: one spiral round the "
+        "middle of the faces, for round ones; or Between guides: to and fro, from one of two "
+        "edges, chains of edges or sketches picked beside the faces to the other",
     ),
     Setting(
         "PassAngle",
@@ -296,5 +301,22 @@ OF_FINISHING = (
         keyword="allowance",
         range=NOT_NEGATIVE,
         page="what stays on the whole part, across its surface",
+    ),
+    Setting(
+        "LeadRadius",
+        LENGTH,
+        None,
+        "Radius of the upright arcs by which the tool comes into a pass from the air, and leaves "
+        "one; smaller where the part is in the way; at first 0.1 of the tool's diameter",
+        label="Lead radius",
+        box="Passes",
+        keyword="lead_radius",
+        range=NOT_NEGATIVE,
+        unset="none",
+        follows=lambda diameter, feed, rapid: 0.1 * diameter,
+        default="0.1 × tool",
+        page="of the upright arcs by which the tool comes into a pass from the air and leaves one, "
+        "tangentially; down to an eighth of it, or none, where the part is in the way; 0: straight "
+        "down and up",
     ),
 )

@@ -9,6 +9,7 @@ refused (`ranges`), the rows of the panels, the names in job files, the labels i
 from dataclasses import replace
 
 from evenload.settings.own import (
+    BETWEEN_GUIDES,
     EVEN_CUSPS,
     OF_ADAPTIVE,
     OF_FINISHING,
@@ -21,6 +22,7 @@ from evenload.settings.shared import CONSTANT_FORCE, HOLE_ENTRIES, SETTINGS
 
 __all__ = [
     "ALL",
+    "BETWEEN_GUIDES",
     "BOXES",
     "CONSTANT_FORCE",
     "EVEN_CUSPS",
