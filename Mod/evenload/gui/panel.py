@@ -11,6 +11,7 @@ from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
 from evenload.gui.status import FAILED
 from evenload.operations.base import SENTENCES
+from evenload.settings.sentences import shown
 from evenload.settings.setting import UNITS
 
 _gui = host.gui()
@@ -29,7 +30,8 @@ def create(operation):
     job = host.job_for_selection()
     if job is None:
         return None
-    doc.openTransaction("Create " + operation.NAME)
+    name = _translate("EvenLoad", operation.NAME)
+    doc.openTransaction(_translate("EvenLoad", "Create %s") % name)
     try:
         obj = operation.Create(operation.NAME.replace(" ", ""), parentJob=job)
         obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
@@ -39,7 +41,8 @@ def create(operation):
         return None
     except SENTENCES as error:
         doc.abortTransaction()
-        FreeCAD.Console.PrintError("%s was not created: %s\n" % (operation.NAME, error))
+        told = _translate("EvenLoad", "%s was not created: %s") % (name, shown(str(error)))
+        FreeCAD.Console.PrintError(told + "\n")
         return None
     except Exception:  # a bug, which keeps its traceback
         doc.abortTransaction()
@@ -202,7 +205,7 @@ class OperationPage(PreviewPage):
 
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
-        obj, widget, setting = self.obj, self.widgets[name], self.settings[name]
+        obj, widget = self.obj, self.widgets[name]
         if name in self.shown and self._texts(name) == self.shown[name]:
             return  # what is shown is rounded, and is no new value until it is edited
         if name in self.boxes:
@@ -212,7 +215,8 @@ class OperationPage(PreviewPage):
         else:
             value = fields.value_of(widget, self.points.get(name))
             if value is None:
-                FreeCAD.Console.PrintError("%s takes numbers, as 0; 0.1; 0.4; 1.\n" % setting.label)
+                told = _translate("EvenLoad", "%s takes numbers, as 0; 0.1; 0.4; 1.")
+                FreeCAD.Console.PrintError(told % self.labels[name].text() + "\n")
                 self._show_settings(obj)
                 return
             before = getattr(obj, name)

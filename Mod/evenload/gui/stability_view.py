@@ -94,7 +94,7 @@ class ChartView(QtGui.QWidget):
         legend = _translate("EvenLoad", "○ as it is   ● as chosen")
         painter.drawText(self._margins(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop, legend)
         if self._under_mouse is not None:
-            text = "%.0f rev/min, %.3g mm" % self._under_mouse
+            text = _translate("EvenLoad", "%.0f rev/min, %.3g mm") % self._under_mouse
             painter.drawText(self._margins(), QtCore.Qt.AlignRight | QtCore.Qt.AlignTop, text)
 
     def mouseMoveEvent(self, event):

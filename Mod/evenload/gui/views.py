@@ -7,6 +7,7 @@ from evenload.gui import adaptive, finishing, lame_spiral, trochoid
 from evenload.gui.icons import ICONS
 from evenload.gui.selection import select, select_surfaces
 from evenload.gui.slots import telling_slot
+from evenload.translation import translate
 
 _gui = host.gui()
 
@@ -18,7 +19,7 @@ class ViewProvider(_gui.op.ViewProvider):
 
     page = adaptive.OperationPage
     icon = "EvenLoad_Adaptive.svg"
-    OpName = "EvenLoad Adaptive"
+    title = "EvenLoad Adaptive"
 
     # Restored view providers come into being without __init__.
     deleteOnReject = False
@@ -33,6 +34,11 @@ class ViewProvider(_gui.op.ViewProvider):
     def OpIcon(self):
         """FreeCAD hands this to the panel."""
         return os.path.join(ICONS, self.icon)
+
+    @property
+    def OpName(self):
+        """That of the operation's page."""
+        return translate(self.title)
 
     def dumps(self):
         return None
@@ -61,19 +67,19 @@ class ViewProvider(_gui.op.ViewProvider):
 class TrochoidViewProvider(ViewProvider):
     page = trochoid.OperationPage
     icon = "EvenLoad_Trochoid.svg"
-    OpName = "EvenLoad Trochoid"
+    title = "EvenLoad Trochoid"
 
 
 class LameSpiralViewProvider(ViewProvider):
     page = lame_spiral.OperationPage
     icon = "EvenLoad_LameSpiral.svg"
-    OpName = "EvenLoad Lame Spiral"
+    title = "EvenLoad Lame Spiral"
 
 
 class FinishingViewProvider(ViewProvider):
     page = finishing.OperationPage
     icon = "EvenLoad_Finishing.svg"
-    OpName = "EvenLoad Finishing"
+    title = "EvenLoad Finishing"
 
     def getSelectionFactory(self):
         return select_surfaces
