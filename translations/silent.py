@@ -41,7 +41,8 @@ _SILENT = re.compile(
     r"[a-z_.]+|"  # names, and words that SPOKEN does not have
     r"[A-Z][a-z]+(?:[A-Z][a-z]+)+|"  # properties
     r"EvenLoad[A-Z_]\w*|\w+[.]svg|"
-    r"[#<\0.*].*|(?:font|color|text)[ :-].*|QPushButton .*|"  # colours, HTML, style sheets
+    r"[#<\0.*].*|(?:; )?(?:font|color|text|icon)[ :-].*|"  # colours, HTML, style sheets
+    r"QPushButton .*|"
     r".*::.*|User parameter:.*|evenload\..*|utf-8|"
     r"[^A-Za-z]*|[\d. ]+(?:mm|mm/min|°)|"  # numbers
     r"%[\d.*]*[dfg]°?|%\.\*f ?%s|%s\n|"  # nothing but places

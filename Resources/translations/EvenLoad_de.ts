@@ -272,7 +272,7 @@
     <name>EvenLoad</name>
     <message>
         <source> (%.2f of the ideal)</source>
-        <translation> (das %.2f-Fache des Ideals)</translation>
+        <translation> (%.2f × Ideal)</translation>
     </message>
     <message>
         <source> degrees</source>
@@ -1524,7 +1524,7 @@
     </message>
     <message>
         <source>Margin</source>
-        <translation>Rand</translation>
+        <translation>Abstand</translation>
     </message>
     <message>
         <source>Material</source>
@@ -2078,7 +2078,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Spacing</source>
-        <translation>Abstand</translation>
+        <translation>Aufteilung</translation>
     </message>
     <message>
         <source>Spacing is &apos;%1&apos;, but the tool &apos;%2&apos; has a flat end, which leaves steps: take a ball end mill, or another Spacing.</source>
@@ -2814,7 +2814,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Uncut %s</source>
-        <translation>Stehen geblieben %s</translation>
+        <translation>Rest %s</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -3106,7 +3106,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>from the face</source>
-        <translation>von der Fläche</translation>
+        <translation>wie Fläche</translation>
     </message>
     <message>
         <source>has a number that is not finite: compute the operation anew.</source>

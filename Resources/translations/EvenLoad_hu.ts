@@ -272,7 +272,7 @@
     <name>EvenLoad</name>
     <message>
         <source> (%.2f of the ideal)</source>
-        <translation> (az ideális %.2f-szorosa)</translation>
+        <translation> (%.2f × ideális)</translation>
     </message>
     <message>
         <source> degrees</source>
@@ -1524,7 +1524,7 @@
     </message>
     <message>
         <source>Margin</source>
-        <translation>Perem</translation>
+        <translation>Távolság</translation>
     </message>
     <message>
         <source>Material</source>
@@ -2814,7 +2814,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Uncut %s</source>
-        <translation>Kimaratlan %s</translation>
+        <translation>Maradék %s</translation>
     </message>
     <message>
         <source>Unit</source>
@@ -3106,7 +3106,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>from the face</source>
-        <translation>a felületből</translation>
+        <translation>a felületé</translation>
     </message>
     <message>
         <source>has a number that is not finite: compute the operation anew.</source>

@@ -103,8 +103,8 @@ CASES = [
     (
         "Spacing is 'Constant cusp height', but the tool 'T1' has a flat end, which leaves steps: "
         "take a ball end mill, or another Spacing.",
-        "Abstand ist „Konstante Rillenhöhe“, aber das Werkzeug „T1“ hat ein flaches Ende, das "
-        "Stufen lässt: einen Kugelfräser nehmen, oder Abstand anders wählen.",
+        "Aufteilung ist „Konstante Rillenhöhe“, aber das Werkzeug „T1“ hat ein flaches Ende, das "
+        "Stufen lässt: einen Kugelfräser nehmen, oder Aufteilung anders wählen.",
     ),
     (
         "Command 3 of the path, G43, is not known to the simulator: leave it out.",

@@ -18,6 +18,7 @@ _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
 NARROWEST_BUTTON = 36  # pixels beside the frame
+BESIDE_BUTTONS_TEXT = 36  # pixels: icon, frame, what is between buttons
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
 
@@ -117,7 +118,11 @@ class OperationPage(PreviewPage):
         """Has FreeCAD's buttons take less than the 80 pixels and more that each would have at
         least: they would make the panel wider than FreeCAD's narrow dock, which cuts off its right.
         """
-        buttonBox.setStyleSheet("QPushButton { min-width: %dpx }" % NARROWEST_BUTTON)
+        texts = [button.text() for button in buttonBox.buttons()]
+        needed = sum(fields.width_of(buttonBox, text) + BESIDE_BUTTONS_TEXT for text in texts)
+        # Languages with long words need the room of the icons.
+        icons = "" if needed <= fields.ROOM else "; icon-size: 0px"
+        buttonBox.setStyleSheet("QPushButton { min-width: %dpx%s }" % (NARROWEST_BUTTON, icons))
 
     def cleanupPage(self, obj):
         super().cleanupPage(obj)

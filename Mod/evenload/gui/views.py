@@ -94,7 +94,7 @@ def _unless_refused(accept, may_close):
 
 
 PROVIDERS = {
-    each.OpName: each
+    each.title: each
     for each in (TrochoidViewProvider, LameSpiralViewProvider, FinishingViewProvider)
 }
 

@@ -150,4 +150,5 @@ def _draw_legend(figure, has_limits):
         words = translate("limit")
         line = Line2D([], [], color=over_time.LIMIT_COLOUR, linestyle="--", label=words)
         signs.append(line)
-    figure.legend(handles=signs, loc="lower center", ncol=len(signs), frameon=False)
+    close = {"handlelength": 1.2, "handletextpad": 0.4, "columnspacing": 1.0}  # for long words
+    figure.legend(handles=signs, loc="lower center", ncol=len(signs), frameon=False, **close)
