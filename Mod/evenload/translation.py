@@ -13,7 +13,8 @@ FREECADS = "Form"  # that of FreeCAD's own pages of an operation
 # Where a pattern is filled in: by Python's % or by format().
 _PLACES = re.compile(r"%%|%[-+ #0]*\d*(?:\.\d+)?(?P<kind>[a-z])|\{\w*(?::(?P<form>[^}]+))?\}")
 _NUMBERED = re.compile(r"%(\d)")
-_TEXT = r"((?:\([^()]*\)|.)*?)"  # the shortest, but no part of what is in parentheses, if it may be
+# Texts in places, the shortest: with all of what they have in parentheses, or any.
+WHOLE, ANY = r"((?:\([^()]*\)|[^()])*?)", "(.*?)"
 _NUMBER = r"(-?\d+(?:\.\d+)?(?:e[+-]?\d+)?|-?inf|nan)"
 _KINDS_OF_TEXT = ("s", "r")
 
@@ -47,12 +48,13 @@ def filled(text, values):
     return _NUMBERED.sub(lambda place: values[int(place[1]) - 1], text)
 
 
-def expression(pattern, literal=re.escape):
+def expression(pattern, literal=re.escape, text=WHOLE):
     """A regular expression for what a pattern becomes, with a group for each of its places.
 
-    literal: callable(text between places) -> the expression for it.
+    literal: callable(text between places) -> the expression for it; text: that for a text in a
+    place.
     """
-    return re.compile("".join(_divided(pattern, literal)[1]), re.DOTALL)
+    return re.compile("".join(_divided(pattern, literal, text)[1]), re.DOTALL)
 
 
 def length(pattern):
@@ -60,7 +62,7 @@ def length(pattern):
     return len(_PLACES.sub("", pattern))
 
 
-def _divided(pattern, literal=re.escape):
+def _divided(pattern, literal=re.escape, group=WHOLE):
     """(the numbered text, the parts of the expression)"""
     text, parts, at, number = "", [], 0, 0
     for place in _PLACES.finditer(pattern):
@@ -72,5 +74,5 @@ def _divided(pattern, literal=re.escape):
         number += 1
         text += "%s%%%d" % (before, number)
         is_text = place["kind"] in _KINDS_OF_TEXT or not (place["kind"] or place["form"])
-        parts += [literal(before), _TEXT if is_text else _NUMBER]
+        parts += [literal(before), group if is_text else _NUMBER]
     return text + pattern[at:], [*parts, literal(pattern[at:])]

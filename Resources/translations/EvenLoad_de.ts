@@ -796,7 +796,7 @@
     </message>
     <message>
         <source>Best</source>
-        <translation>Bester</translation>
+        <translation>Besten suchen</translation>
     </message>
     <message>
         <source>Best cut</source>
@@ -1886,7 +1886,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Weg</translation>
+        <translation>Entfernen</translation>
     </message>
     <message>
         <source>Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N.</source>
@@ -1970,7 +1970,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Save...</source>
-        <translation>Sichern...</translation>
+        <translation>Speichern...</translation>
     </message>
     <message>
         <source>Searching</source>

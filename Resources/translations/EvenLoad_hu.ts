@@ -796,7 +796,7 @@
     </message>
     <message>
         <source>Best</source>
-        <translation>Legjobb</translation>
+        <translation>Legjobb keresése</translation>
     </message>
     <message>
         <source>Best cut</source>
@@ -1336,7 +1336,7 @@
     </message>
     <message>
         <source>Gouge, mm</source>
-        <translation>Alámarás, mm</translation>
+        <translation>Kontúrsértés, mm</translation>
     </message>
     <message>
         <source>Halton-Zaremba has no rows that may miss a fillet</source>
@@ -1886,7 +1886,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Remove</source>
-        <translation>Töröl</translation>
+        <translation>Törlés</translation>
     </message>
     <message>
         <source>Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N.</source>
@@ -2190,7 +2190,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Tap test...</source>
-        <translation>Mérés...</translation>
+        <translation>Kopogtatás...</translation>
     </message>
     <message>
         <source>Target and limit of the tool&apos;s engagement angle, between 0 and 180 degrees</source>
@@ -2206,11 +2206,11 @@ cm³/min</translation>
     </message>
     <message>
         <source>The %1 is %2 mm, of %3 points, at a radius of %4 mm.</source>
-        <translation>%1: %2 mm, %3 pontból, %4 mm sugárnál.</translation>
+        <translation>Alakhiba (%1): %2 mm, %3 pontból, %4 mm sugárnál.</translation>
     </message>
     <message>
         <source>The %1 is %2 mm, of %3 points.</source>
-        <translation>%1: %2 mm, %3 pontból.</translation>
+        <translation>Alakhiba (%1): %2 mm, %3 pontból.</translation>
     </message>
     <message>
         <source>The %1 must be above 0, not %2.</source>
@@ -2970,7 +2970,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>a V bit</source>
-        <translation>V-gravírozó</translation>
+        <translation>V-alakú gravírozó</translation>
     </message>
     <message>
         <source>a ball end mill</source>

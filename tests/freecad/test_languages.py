@@ -27,6 +27,10 @@ CONFIGURATION = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 """
 
 
+def test_all_languages_are_looked_at():
+    assert sorted(NAMES) == sorted(FILES)
+
+
 @pytest.fixture(scope="module", params=sorted(NAMES))
 def language(request):
     return request.param

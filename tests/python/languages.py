@@ -6,7 +6,9 @@ from pathlib import Path
 
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "translations"))
-FILES = {path.stem[-2:]: path for path in (ROOT / "Resources" / "translations").glob("*.ts")}
+FILES = {
+    path.stem.split("_")[1]: path for path in (ROOT / "Resources" / "translations").glob("*.ts")
+}
 
 
 def translations(language):

@@ -31,7 +31,7 @@ SAME = {
 
 
 def test_there_are_german_and_hungarian():
-    assert LANGUAGES == ["de", "hu"]
+    assert {"de", "hu"} <= set(LANGUAGES)
 
 
 @pytest.mark.parametrize("language", LANGUAGES)

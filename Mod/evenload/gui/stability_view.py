@@ -32,12 +32,12 @@ class ChartView(QtGui.QWidget):
         super().__init__(parent)
         self.setMinimumSize(*LEAST)
         self.setMouseTracking(True)
-        self.field = self.message = None
+        self.field, self.message = None, ""
         self.operation = self.point = self.is_stable = None
         self._image = self._axes = self._under_mouse = None
 
     def show_field(self, field):
-        self.field, self.message, self._image = field, None, None
+        self.field, self.message, self._image = field, "", None
         self.update()
 
     def show_message(self, text):

@@ -22,6 +22,7 @@ NAMES = {**LABELS, **FREECADS}  # of properties: their labels in English
 PROPERTY = re.compile(r"\[(%s)\]" % "|".join(sorted(NAMES, key=len, reverse=True)))
 
 LEAST = 10  # letters of a pattern of its own: what has fewer is taken for part of a sentence only
+ALWAYS = "Checked against the model."  # a sentence that each translation has
 _QUOTED = "'"  # round what has a name of its own
 _CHOICES = {choice for row in ALL if row.type == CHOICE for choice in row.value}
 _NAMES = re.compile(r"\b(?:%s)\b" % "|".join(name for name in NAMES if in_text(name)))
@@ -36,16 +37,21 @@ def label_of(name):
 
 def shown(text):
     """Sentences, one in each line, in the user's language."""
-    if translation.translator is translation.english:
-        return text
     lines = (marked(line) or line for line in text.split("\n"))
     return "\n".join(PROPERTY.sub(lambda found: label_of(found[1]), line) for line in lines)
+
+
+def shown_name(name):
+    """What a sentence calls geometry, as 'Face7 of Model', in the user's language."""
+    return marked(name, least=1) or name
 
 
 def marked(sentence, least=LEAST):
     """A sentence in the user's language with its properties in brackets, as '[Entry] ist ...';
     None where there is no translation. least: letters that are to be its pattern's own.
     """
+    if translation.translate(ALWAYS) == ALWAYS:
+        return None  # the user's language is English, or we do not speak it
     for pattern in _patterns():
         values = pattern.values(sentence) if pattern.length >= least else None
         if values is not None:
@@ -57,7 +63,8 @@ def marked(sentence, least=LEAST):
 class _Pattern:
     def __init__(self, line):
         self.text, self.length = translation.numbered(line), translation.length(line)
-        self._expression = translation.expression(line, _literal)
+        kinds = translation.WHOLE, translation.ANY
+        self._expressions = [translation.expression(line, _literal, kind) for kind in kinds]
         # Names of objects and files stand between quotes: they are the user's.
         self._is_quoted = [
             self.text[at - 1 : at] == _QUOTED
@@ -66,7 +73,7 @@ class _Pattern:
 
     def values(self, sentence):
         """What a sentence of this pattern was filled with, translated; None for another's."""
-        found = self._expression.fullmatch(sentence)
+        found = next(filter(None, (each.fullmatch(sentence) for each in self._expressions)), None)
         if found is None:
             return None
         return [_part(*each) for each in zip(found.groups(), self._is_quoted)]
