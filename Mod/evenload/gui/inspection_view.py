@@ -19,6 +19,7 @@ from evenload.gui.inspection_dock import ALIGNED, DEVIATION, InspectionDock
 from evenload.gui.inspection_node import InspectionNode
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
+from evenload.settings.sentences import shown, shown_name
 
 _translate = FreeCAD.Qt.translate
 
@@ -94,7 +95,7 @@ class InspectionView:
         objects = [obj for obj, _ in base]
         self._observer = Observer(objects, PROPERTIES, telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
-        self._tell(self.dock.faces, self.faces.name)
+        self._tell(self.dock.faces, shown_name(self.faces.name))
         self.sample()
         self.evaluate()
 
@@ -261,6 +262,6 @@ class InspectionView:
 
     @staticmethod
     def _tell(label, text, colour=None):
-        label.setText(text)
+        label.setText(shown(text))
         shade = "color: %s" % colours.shade(colour, label) if colour else ""
         label.setStyleSheet(shade)
