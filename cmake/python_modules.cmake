@@ -72,5 +72,5 @@ target_compile_definitions(_occt PRIVATE EVENLOAD_OCCT_MODULE=${occt_module})
 
 # What FreeCAD loads, and nothing else.
 install(FILES package.xml Init.py InitGui.py LICENSE README.md DESTINATION .)
-install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE)
+install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE PATTERN "*.ts" EXCLUDE)
 install(TARGETS _core _occt LIBRARY DESTINATION Mod/evenload)

@@ -28,9 +28,9 @@ def _unsigned(x):
 
 
 def _skipped_pocket(place, tool, largest):
-    sentence = "The pocket %s was skipped. The tool of %g mm does not fit into the pocket: "
+    said = "The pocket %s was skipped. The tool of %g mm does not fit into the pocket: %s"
     fits = "the largest tool that fits has %g mm." % largest
-    return sentence % (place, tool) + (fits if largest > 0 else "no tool does, lower StockToLeave.")
+    return said % (place, tool, fits if largest > 0 else "no tool does, lower StockToLeave.")
 
 
 def _tight_turns(place, radius, wish, rooms):

@@ -97,7 +97,7 @@ def session():
     for name in ("Face%d" % walls[0], "Edge1", upper(model.Shape)[0]):
         FreeCADGui.Selection.addSelection(doc.Name, model.Name, name)
     result["picked"] = list(FreeCADGui.Selection.getSelectionEx()[0].SubElementNames)
-    result["wanted"] = [upper(model.Shape)[0]]
+    result["wanted"] = ["Edge1", upper(model.Shape)[0]]  # edges may be guides
     FreeCADGui.Selection.removeSelectionGate()
 
 

@@ -61,6 +61,20 @@ def text_room(field):
     return edit.text() or edit.placeholderText(), room - 2 * MARGIN
 
 
+def cut_off_buttons(box):
+    """The texts of a panel's buttons that have no room in them."""
+    kinds = QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Cancel, QtGui.QDialogButtonBox.Apply
+    found, contents = [], QtGui.QStyle.SE_PushButtonContents
+    for button in map(box.button, kinds):
+        option = QtGui.QStyleOptionButton()
+        button.initStyleOption(option)
+        room = button.style().subElementRect(contents, option, button).width()
+        icon = 0 if option.icon.isNull() else option.iconSize.width()
+        if QtGui.QFontMetrics(button.font()).boundingRect(option.text).width() + icon > room:
+            found.append(option.text)
+    return found
+
+
 def too_wide(page):
     """Names of what does not fit into the dock, among fields, labels and their texts."""
     viewport, found = page.area.viewport(), []
@@ -86,6 +100,7 @@ def too_wide(page):
             found.append("the right of " + name)
     if buttons.minimumSizeHint().width() > buttons.width():
         found.append("the buttons, which lie one over the other")
+    found += ["the text of the button " + text for text in cut_off_buttons(buttons)]
     if page.area.horizontalScrollBar().maximum() > 0:
         found.append("the width of the page")
     return found

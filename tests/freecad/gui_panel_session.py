@@ -10,46 +10,12 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_fit import dock_of, resize_dock, too_wide  # noqa: E402
-from gui_tools import (  # noqa: E402
-    OUT,
-    click,
-    fold_all,
-    later,
-    leave,
-    press,
-    result,
-    run,
-    set_up,
-    unfold_all,
-)
+from gui_panels import fit_of, in_panel, opened, operation_on, picture  # noqa: E402
+from gui_tools import click, fold_all, later, leave, press, result, run, set_up  # noqa: E402
 
-WIDTHS = 264, 300  # pixels of FreeCAD's dock: as it is at first, and somewhat wider
 LAPTOP = 1366, 980  # pixels: what is above the report view is as high as all of a laptop's 768
 METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
 COMMANDS = ("EvenLoad_Adaptive", "EvenLoad_Trochoid", "EvenLoad_LameSpiral")
-
-
-def picture(name):
-    FreeCADGui.getMainWindow().grab().save(os.path.join(OUT, name + ".png"))
-
-
-def opened(op):
-    """The page of an operation's panel, which opens."""
-    later(50)  # the panel before goes first
-    op.ViewObject.Document.setEdit(op.ViewObject, 0)
-    later()
-    return op.ViewObject.Proxy.panel.featurePages[-1]
-
-
-def in_panel(op, look):
-    """What look(page) tells of an operation's panel, which opens and closes. Nothing else may keep
-    a page: with it FreeCAD's panel stays, and the widgets of the next are taken for its own.
-    """
-    seen = look(opened(op))
-    press(QtGui.QDialogButtonBox.Cancel)
-    later()
-    return seen
 
 
 def fits(operations):
@@ -76,19 +42,6 @@ def in_low_window(op):
     window.resize(before)
     later()
     return found
-
-
-def fit_of(page, name):
-    seen = {}
-    for folding in ("folded", "unfolded"):
-        if folding == "unfolded":
-            unfold_all(page)
-        for width in WIDTHS:
-            resize_dock(page, width)
-            look = "%s %d %s" % (name, dock_of(page).width(), folding)
-            picture(look)
-            seen[look] = too_wide(page)
-    return seen
 
 
 def step_of(box):
@@ -236,16 +189,6 @@ def notes(page):
     seen["remarks_unfolded"] = page.status._remarks.isVisible()
     picture("remarks")
     return seen
-
-
-def operation_on(doc, job, model, floor, command):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
-    FreeCADGui.runCommand(command)
-    later(600)
-    press(QtGui.QDialogButtonBox.Ok)
-    later(500)
-    return job.Operations.Group[-1]
 
 
 def session():

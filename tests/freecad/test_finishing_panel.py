@@ -42,5 +42,5 @@ def test_apply_computes_the_path_and_tells_its_time(session):
     )
 
 
-def test_only_faces_that_do_not_stand_upright_can_be_picked(session):
+def test_walls_cannot_be_picked_edges_can(session):
     assert session["picked"] == session["wanted"]

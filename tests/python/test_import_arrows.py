@@ -42,7 +42,7 @@ ARROWS = {
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
-    *("findings", "planar", "tool", "waiting", "window", "words"),
+    *("findings", "planar", "tool", "translation", "waiting", "window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
 DOORS = {"__init__", "batch", "job_simulation", "job_stability", "proof", "simulation_pictures"}
@@ -78,7 +78,7 @@ WITHOUT_FREECAD = {
         "stability.field",
         "stability.picture",
     ),
-    *("settings.labels", "settings.notes", "settings.own", "settings.pages"),
+    *("settings.labels", "settings.notes", "settings.own", "settings.pages", "settings.sentences"),
     *("settings.parameters", "gui.load_colours"),
     *("settings.ranges", "settings.results", "settings.setting", "settings.shared"),
     "settings.table",

@@ -7,12 +7,14 @@ the file is None, nothing is written. No display is needed.
 import numpy
 
 from evenload.pictures.figure import new_figure, save
+from evenload.translation import translate
 
 COLOURS = {"Hopf": "#1a73e8", "flip": "#d93025", "fold": "#188038"}
 UNSTABLE, TRIVIAL, OTHER, GREY, POINT = "#fce8e6", "#188038", "#e8710a", "#9aa0a6", "#202124"
 GRID = 120, 80  # speeds and depths at which the ground is coloured
 MAP = 60, 36  # those of surface errors
 RESONANCES = 8  # that are named, the fastest first
+FIT_PARTS = "real part of %s, \u00b5m/N", "imaginary part of %s, \u00b5m/N"
 LEVELS_UM = (-100, -50, -20, -10, 10, 20, 50, 100)
 
 
@@ -89,13 +91,16 @@ def fit(fitted, file, title="Fitted modes"):
     rows = figure.subplots(len(axes_names), 2, squeeze=False)
     for row, name in zip(rows, axes_names):
         frequencies, measured, drawn = fitted.lines[name]
-        for axes, part, words in zip(row, (numpy.real, numpy.imag), ("real", "imaginary")):
-            axes.plot(frequencies, 1e6 * part(measured), ".", color=GREY, ms=3, label="measured")
-            axes.plot(frequencies, 1e6 * part(drawn), color=COLOURS["Hopf"], label="fitted")
-            axes.set_xlabel("frequency, Hz")
-            axes.set_ylabel("%s part of %s, \u00b5m/N" % (words, name))
+        for axes, part, words in zip(row, (numpy.real, numpy.imag), FIT_PARTS):
+            points = {"color": GREY, "ms": 3, "label": translate("measured")}
+            axes.plot(frequencies, 1e6 * part(measured), ".", **points)
+            line = {"color": COLOURS["Hopf"], "label": translate("fitted")}
+            axes.plot(frequencies, 1e6 * part(drawn), **line)
+            axes.set_xlabel(translate("frequency, Hz"))
+            axes.set_ylabel(translate(words) % name)
             axes.grid(color="#e8eaed", linewidth=0.6)
-        row[0].set_title("%s: error %.1f %%" % (name, 100 * fitted.error[name]), loc="left")
+        told = translate("%s: error %.1f %%") % (name, 100 * fitted.error[name])
+        row[0].set_title(told, loc="left")
     rows[0][1].legend(frameon=False)
     figure.suptitle(title)
     return _saved(figure, file)

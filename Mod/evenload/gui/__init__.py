@@ -4,11 +4,12 @@ This module and `command` are light, for FreeCAD runs them at its start; everyth
 when a command runs or an operation is there.
 """
 
+import FreeCAD
 import FreeCADGui
 
-from evenload import host, window
+from evenload import host, translation, window
 from evenload.gui import command
-from evenload.gui.icons import ICONS
+from evenload.gui.icons import ICONS, LANGUAGES
 
 
 def start():
@@ -16,6 +17,9 @@ def start():
     are shown.
     """
     FreeCADGui.addIconPath(ICONS)
+    FreeCADGui.addLanguagePath(LANGUAGES)
+    FreeCADGui.updateLocale()  # FreeCAD has looked for translations before it runs this
+    translation.translator = FreeCAD.Qt.translate
     for name, instance in command.COMMANDS.items():
         FreeCADGui.addCommand(name, instance)
     host.add_to_workbench(list(command.COMMANDS))

@@ -6,10 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from evenload import compiled
-
-
-def _translated(text):
-    return FreeCAD.Qt.translate("EvenLoad", text)
+from evenload.settings.sentences import shown
 
 
 class Command:
@@ -23,12 +20,10 @@ class Command:
         self.resources = icon, menu_text, tool_tip
 
     def GetResources(self):
-        icon, menu_text, tool_tip = self.resources
-        return {
-            "Pixmap": icon,
-            "MenuText": _translated(menu_text),
-            "ToolTip": _translated(tool_tip),
-        }
+        """In English: FreeCAD translates them, in a context of the command's name, and does so
+        anew where the user takes another language.
+        """
+        return dict(zip(("Pixmap", "MenuText", "ToolTip"), self.resources))
 
     def IsActive(self):
         doc = FreeCAD.ActiveDocument
@@ -37,7 +32,7 @@ class Command:
     def Activated(self):
         missing = compiled.missing()
         if missing:
-            FreeCAD.Console.PrintError(missing + "\n")
+            FreeCAD.Console.PrintError(shown(missing) + "\n")
             return
         # Not before: these modules load matplotlib, the simulator and the Path / CAM workbench.
         module = import_module("evenload.gui." + self.module)

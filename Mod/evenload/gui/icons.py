@@ -1,4 +1,4 @@
-"""Where our icons lie."""
+"""Where our icons and translations lie."""
 
 import os
 
@@ -6,3 +6,4 @@ ADDON = os.path.dirname(
     os.path.dirname(os.path.dirname(os.path.dirname(os.path.abspath(__file__))))
 )
 ICONS = os.path.join(ADDON, "Resources", "icons")
+LANGUAGES = os.path.join(ADDON, "Resources", "translations")

@@ -2,6 +2,8 @@
 
 from PySide import QtCore, QtGui
 
+from evenload.settings.sentences import shown
+
 INK = QtGui.QColor("#5f6368")
 MARGIN = 20  # pixels
 
@@ -19,4 +21,4 @@ def paint_message(painter, box, text):
     """Words in the middle of a box, in place of a picture."""
     painter.setPen(INK)
     where = box.adjusted(MARGIN, MARGIN, -MARGIN, -MARGIN)
-    painter.drawText(where, QtCore.Qt.AlignCenter | QtCore.Qt.TextWordWrap, text)
+    painter.drawText(where, QtCore.Qt.AlignCenter | QtCore.Qt.TextWordWrap, shown(text))

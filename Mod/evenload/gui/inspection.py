@@ -5,6 +5,7 @@ import FreeCADGui
 
 from evenload.gui.inspection_selection import selected_faces
 from evenload.gui.inspection_view import InspectionView
+from evenload.settings.sentences import shown
 
 _shown = []  # the InspectionView that is there
 
@@ -22,7 +23,7 @@ def create():
     try:
         _shown.append(InspectionView(document, base, close))
     except ValueError as error:
-        FreeCAD.Console.PrintError("%s\n" % error)
+        FreeCAD.Console.PrintError(shown(str(error)) + "\n")
         return None
     FreeCADGui.Selection.clearSelection()  # its green would hide the colours
     return _shown[-1]

@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 
 from evenload.gui import colours, fields, files
 from evenload.inspection.points import SHOWN, mm_per
+from evenload.settings.sentences import shown
 
 # A length as sentences on what cannot be tell it; feeds are no lengths.
 IN_MM = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) mm\b(?!/)")
@@ -34,8 +35,8 @@ def label(text=""):
 
 
 def tell(where, text, colour=None):
-    """Tells a text in a label."""
-    where.setText(text)
+    """Tells a text in a label, a sentence in the user's language."""
+    where.setText(shown(text))
     where.setStyleSheet("color: %s" % colours.shade(colour, where) if colour else "")
 
 

@@ -21,6 +21,7 @@ from evenload.gui.inspection_selection import selected_faces
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
+from evenload.settings.sentences import shown_name
 
 _translate = FreeCAD.Qt.translate
 
@@ -96,7 +97,7 @@ class InspectionView(Measuring, Predicting):
         objects = [obj for obj, _ in base]
         self._observer = Observer(objects, PROPERTIES, telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
-        tell(self.dock.faces, self.faces.name)
+        tell(self.dock.faces, shown_name(self.faces.name))
         self.offer_planes()
         self.show_round_face()
         self.sample()

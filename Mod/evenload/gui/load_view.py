@@ -14,6 +14,7 @@ from evenload.gui.load_node import LoadNode
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
 from evenload.settings.properties import is_ours
+from evenload.settings.sentences import shown
 from evenload.waiting import Stopped
 from evenload.words import clock
 
@@ -53,7 +54,7 @@ def _told(operation):
     try:
         return simulated(operation)
     except ValueError as error:
-        FreeCAD.Console.PrintError("%s\n" % error)
+        FreeCAD.Console.PrintError(shown(str(error)) + "\n")
         return None
 
 

@@ -11,6 +11,7 @@ from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
 from evenload.gui.status import FAILED
 from evenload.operations.base import SENTENCES
+from evenload.settings.sentences import shown
 from evenload.settings.setting import UNITS
 from evenload.settings.table import HOLE_ENTRIES
 
@@ -18,6 +19,7 @@ _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
 NARROWEST_BUTTON = 36  # pixels beside the frame
+BESIDE_BUTTONS_TEXT = 36  # pixels: icon, frame, what is between buttons
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
 
@@ -30,7 +32,8 @@ def create(operation):
     job = host.job_for_selection()
     if job is None:
         return None
-    doc.openTransaction("Create " + operation.NAME)
+    name = _translate("EvenLoad", operation.NAME)
+    doc.openTransaction(_translate("EvenLoad", "Create %s") % name)
     try:
         obj = operation.Create(operation.NAME.replace(" ", ""), parentJob=job)
         obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
@@ -41,7 +44,8 @@ def create(operation):
         return None
     except SENTENCES as error:
         doc.abortTransaction()
-        FreeCAD.Console.PrintError("%s was not created: %s\n" % (operation.NAME, error))
+        told = _translate("EvenLoad", "%s was not created: %s") % (name, shown(str(error)))
+        FreeCAD.Console.PrintError(told + "\n")
         return None
     except Exception:  # a bug, which keeps its traceback
         doc.abortTransaction()
@@ -116,7 +120,11 @@ class OperationPage(PreviewPage):
         """Has FreeCAD's buttons take less than the 80 pixels and more that each would have at
         least: they would make the panel wider than FreeCAD's narrow dock, which cuts off its right.
         """
-        buttonBox.setStyleSheet("QPushButton { min-width: %dpx }" % NARROWEST_BUTTON)
+        texts = [button.text() for button in buttonBox.buttons()]
+        needed = sum(fields.width_of(buttonBox, text) + BESIDE_BUTTONS_TEXT for text in texts)
+        # Languages with long words need the room of the icons.
+        icons = "" if needed <= fields.ROOM else "; icon-size: 0px"
+        buttonBox.setStyleSheet("QPushButton { min-width: %dpx%s }" % (NARROWEST_BUTTON, icons))
 
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
@@ -214,7 +222,7 @@ class OperationPage(PreviewPage):
 
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
-        obj, widget, setting = self.obj, self.widgets[name], self.settings[name]
+        obj, widget = self.obj, self.widgets[name]
         if name in self.shown and self._texts(name) == self.shown[name]:
             return  # what is shown is rounded, and is no new value until it is edited
         if name in self.boxes:
@@ -224,7 +232,8 @@ class OperationPage(PreviewPage):
         else:
             value = fields.value_of(widget, self.points.get(name))
             if value is None:
-                FreeCAD.Console.PrintError("%s takes numbers, as 0; 0.1; 0.4; 1.\n" % setting.label)
+                told = _translate("EvenLoad", "%s takes numbers, as 0; 0.1; 0.4; 1.")
+                FreeCAD.Console.PrintError(told % self.labels[name].text() + "\n")
                 self._show_settings(obj)
                 return
             before = getattr(obj, name)

@@ -13,6 +13,7 @@ from evenload.gui.machine_box import MachineBox
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
+from evenload.settings.sentences import shown
 from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
@@ -78,7 +79,7 @@ class SimulationDock(QtGui.QDockWidget):
 
     def tell(self, text, colour=None):
         """Shows sentences, or hides those before where there are none."""
-        self.told.setText(html.escape(text).replace("\n", "<br>"))
+        self.told.setText(html.escape(shown(text)).replace("\n", "<br>"))
         self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
         self.told.setVisible(bool(text))
 

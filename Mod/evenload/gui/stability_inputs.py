@@ -25,7 +25,7 @@ def number(low, high, decimals, step, suffix, when_low=""):
     box.setDecimals(decimals)
     box.setRange(low, high)
     box.setSingleStep(step)
-    box.setSuffix(suffix and " " + suffix)
+    box.setSuffix(suffix and " " + _translate("EvenLoad", suffix))
     box.setKeyboardTracking(False)
     if when_low:
         box.setSpecialValueText(_translate("EvenLoad", when_low))

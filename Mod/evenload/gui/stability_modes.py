@@ -7,6 +7,7 @@ from evenload.dynamics import Mode, vibration
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button
 from evenload.gui.stability_tap import TapTestDialog
+from evenload.settings.sentences import shown
 
 _translate = FreeCAD.Qt.translate
 
@@ -123,7 +124,8 @@ class ModesBox(QtGui.QGroupBox):
         try:
             return Mode.from_stiffness(stiffness, frequency, damping / 100, direction)
         except ValueError as error:
-            raise ValueError(_translate("EvenLoad", "Mode %d: %s") % (row + 1, error)) from None
+            told = _translate("EvenLoad", "Mode %d: %s") % (row + 1, shown(str(error)))
+            raise ValueError(told) from None
 
     def _add(self):
         self.take([*self.modes, Mode.from_stiffness(*NEW)], self.notes, self.name)

@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 from evenload.dynamics import Frf, pictures
 from evenload.gui.images import image_of
 from evenload.gui.slots import slot
+from evenload.settings.sentences import shown
 
 _translate = FreeCAD.Qt.translate
 
@@ -121,7 +122,7 @@ class TapTestDialog(QtGui.QDialog):
         self.ok.setEnabled(self.fitted is not None)
 
     def _tell(self, text, colour):
-        self.told.setText(text)
+        self.told.setText(shown(text))
         self.told.setStyleSheet("color: %s" % colour)
 
 

@@ -32,12 +32,12 @@ class ChartView(QtGui.QWidget):
         super().__init__(parent)
         self.setMinimumSize(*LEAST)
         self.setMouseTracking(True)
-        self.field = self.message = None
+        self.field, self.message = None, ""
         self.operation = self.point = self.is_stable = None
         self._image = self._axes = self._under_mouse = None
 
     def show_field(self, field):
-        self.field, self.message, self._image = field, None, None
+        self.field, self.message, self._image = field, "", None
         self.update()
 
     def show_message(self, text):
@@ -94,7 +94,7 @@ class ChartView(QtGui.QWidget):
         legend = _translate("EvenLoad", "○ as it is   ● as chosen")
         painter.drawText(self._margins(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop, legend)
         if self._under_mouse is not None:
-            text = "%.0f rev/min, %.3g mm" % self._under_mouse
+            text = _translate("EvenLoad", "%.0f rev/min, %.3g mm") % self._under_mouse
             painter.drawText(self._margins(), QtCore.Qt.AlignRight | QtCore.Qt.AlignTop, text)
 
     def mouseMoveEvent(self, event):

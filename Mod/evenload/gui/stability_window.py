@@ -14,6 +14,7 @@ from evenload.gui.stability_modes import ModesBox
 from evenload.gui.stability_task import chart_of
 from evenload.gui.stability_view import ChartView
 from evenload.gui.worker import Refused, Worker
+from evenload.settings.sentences import shown
 from evenload.stability import choice, picture, taking
 from evenload.stability import cut as cuts
 from evenload.stability import operation as stability
@@ -202,7 +203,7 @@ class StabilityWindow(QtGui.QDialog):
         for result in self.worker.results():
             self._show(result, self._tell)
         for result in self.searcher.results():
-            self._show(result, lambda text, _: self.found.setText(text))
+            self._show(result, lambda text, _: self.found.setText(shown(text)))
 
     def _closed_if_gone(self):
         """Whether the operation or its document is gone: then the window closes, too."""
@@ -266,7 +267,7 @@ class StabilityWindow(QtGui.QDialog):
             return
         if not self.modes.problem:
             doc = self.operation.Document
-            doc.openTransaction("Modes of vibration")
+            doc.openTransaction(_translate("EvenLoad", "Modes of vibration"))
             stability.keep(host.controller_of(self.operation), self.modes.vibration())
             doc.commitTransaction()
         self.recompute()
@@ -302,5 +303,5 @@ class StabilityWindow(QtGui.QDialog):
         self.closed.emit()
 
     def _tell(self, text, colour):
-        self.told.setText(text)
+        self.told.setText(shown(text))
         self.told.setStyleSheet("color: %s" % colour)

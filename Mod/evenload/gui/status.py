@@ -159,9 +159,9 @@ class Status:
         return "<br>".join("%s %s" % (mark, self._linked(each)) for each in sentences)
 
     def _linked(self, sentence):
-        """A sentence as rich text, with its places and fields as links."""
+        """A sentence as rich text in the user's language, with its places and fields as links."""
         shade, result = colours.shade(colours.LINK, self._state), []
-        for piece in notes.pieces_of(sentence):
+        for piece in notes.shown_pieces(sentence):
             text = html.escape(piece.text)
             if piece.place or piece.field:
                 self._pieces.append(piece)

@@ -8,6 +8,7 @@ from evenload.gui.icons import ICONS
 from evenload.gui.selection import select, select_surfaces
 from evenload.gui.slots import telling_slot
 from evenload.gui.wrappers import forget_the_dead
+from evenload.translation import translate
 
 _gui = host.gui()
 
@@ -19,7 +20,7 @@ class ViewProvider(_gui.op.ViewProvider):
 
     page = adaptive.OperationPage
     icon = "EvenLoad_Adaptive.svg"
-    OpName = "EvenLoad Adaptive"
+    title = "EvenLoad Adaptive"
 
     # Restored view providers come into being without __init__.
     deleteOnReject = False
@@ -34,6 +35,11 @@ class ViewProvider(_gui.op.ViewProvider):
     def OpIcon(self):
         """FreeCAD hands this to the panel."""
         return os.path.join(ICONS, self.icon)
+
+    @property
+    def OpName(self):
+        """That of the operation's page."""
+        return translate(self.title)
 
     def dumps(self):
         return None
@@ -64,19 +70,19 @@ class ViewProvider(_gui.op.ViewProvider):
 class TrochoidViewProvider(ViewProvider):
     page = trochoid.OperationPage
     icon = "EvenLoad_Trochoid.svg"
-    OpName = "EvenLoad Trochoid"
+    title = "EvenLoad Trochoid"
 
 
 class LameSpiralViewProvider(ViewProvider):
     page = lame_spiral.OperationPage
     icon = "EvenLoad_LameSpiral.svg"
-    OpName = "EvenLoad Lame Spiral"
+    title = "EvenLoad Lame Spiral"
 
 
 class FinishingViewProvider(ViewProvider):
     page = finishing.OperationPage
     icon = "EvenLoad_Finishing.svg"
-    OpName = "EvenLoad Finishing"
+    title = "EvenLoad Finishing"
 
     def getSelectionFactory(self):
         return select_surfaces
@@ -91,7 +97,7 @@ def _unless_refused(accept, may_close):
 
 
 PROVIDERS = {
-    each.OpName: each
+    each.title: each
     for each in (TrochoidViewProvider, LameSpiralViewProvider, FinishingViewProvider)
 }
 

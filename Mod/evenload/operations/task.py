@@ -132,8 +132,11 @@ def _floor_notes(floors):
         if floor.is_face and abs(above) > LEVEL:
             beside.setdefault(above, []).extend(floor.parts)
     for above, parts in beside.items():
-        what = "below %s: the tool cuts into it." if above > 0 else "above %s: the rest stays."
-        notes.append("FinalDepth lies %g mm " % abs(above) + what % name_of(parts))
+        if above > 0:
+            said = "FinalDepth lies %g mm below %s: the tool cuts into it."
+        else:
+            said = "FinalDepth lies %g mm above %s: the rest stays."
+        notes.append(said % (abs(above), name_of(parts)))
     return notes
 
 

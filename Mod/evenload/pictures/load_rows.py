@@ -13,6 +13,7 @@ from matplotlib.patches import Patch
 from evenload.pictures import over_time
 from evenload.pictures.figure import new_figure
 from evenload.planar import CUT, LINK
+from evenload.translation import translate
 
 MARGINS = 0.62, 0.12, 0.28, 0.66  # inches: left, right, top, bottom
 BETWEEN = 0.62, 0.10  # inches between columns, between rows
@@ -84,7 +85,9 @@ def draw(figure, runs, limits, span=None):
                 each.tick_params(labelbottom=row is ROWS[-1])
             axes[0].set_title(run.name, loc="left", x=PLACE, fontsize=LETTERS + 1)
             axes[-1].set_xlabel(
-                "time, s" if run.simulation.machine_time_s is None else "time on the machine, s"
+                translate("time, s")
+                if run.simulation.machine_time_s is None
+                else translate("time on the machine, s")
             )
             columns.append(axes)
         _draw_legend(figure, any(limits.get(row.key) for row in ROWS))
@@ -119,9 +122,11 @@ def _top(row, runs, limit):
 def _draw_row(axes, row, run, limit, span, top):
     seen = _seen(run.time, span)
     time, values = run.time[seen], getattr(run.simulation, row.key)
-    axes.set_ylabel(row.title)
+    axes.set_ylabel(translate(row.title))
     if values is None:
-        axes.text(0.5, 0.5, "no material, no force", ha="center", transform=axes.transAxes)
+        axes.text(
+            0.5, 0.5, translate("no material, no force"), ha="center", transform=axes.transAxes
+        )
     elif len(time):
         over_time.draw_band(axes, time, row.factor * values[seen])
     over_time.draw_limit(axes, limit and row.factor * limit, "%.4g")
@@ -140,8 +145,10 @@ def _seen(time, span):
 
 
 def _draw_legend(figure, has_limits):
-    signs = [Patch(color=colour, label=label) for _, label, colour in over_time.KINDS]
+    signs = [Patch(color=colour, label=translate(label)) for _, label, colour in over_time.KINDS]
     if has_limits:
-        line = Line2D([], [], color=over_time.LIMIT_COLOUR, linestyle="--", label="limit")
+        words = translate("limit")
+        line = Line2D([], [], color=over_time.LIMIT_COLOUR, linestyle="--", label=words)
         signs.append(line)
-    figure.legend(handles=signs, loc="lower center", ncol=len(signs), frameon=False)
+    close = {"handlelength": 1.2, "handletextpad": 0.4, "columnspacing": 1.0}  # for long words
+    figure.legend(handles=signs, loc="lower center", ncol=len(signs), frameon=False, **close)

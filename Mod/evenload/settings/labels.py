@@ -41,3 +41,8 @@ _IN_TEXT = {
     if name not in ("Arcs", "Check", label)
 }
 _NAMES = re.compile(r"\b(?:%s)\b" % "|".join(_IN_TEXT))
+
+
+def in_text(name):
+    """What `told` puts in the place of a property's name; None where the name stays."""
+    return _IN_TEXT.get(name)

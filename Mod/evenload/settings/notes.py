@@ -5,6 +5,7 @@ which places and fields they name.
 import re
 from dataclasses import dataclass
 
+from evenload.settings import sentences
 from evenload.settings.labels import FREECADS, LABELS, told
 
 WARNING, WISH, FACT = "warning", "wish", "fact"
@@ -36,6 +37,7 @@ _FIELDS = "|".join(
     for label in sorted(_BY_LABEL, key=len, reverse=True)
 )
 _LINKS = re.compile("%s|(?P<label>%s)" % (_PLACE, _FIELDS))
+_MARKS = re.compile(r"%s|\[(?P<name>%s)\]" % (_PLACE, "|".join(sentences.NAMES)))
 
 
 @dataclass(frozen=True)
@@ -67,12 +69,31 @@ def pieces_of(sentence):
         if found["label"]:
             result.append(Piece(found.group(), field=_BY_LABEL[found["label"]]))
         else:
-            z = float(found["z"]) if found["z"] else None
-            result.append(Piece(found.group(), (float(found["x"]), float(found["y"]), z)))
+            result.append(Piece(found.group(), _place(found)))
         at = found.end()
     if at < len(sentence):
         result.append(Piece(sentence[at:]))
     return result
+
+
+def shown_pieces(sentence):
+    """The same in the user's language."""
+    told = sentences.marked(sentence)
+    if told is None:
+        return pieces_of(sentence)
+    result, at = [], 0
+    for found in _MARKS.finditer(told):
+        result.append(Piece(told[at : found.start()]))
+        if found["name"]:
+            result.append(Piece(sentences.label_of(found["name"]), field=found["name"]))
+        else:
+            result.append(Piece(found.group(), _place(found)))
+        at = found.end()
+    return [piece for piece in (*result, Piece(told[at:])) if piece.text]
+
+
+def _place(found):
+    return float(found["x"]), float(found["y"]), float(found["z"]) if found["z"] else None
 
 
 def fields_of(sentence):

@@ -3,6 +3,7 @@
 from evenload.pictures.figure import new_figure
 from evenload.pictures.figure import save as save_figure
 from evenload.stability import field
+from evenload.translation import translate
 
 UNSTABLE, EDGE, GREY = "#fce8e6", "#d93025", "#9aa0a6"
 STABLE_POINT, UNSTABLE_POINT = "#188038", "#d93025"
@@ -33,8 +34,8 @@ def draw(axes, found, cut=None, is_stable=None):
         )
     axes.set_xlim(found.speeds[0], found.speeds[-1])
     axes.set_ylim(0, found.depths[-1])
-    axes.set_xlabel("spindle speed, rev/min")
-    axes.set_ylabel("axial depth, mm")
+    axes.set_xlabel(translate("spindle speed, rev/min"))
+    axes.set_ylabel(translate("axial depth, mm"))
     axes.grid(color="#e8eaed", linewidth=0.6)
     axes.set_axisbelow(True)
     if cut is not None:

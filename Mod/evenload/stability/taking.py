@@ -2,6 +2,7 @@
 
 from evenload import host
 from evenload.stability.operation import depth_of
+from evenload.translation import translate
 
 SAME = 1e-9  # share by which a speed may differ and be the same
 
@@ -19,7 +20,7 @@ def take(operation, speed=None, depth=None, cut_mode=None, engagement_deg=None):
         if value is not None and not value > 0:
             raise ValueError("The %s must be above 0, not %g." % (name, value))
     doc = operation.Document
-    doc.openTransaction("Stability chart")
+    doc.openTransaction(translate("Stability chart"))
     try:
         if speed is not None:
             _turn_at(host.controller_of(operation), speed)

@@ -1,0 +1,212 @@
+"""What test_languages.py runs in FreeCAD's GUI: our window in FreeCAD's $EVENLOAD_LANGUAGE."""
+
+import os
+import sys
+
+import FreeCADGui
+from PySide import QtGui
+
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from gui_fit import resize_dock  # noqa: E402
+from gui_panels import WIDTHS, fit_of, in_panel, opened, operation_on, picture  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    begun,
+    fold_all,
+    later,
+    press,
+    result,
+    run,
+    toolbar_texts,
+)
+from models import SQUARE, block_with, face_of, floors_of, sketch_of  # noqa: E402
+
+LANGUAGE = os.environ["EVENLOAD_LANGUAGE"]
+# Docks, or panels: FreeCAD 0.20 cannot have both in one session, see gui_tools.later().
+DOCKS = os.environ["EVENLOAD_LOOK_AT"] == "docks"
+COMMANDS = (
+    "EvenLoad_Adaptive",
+    "EvenLoad_Trochoid",
+    "EvenLoad_LameSpiral",
+    "EvenLoad_Finishing",
+)
+
+
+def texts_in(widget):
+    """The texts that a widget and those in it show, tooltips too, as plain text."""
+    found, document = [], QtGui.QTextDocument()
+    for each in (widget, *widget.findChildren(QtGui.QWidget)):
+        found.append(each.toolTip())
+        if isinstance(each, (QtGui.QLabel, QtGui.QAbstractButton)):
+            found.append(each.text())
+        elif isinstance(each, QtGui.QGroupBox):
+            found.append(each.title())
+        elif isinstance(each, QtGui.QComboBox):
+            found += [each.itemText(number) for number in range(each.count())]
+        elif isinstance(each, QtGui.QTabWidget):
+            found += [each.tabText(number) for number in range(each.count())]
+        elif isinstance(each, QtGui.QAbstractSpinBox):
+            found += [each.property("specialValueText") or "", each.property("suffix") or ""]
+        elif isinstance(each, QtGui.QLineEdit):
+            found.append(each.placeholderText())
+        elif isinstance(each, QtGui.QTableWidget):
+            heads = [each.horizontalHeaderItem(n) for n in range(each.columnCount())]
+            found += [text for head in heads for text in (head.text(), head.toolTip())]
+    plain = []
+    for text in filter(None, found):
+        document.setHtml(text) if "<" in text else document.setPlainText(text)
+        plain += document.toPlainText().splitlines()
+    return sorted({line.strip() for line in plain if line.strip()})
+
+
+def choices_of(page):
+    """{setting: [(what a list shows, what it stands for), ...]}"""
+    boxes = {n: w for n, w in page.widgets.items() if isinstance(w, QtGui.QComboBox)}
+    return {
+        name: [(box.itemText(k), box.itemData(k)) for k in range(box.count())]
+        for name, box in boxes.items()
+    }
+
+
+def looked_at(page, name):
+    seen = {"fit": fit_of(page, name), "texts": texts_in(page.form), "choices": choices_of(page)}
+    seen["status"] = page.status.text()
+    return seen
+
+
+def refused(op):
+    """What the panel says of a value that no path can be computed from, and where it leads."""
+    fold_all()
+    page = opened(op)
+    before = op.MaximumFeed.Value
+    op.MaximumFeed = "10 mm/min"
+    press(QtGui.QDialogButtonBox.Ok)
+    later()
+    resize_dock(page, WIDTHS[0])
+    picture("refused")
+    seen = {"status": page.status.text(), "fields": [p.field for p in page.status._pieces]}
+    seen["is_marked"] = "color" in page.labels["MaximumFeed"].styleSheet()
+    seen["in_english"] = op.Proxy.refusal(op)
+    op.MaximumFeed = before
+    press(QtGui.QDialogButtonBox.Cancel)
+    later()
+    return seen
+
+
+def noted(op, sketch):
+    """The notes of a path, in the panel and in the document."""
+    op.Base = [(sketch, "")]
+    op.Document.recompute()
+    return in_panel(op, lambda page: page.status.text()), op.Report
+
+
+def load_of(op):
+    """The texts of the dock of the load."""
+    from evenload.gui import load_view
+
+    view = load_view.show(op)
+    later()
+    view.dock.grab().save(os.path.join(OUT, "load.png"))
+    seen = texts_in(view.dock) + [text for _, text in view.legend.swatches()]
+    load_view.close()
+    later()
+    return seen + [view.dock.windowTitle()]
+
+
+def simulation_of(op):
+    """The texts of the window Simulation, with the simulation of an operation in it."""
+    from evenload.gui import simulation
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    FreeCADGui.runCommand("EvenLoad_Simulation")
+    view = simulation._shown[-1]
+    for _ in range(400):
+        later(50)
+        if not view.task.is_busy:
+            break
+    picture("simulation")
+    seen = texts_in(view.dock) + [view.dock.windowTitle()]
+    view.dock.close()
+    later()
+    return seen
+
+
+def stability_of(op):
+    """The texts of the window Stability chart."""
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    FreeCADGui.runCommand("EvenLoad_StabilityChart")
+    later(500)
+    from evenload.gui import stability
+
+    window = stability._Open.window
+    window.grab().save(os.path.join(OUT, "stability.png"))
+    seen = texts_in(window) + [window.windowTitle()]
+    stability.close()
+    later()
+    return seen
+
+
+def inspection_of(doc, model, floor):
+    """The texts of the dock Inspect."""
+    from evenload.gui import inspection
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
+    FreeCADGui.runCommand("EvenLoad_Inspect")
+    later(500)
+    view = inspection._shown[-1]
+    picture("inspection")
+    seen = texts_in(view.dock) + [view.dock.windowTitle()]
+    inspection.close()
+    later()
+    return seen
+
+
+def look_at_panels(doc, job, model, floor):
+    operations = {c: operation_on(doc, job, model, floor, c) for c in COMMANDS}
+    result["undo"] = list(doc.UndoNames)
+    result["panels"] = {}
+    for command, op in operations.items():
+        fold_all()
+        result["panels"][command] = in_panel(op, lambda page: looked_at(page, command))
+    adaptive = operations["EvenLoad_Adaptive"]
+    result["refused"] = refused(adaptive)
+    wedge = [(0, 0, 0), (40, 0, 0), (0, 12, 0)]  # whose tips no wished radius fits
+    result["notes"] = noted(adaptive, sketch_of(doc, wedge))
+
+
+def look_at_docks(doc, job, model, floor):
+    from evenload.operations import adaptive
+
+    op = adaptive.Create("Ours", parentJob=job)
+    op.Base = [(model, (floor,))]
+    doc.recompute()
+    result["docks"] = {
+        "load": load_of(op),
+        "simulation": simulation_of(op),
+        "stability": stability_of(op),
+        "inspection": inspection_of(doc, model, floor),
+    }
+
+
+def session():
+    from evenload import host
+
+    if DOCKS:  # FreeCAD starts in English, and has started with the language for panels
+        FreeCADGui.setLocale(LANGUAGE)
+    doc = begun(1300, 1400)
+    result["toolbar"] = toolbar_texts()
+    part = doc.addObject("Part::Feature", "Part")
+    part.Shape = block_with(face_of(SQUARE))
+    doc.recompute()
+    job, _ = host.create_job(doc, [part], 6, 255, 6366, 1)
+    model = job.Model.Group[0]
+    (floor,) = floors_of(model.Shape)
+    fold_all()
+    look = look_at_docks if DOCKS else look_at_panels
+    look(doc, job, model, floor)
+
+
+run(session)

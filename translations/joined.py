@@ -1,0 +1,127 @@
+"""Sentences that no single text of Mod/evenload holds.
+
+Those of the core, which C++ puts together from pieces, and those of Python that are joined from
+several. tests/python/test_translations.py holds both against the sources.
+"""
+
+# What C++ tells of geometry, settings and paths that come from the window. A list of files: a new
+# sentence in one of these is looked for below.
+FILES_OF_THE_CORE = (
+    *("src/occt/regions.cpp", "src/occt/join.cpp", "src/occt/edge_curve.cpp"),
+    *("src/occt/triangles.cpp", "src/geometry/region.cpp", "src/geometry/slot_around.cpp"),
+    *("src/strategy/lame/lame_clearing.cpp", "src/strategy/lame/lame_pitch.cpp"),
+    *("src/strategy/choose/region_clearing.cpp", "src/feed/load_share.cpp"),
+    *("src/surface/contours.cpp", "src/surface/spacing.cpp", "src/dynamics/modal_fit.cpp"),
+    *("src/simulate/dexel_stock.cpp", "src/inspection/fit.cpp"),
+)
+SENTENCES_OF_THE_CORE = (
+    # src/occt
+    "The shape is no readable BREP text.",
+    "The face is not flat: pick a flat face that is parallel to XY.",
+    "The face is tilted by %g degrees: pick one that is parallel to XY.",
+    "The face has no boundary: pick a finite one.",
+    "An edge climbs by %g mm: pick edges and sketches that are parallel to XY.",
+    "Two outlines cross or touch: keep them apart, or draw what they enclose together as one.",
+    "There is neither a face nor an edge to work on: pick a face or a sketch.",
+    "The tolerance must be above 0 mm.",
+    "OpenCASCADE could not work on the shape: %s.",
+    "OpenCASCADE could not triangulate the shape: %s.",
+    "The shape has no face.",
+    "The deflection and the angle must be positive.",
+    "More than two edges meet at (%g, %g): leave only the outline's own, without doubles.",
+    "The outline is open at (%g, %g), the nearest other end is %g mm away: close it.",
+    "An edge has no end: pick edges of finite length.",
+    # src/geometry
+    "%s has a coordinate that is not a number, after the point near (%g, %g): draw this piece "
+    "again.",
+    "%s is not closed: it ends near (%g, %g): join this end to its start at (%g, %g) in the "
+    "sketch.",
+    "%s encloses no area near (%g, %g): draw it as a closed curve of at least two pieces.",
+    "The outline crosses or touches itself near (%g, %g): remove the crossing in the sketch.",
+    "An island crosses or touches itself near (%g, %g): remove the crossing in the sketch.",
+    "The outline and an island cross or touch near (%g, %g): move them apart in the sketch, or "
+    "join them into one curve.",
+    "Two islands cross or touch near (%g, %g): move them apart in the sketch, or join them into "
+    "one curve.",
+    "An island lies outside the outline near (%g, %g): move it inside or remove it.",
+    "An island lies inside another island near (%g, %g): remove the inner one, or make it a "
+    "pocket of its own.",
+    "The outline",
+    "Island %d",
+    "The slot's width must be positive: set SlotWidth.",
+    "The slot's middle must have finite coordinates.",
+    "The slot's middle has no length: draw a line or an arc along the slot.",
+    "The slot's middle crosses itself: divide it into slots that do not.",
+    "The slot's middle bends more tightly than half the slot's width: make the slot narrower, or "
+    "bend it less.",
+    "The slot's sides meet each other: make the slot narrower, or move the parts of its middle "
+    "further apart.",
+    # src/strategy
+    "The region near (%g, %g): %s",
+    "Segments must lie between 3 and 12.",
+    "SemiAxisA and SemiAxisB must be positive lengths.",
+    "ExponentStart and ExponentEnd must lie between 0.05 and 1: above 1 the spiral has corners.",
+    "Rotation must be finite.",
+    "Pitch must be positive.",
+    "Centre must be finite.",
+    "Semi-axes of two lengths need Segments 4: set both to the same length, or leave one unset.",
+    "%s must be 2 to 20 values that begin with 0, end with 1 and never fall, as 0, 0.1, 0.4, 1.",
+    "A Lamé spiral cannot clear what earlier operations left: turn UseRestMachining off, or take "
+    "the operation Adaptive.",
+    "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, make courses more "
+    "even, or take the operation Adaptive.",
+    "The pre-drilled hole is too tight to start from: drill it wider, or choose the entry "
+    "'Automatic' or 'Helix'.",
+    "The tool has no room to descend in this pocket: drill a hole first and choose the entry "
+    "'Predrilled hole', or take a smaller tool.",
+    "The pre-drilled hole lies in a narrow passage that is skipped: choose the entry 'Automatic', "
+    "or another NarrowPassages.",
+    "The pre-drilled hole's centre lies outside the ground that the tool can reach: move "
+    "EntryPoint into the pocket, at least a tool's radius from its walls.",
+    # src/feed, src/surface, src/simulate, src/dynamics, src/inspection
+    "A constant force needs a material that resists: give it a force coefficient above 0.",
+    "A constant force needs the spindle's speed: set that of the tool controller.",
+    "None of the picked faces can be seen from above: pick others, or turn the model.",
+    "The stock would need too many dexels: choose a coarser resolution.",
+    "The resolution is coarser than the stock is wide: choose a finer one.",
+    "The stock has no region: give it one.",
+    "The stock has no upper side: give it one.",
+    "The stock's top and bottom must be numbers, in mm.",
+    "The resolution must be positive, in mm.",
+    "The stock's top must lie above its bottom.",
+    "At least one mode must be fitted.",
+    "The frequency response has too few lines for so many modes.",
+    "A mode was found whose mass is not above 0: ask for fewer modes, or turn the sign of the "
+    "response.",
+    "The points are too few: this feature needs %d at least.",
+    "A point has a coordinate that is not a number: leave it out.",
+    "The points all lie in one place: a line needs two places at least.",
+    "The points lie on one line: a plane needs points beside it.",
+    "The points lie on one line, or in two places: a circle needs three places off a line.",
+    "The points lie in one plane or on one circle: a sphere needs points beside it.",
+    "The points do not determine a cylinder: measure it at two heights and all around, or over as "
+    "much of it as there is.",
+)
+
+# What Python puts together, and words that stand in sentences.
+SENTENCES_OF_SEVERAL_PIECES = (
+    "Checked against the model.",
+    "Made from the models themselves: the path keeps off all of the job's.",
+    "The %s is %.4f mm, of %d points, at a radius of %.4f mm.",
+    *("straightness", "flatness", "roundness", "sphericity", "cylindricity"),
+    # Names of geometry, of which evenload.words makes lists.
+    *("Face%s of %s", "Edge%s of %s", "%d edges of %s", "%d edges"),
+    *("%s and Face%s of %s", "%s and Edge%s of %s", "%s and %d more", "%s and %d others"),
+    *("number of teeth and its helix angle", "1 tooth and a helix of %g degrees"),
+    "lower the step down below %.3g mm or turn the spindle at %.0f rev/min",
+    *("climb", "conventional", "horizontal", "vertical", "depth", "of the type %s"),
+    *(" degrees", "%g degrees", ", shares of the nominal load"),
+    "The program has several spindle speeds: the lowest, %g rev/min, was taken.",
+    "Dwells of %g s count in the total times only, not in those of the samples.",
+    "The stock does not contain the part: %.3g mm2 of it lie outside; enlarge the stock.",
+    "The depth of %g mm is beyond the tool's flutes, %g mm.",
+    "The points lie up to %.3g mm from the part: align them with it first.",
+    "A normal looks down: a probe from above cannot reach its point.",
+    "The retract height must be at least %.3f mm, above every approach.",
+    "The margin must lie from 0 to below 1.",
+)

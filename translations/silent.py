@@ -1,0 +1,67 @@
+"""Which texts of the code are told to a user, and which are names that code alone reads.
+
+All that is not named here is to be translated: a new text is collected until somebody says here
+that nobody sees it.
+"""
+
+import re
+
+# Where sentences are made that are shown in the window. Others are for scripts and job files alone.
+TELLING = (
+    *("commands.py", "compiled.py", "findings.py", "machines.py", "materials.py", "tool.py"),
+    *("settings/ranges.py", "settings/setting.py"),
+    *("geometry/*.py", "operations/*.py", "stability/[!p]*.py"),
+    *("simulation/earlier.py", "simulation/job.py", "simulation/part.py", "simulation/proof.py"),
+    *("dynamics/frf.py", "dynamics/frf_files.py", "dynamics/modes.py", "dynamics/vibration.py"),
+    *("inspection/points.py", "inspection/tables.py"),
+    *("face_inspection/evaluation.py", "face_inspection/faces.py", "face_inspection/measured.py"),
+    *("face_inspection/patterns.py", "host/posts.py", "gui/view3d.py"),
+)
+# What tells of the values in a file; elsewhere only a script can give a value that is none.
+OF_FILES = ("machines.py", "vibration.py")
+# Of these files, what is no sentence for the window.
+NOT_TOLD = {
+    "(Cancelled: nothing is cut here)",  # a comment of the G-code
+    "EvenLoad results",  # a group of properties
+    "Modes of vibration at the tool's tip, for stability charts: JSON, see docs/stability_chart.md",
+    "not planar",
+    "speed depth cut_mode removal_rate spectral_radius surface_location_error",
+    # Pieces of what stands in joined.py.
+    *("arc length", "of the type ", " and its ", ", at a radius of %.4f mm."),
+    *("%s of %s", "%.12g mm/min", "turn the spindle at %.0f rev/min"),
+}
+# In the window's files, the calls whose arguments nobody sees.
+SILENT_CALLS = {
+    *("getattr", "hasattr", "setattr", "startswith", "endswith", "join", "split", "replace"),
+    *("property", "setProperty", "setObjectName", "setStyleSheet", "ParamGet", "createWidget"),
+    *("invokeMethod", "getIcon", "QColor", "open", "Signal", "addModule", "doCommand"),
+    "import_module",
+}
+_SILENT = re.compile(
+    r"[a-z_.]+|"  # names, and words that SPOKEN does not have
+    r"[A-Z][a-z]+(?:[A-Z][a-z]+)+|"  # properties
+    r"EvenLoad[A-Z_]\w*|\w+[.]svg|"
+    r"[#<\0.*].*|(?:; )?(?:font|color|text|icon)[ :-].*|"  # colours, HTML, style sheets
+    r"QPushButton .*|"
+    r".*::.*|User parameter:.*|evenload\..*|utf-8|"
+    r"[^A-Za-z]*|[\d. ]+(?:mm|mm/min|°)|"  # numbers
+    r"%[\d.*]*[dfg]°?|%\.\*f ?%s|%s\n|"  # nothing but places
+    r"\[%s\]|%s(?:\.|\.%s = | \()%s\)?|%s = %s or %s|"
+    r".*%r.*"  # lines of macros
+)
+_WORDS = {
+    *("Active", "Angle", "Base", "Edge", "Face", "FreeCAD", "Job", "Label", "Length", "Operations"),
+    *("Path", "Pixmap", "Placement", "Report", "Resources", "Shape", "Size", "Value", "Velocity"),
+    *("Up-to-date", "MenuText", "ToolTip", "xx", "yy", "DMIS", "Halton-Zaremba", "arc length"),
+    *("m/N", "mm/N", "um/N", "uin/lbf", "g/N", "(m/s)/N", "(m/s2)/N", "N/µm", "Hz", " Hz", "kN/m"),
+    *("mm", "N", "µm", "mm/min", "mm³/min", "cm³/min", "%s, Ø %g mm", "%.12g mm/min"),
+    *("JSON (*.json)", "CSV (*.csv)", "HTML (*.html)", "G-code (*.ngc *.nc *.gcode)"),
+    *("PNG (*.png);;SVG (*.svg)", "CSV (*.csv);;DMIS (%s)"),
+}
+# Words of the window in small letters, which would else pass for names.
+_SPOKEN = {"cut", "entry", "link", "rapid", "none"}
+
+
+def is_silent(text):
+    """Whether a text of the window's files is no words for a user."""
+    return text in _WORDS or (text not in _SPOKEN and _SILENT.fullmatch(text) is not None)
