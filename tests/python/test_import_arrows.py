@@ -41,6 +41,7 @@ ARROWS = {
         "pictures",
         "inspection",
         "face_inspection",
+        "advisor",
     },
 }
 GROUND = {

@@ -1,0 +1,160 @@
+"""The widgets of the dock Finishing Advisor."""
+
+import FreeCAD
+import FreeCADGui
+from PySide import QtCore, QtGui
+
+from evenload import machines, materials
+from evenload.gui import colours
+from evenload.gui.advisor_table import AdviceModel, REMARK, table_of
+from evenload.gui.fields import FINE_STEPS, FineBox
+from evenload.gui.stability_inputs import Rows, combo
+from evenload.gui.stability_layout import button, scrolled
+from evenload.settings.labels import LABELS
+from evenload.settings.table import FINISHING
+
+_translate = FreeCAD.Qt.translate
+
+NAME = "EvenLoadFinishingAdvisor"  # of the dock
+LEFT, HEIGHT = 285, 380  # pixels
+BAR = 1000  # steps of the progress bar
+LENGTHS = ("Stepover", "CuspHeight", "stock")  # of what is asked, in mm
+
+
+class AdvisorDock(QtGui.QDockWidget):
+    """view: whose methods the widgets call, an AdvisorView."""
+
+    def __init__(self, view):
+        window = FreeCADGui.getMainWindow()
+        super().__init__(_translate("EvenLoad", "EvenLoad Finishing Advisor"), window)
+        self.setObjectName(NAME)
+        self.faces, self.told = _label(), _label()
+        self.asked = _asked()
+        self.model = AdviceModel(self)
+        self.table = table_of(self.model)
+        self.bar = QtGui.QProgressBar()
+        self.bar.setRange(0, BAR)
+        self.cancel = button("Cancel", "Stops the comparison; what is known stays", view.cancel)
+        self.make = button("Make Operation", "", view.make)
+        left = QtGui.QWidget()
+        column = QtGui.QVBoxLayout(left)
+        column.setContentsMargins(0, 0, 0, 0)
+        for widget in (self.faces, self.asked, self.told):
+            column.addWidget(widget)
+        column.addStretch(1)
+        content = QtGui.QWidget()
+        row = QtGui.QHBoxLayout(content)
+        row.addWidget(scrolled(left, LEFT))
+        row.addLayout(self._right(), 1)
+        self.setWidget(content)
+        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self)
+        window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
+
+    def _right(self):
+        column = QtGui.QVBoxLayout()
+        column.addWidget(self.table, 1)
+        below = QtGui.QHBoxLayout()
+        below.addWidget(self.bar, 1)
+        below.addWidget(self.cancel)
+        below.addStretch(0)
+        below.addWidget(self.make)
+        column.addLayout(below)
+        return column
+
+    def list_controllers(self, controllers):
+        """Lists the tool controllers to choose from; tells nobody."""
+        box = self.asked.controller
+        blocked = box.blockSignals(True)
+        for each in controllers:
+            box.addItem(each.Label, each.Name)
+        box.blockSignals(blocked)
+
+    def show_lengths(self, **lengths):
+        """Shows lengths in mm by their names, and tells nobody."""
+        for name, value in lengths.items():
+            box = getattr(self.asked, name)
+            blocked = box.blockSignals(True)
+            box.set_mm(value)
+            box.blockSignals(blocked)
+
+    def lengths(self):
+        """{name: mm}"""
+        return {name: getattr(self.asked, name).mm() for name in LENGTHS}
+
+    def show_progress(self, share):
+        """Shows what is done, 0 to 1; None: nothing is under way."""
+        for widget in (self.bar, self.cancel):
+            widget.setVisible(share is not None)
+        self.bar.setValue(round(BAR * (share or 0.0)))
+
+    def show_rows(self, rows, has_machine):
+        """Shows rows of Advice, with the row that was chosen still chosen."""
+        chosen = self.chosen()
+        self.model.show_rows(rows)
+        self.table.setColumnHidden(2, not has_machine)
+        for section in range(REMARK):
+            self.table.resizeColumnToContents(section)
+        for number, row in enumerate(rows):
+            if chosen is not None and row.strategy == chosen.strategy:
+                proxy = self.table.model()
+                self.table.selectRow(proxy.mapFromSource(self.model.index(number, 0)).row())
+
+    def chosen(self):
+        """The Advice of the chosen row, None without one."""
+        found = self.table.selectionModel().selectedRows()
+        return self.model.rows[self.table.model().mapToSource(found[0]).row()] if found else None
+
+    def tell(self, text, colour=None):
+        """Shows a sentence, or hides that before where there is none."""
+        self.told.setText(text)
+        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
+        self.told.setVisible(bool(text))
+
+
+def _asked():
+    (spacing,) = (row for row in FINISHING if row.name == "Spacing")
+    machine = [("None: programmed feeds", None)]
+    machine += [(name, name) for name in machines.names()]
+    return Rows(
+        "What is compared",
+        (
+            ("controller", "Tool controller", "Its tool must have a ball end", combo(())),
+            ("Spacing", spacing.label, spacing.doc, combo((each, each) for each in spacing.value)),
+            (
+                "Stepover",
+                LABELS["Stepover"],
+                "Of neighbouring passes, seen from above",
+                _length(0.05),
+            ),
+            ("CuspHeight", LABELS["CuspHeight"], "Of a level face; sets the stepover", _length()),
+            (
+                "stock",
+                "Stock on the faces",
+                "What the cut before has left, across them",
+                _length(0.1),
+            ),
+            ("machine", "Machine", "Times are within its limits, too", combo(machine)),
+            (
+                "material",
+                "Material",
+                "Its force coefficients",
+                combo((name, name) for name in materials.names()),
+            ),
+        ),
+    )
+
+
+def _length(step=None):
+    """A field for a length; step in mm, None: its own."""
+    box = FineBox()
+    box.setKeyboardTracking(False)
+    if step:
+        box.setSingleStep(step * box.singleStep() / FINE_STEPS[0])
+    return box
+
+
+def _label():
+    label = QtGui.QLabel()
+    label.setWordWrap(True)
+    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    return label
