@@ -67,11 +67,17 @@ def zig_zag(passes, length=40.0, stepover=0.5):
 # ---- places ----
 
 
-def test_places_are_as_far_from_each_other_along_the_cuts_alone():
+def test_there_is_a_place_in_each_equal_share_of_the_cuts_alone():
     found = places.places_along(zig_zag(8), 80, 0.5)
     assert found.length == pytest.approx(320)
-    assert sorted(found.tips[:10, 0]) == pytest.approx(2 + 4 * numpy.arange(10))
+    assert (numpy.sort(found.tips[:10, 0]) // 4).tolist() == list(range(10))
     assert numpy.abs(found.ways[:, 0]).min() == 1 and set(found.feeds) == {1000.0}
+
+
+def test_passes_of_one_length_are_not_met_at_the_same_places():
+    found = places.places_along(zig_zag(80), 400, 0.5)  # five to each
+    counts, _ = numpy.histogram(found.tips[:, 0], 20, (0, 40))
+    assert counts.min() >= 15 and counts.max() <= 25
 
 
 def test_earlier_passes_lie_a_stepover_beside_and_alternately():

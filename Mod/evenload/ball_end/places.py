@@ -9,12 +9,13 @@ from evenload.planar import CUT
 REACH = 1.5  # of the largest stepover: a pass further away is no neighbour
 OWN = 0.02  # of the reach: nearer than this it is the same pass
 AROUND = numpy.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)])  # cells
+GOLDEN = (5**0.5 - 1) / 2  # whose multiples are even within 1, however many they are
 CELLS = 1 << 32  # more than there are in a row
 
 
 @dataclass(frozen=True)
 class Places:
-    """n places on the cuts of a path, as far from each other along it. tips: n x 3, of the tool's
+    """n places on the cuts of a path, one in each n-th of their length. tips: n x 3, of the tool's
     tip, mm; ways: n x 3, of length 1, along the feed; feeds: mm/min; left, right: mm in plan across
     the feed to where an earlier pass has cut, infinite where there is none; length: mm, of all
     cuts.
@@ -61,7 +62,9 @@ def places_along(moves, count, stepover):
     if not lengths.sum() > 0:
         raise ValueError("The path of this strategy cuts nothing.")
     until = numpy.cumsum(lengths)
-    along = (numpy.arange(count) + 0.5) / count * until[-1]
+    # Not all in the middle of their shares: passes of one length would be met at the same places.
+    within = numpy.arange(count) * GOLDEN % 1
+    along = (numpy.arange(count) + within) / count * until[-1]
     own = numpy.minimum(numpy.searchsorted(until, along, side="right"), len(until) - 1)
     ways = (ends - starts)[own] / lengths[own, None]
     tips = starts[own] + (along - until[own] + lengths[own])[:, None] * ways

@@ -17,6 +17,7 @@ _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadFinishingAdvisor"  # of the dock
 LEFT, HEIGHT = 285, 380  # pixels
+ARROW = 12  # pixels that the sign of the order takes of a heading
 BAR = 1000  # steps of the progress bar
 LENGTHS = ("Stepover", "CuspHeight", "stock")  # of what is asked, in mm
 
@@ -94,6 +95,7 @@ class AdvisorDock(QtGui.QDockWidget):
         self.table.setColumnHidden(2, not has_machine)
         for section in range(REMARK):
             self.table.resizeColumnToContents(section)
+            self.table.setColumnWidth(section, self.table.columnWidth(section) + ARROW)
         for number, row in enumerate(rows):
             if chosen is not None and row.strategy == chosen.strategy:
                 proxy = self.table.model()

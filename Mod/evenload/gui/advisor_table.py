@@ -12,7 +12,6 @@ _translate = FreeCAD.Qt.translate
 
 ROOM = 6  # pixels above and below a row's text
 UNKNOWN = "\u2013"
-DIGITS = "%.3g"
 SAME = 1e-9  # as a share: values that differ by less are equally good
 LENGTH, SPEED, TIME, SHARE, IMPULSE = "Length", "Velocity", "time", "share", "impulse"
 MM_PER_S = 1000 / 60  # of a m/min
@@ -126,7 +125,7 @@ class AdviceModel(QtCore.QAbstractTableModel):
     def _told(self, column, value):
         if column.kind == TIME:
             return clock(value)
-        return DIGITS % (value / self._units[column][0])
+        return _rounded(value / self._units[column][0])
 
 
 class BySize(QtCore.QSortFilterProxyModel):
@@ -164,6 +163,11 @@ def table_of(model):
 def name_of(strategy):
     """A Strategy's name in the user's language."""
     return strategy.name.replace(strategy.pattern, _translate("EvenLoad", strategy.pattern), 1)
+
+
+def _rounded(value):
+    """A number of three digits, or more before the point."""
+    return "%.0f" % value if value == 0 or value >= 100 else "%#.3g" % value
 
 
 def _remark(row):
