@@ -144,11 +144,12 @@ def session():
         dock.bar.isVisible(),
     ]
     before = dock.asked.CuspHeight.value()
+    dock.asked.machine.setCurrentIndex(1)
     dock.asked.Stepover.setValue(2.0)
     result["cusp_of_stepover"] = [before, dock.asked.CuspHeight.value()]
     dock.asked.CuspHeight.setValue(0.2)
     result["stepover_of_cusp"] = dock.asked.Stepover.value()
-    dock.asked.machine.setCurrentIndex(1)
+    later(50)
     wait(view)
     result["names"] = texts(dock, 0)
     result["headers"] = headers(dock)
@@ -188,7 +189,7 @@ def session():
 
     # A tool without a ball; another schema.
     dock.asked.controller.setCurrentIndex(1)
-    later(100)
+    later(200)
     result["flat"] = [dock.told.text(), len(view.rows), view.task.is_busy, dock.make.isEnabled()]
     picture("flat")
     command.close()
@@ -211,6 +212,17 @@ def session():
     later(100)
     result["set_undone"] = op.Strategy
     FreeCAD.Units.setSchema(6)
+
+    # A strategy that does not fit.
+    from evenload.advisor import STRATEGIES, Advice
+
+    view._show([Advice(STRATEGIES[0], refusal="It does not fit."), *view.rows[1:4]])
+    result["refused"] = {
+        name: [sorted_by(dock, 1, order)[-1], texts(dock, 11)[-1], texts(dock, 1)[-1]]
+        for name, order in (("up", QtCore.Qt.AscendingOrder), ("down", QtCore.Qt.DescendingOrder))
+    }
+    choose(dock, STRATEGIES[0].name)
+    result["refused"]["can_make"] = dock.make.isEnabled()
 
     # What changes meanwhile; the end.
     controller.SpindleSpeed = 4000

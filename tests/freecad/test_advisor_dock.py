@@ -42,6 +42,13 @@ def test_all_strategies_are_rows_and_every_column_sorts_by_numbers(session):
         assert len(up) == 10 and all(isinstance(value, (int, float)) for value in up)
 
 
+def test_a_strategy_that_does_not_fit_comes_last_with_its_reason(session):
+    refused = session["refused"]
+    for way in ("up", "down"):
+        assert refused[way] == [None, "It does not fit.", "\u2013"]
+    assert not refused["can_make"]
+
+
 def test_the_best_of_each_column_is_marked_and_its_unit_told(session):
     marked = dict(zip(session["headers"], session["marked"]))
     assert marked["Strategy"] == marked["Remark"] == 0

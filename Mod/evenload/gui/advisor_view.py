@@ -55,7 +55,7 @@ class AdvisorView:
         asked = self.dock.asked
         asked.Stepover.valueChanged.connect(slot(self._stepover_set))
         asked.CuspHeight.valueChanged.connect(slot(self._cusp_height_set))
-        asked.changed.connect(slot(self.compare))
+        asked.changed.connect(slot(self._compare_soon))
         self._again.timeout.connect(slot(self.compare))
         self.dock.table.selectionModel().selectionChanged.connect(slot(self._enable))
         self.dock.visibilityChanged.connect(telling_slot(self._dock_shown))
@@ -63,6 +63,7 @@ class AdvisorView:
     def remove(self):
         """Removes it from the window, and stops what is under way."""
         self.task.cancel()
+        self._again.stop()
         FreeCAD.removeDocumentObserver(self._observer)
         self.dock.hide()
         self.dock.deleteLater()
@@ -130,6 +131,10 @@ class AdvisorView:
         return found
 
     # ---- comparing ----
+
+    def _compare_soon(self):
+        """When all that follows a change has followed it."""
+        self._again.start()
 
     def compare(self):
         """Compares the strategies as the dock asks, in place of what is under way."""
@@ -229,7 +234,7 @@ class AdvisorView:
         if is_gone:
             self._closed()
         else:
-            self._again.start()
+            self._compare_soon()
 
     def _dock_shown(self, is_shown):
         """A dock that its user closes ends; one behind others does not."""
