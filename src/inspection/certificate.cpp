@@ -29,19 +29,24 @@ Touching touching(const Deviations& at, const Eigen::MatrixXd& directions,
   Touching result;
   const auto size = static_cast<Eigen::Index>(contacts.size());
   result.sides.resize(size);
+  Eigen::VectorXd given(size);
   for (const Contact& each : contacts) {
-    result.sides[static_cast<Eigen::Index>(result.points.size())] = each.side;
+    const auto j = static_cast<Eigen::Index>(result.points.size());
+    result.sides[j] = each.side;
+    given[j] = each.multiplier;
     result.points.push_back(each.point);
   }
   const Rows rows = at.rows(result.points);
   result.heights = result.sides.cwiseProduct(rows.values);
   result.slopes = directions.transpose() * rows.gradients * result.sides.asDiagonal();
-  // The multipliers that balance best, of sum 1; the evenest where there are many.
+  // The multipliers that balance best, of sum 1. Where there are many those nearest to what is
+  // given, which are above 0: the evenest might have to pull.
   Eigen::MatrixXd system(directions.cols() + 1, size);
   system << result.slopes, Eigen::RowVectorXd::Ones(size);
   Eigen::VectorXd goal = Eigen::VectorXd::Zero(directions.cols() + 1);
   goal[directions.cols()] = 1;
-  result.multipliers = least_squares(system, goal);
+  if (const double sum = given.sum(); sum > 0) given /= sum;
+  result.multipliers = given + least_squares(system, goal - system * given);
   return result;
 }
 

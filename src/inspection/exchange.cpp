@@ -17,6 +17,8 @@ using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, kMost, k
 
 constexpr int kMostExchanges = 400;  // some 20 are usual: more is a cycle
 constexpr double kLeastPivot = 1e-11;
+constexpr double kFar = 1e6;     // a step that long is held by nothing: slopes are about 1
+constexpr double kLevel = 1e-9;  // of a point that is raised by 1
 constexpr double kSlack = 1e-3;  // share of the reach that steps may go beyond it: it is no law
 
 // A bound of the programme: of a point, or of the reach, where `point` is -1 - (number of the
@@ -152,6 +154,21 @@ class Programme {
 
 ExchangeStep best_linear_step(const Rows& rows, bool is_two_sided, double reach, double rounding) {
   return Programme(rows, is_two_sided, reach, rounding).solve();
+}
+
+Eigen::VectorXd shared_multipliers(const Columns& slopes) {
+  const Eigen::Index count = slopes.cols();
+  Eigen::VectorXd shared = Eigen::VectorXd::Zero(count);
+  for (Eigen::Index i = 0; i < count; ++i) {
+    if (shared[i] > 0) continue;
+    // A point that is raised above the others presses, where these can hold it.
+    const Rows raised{Eigen::VectorXd::Unit(count, i), slopes};
+    Eigen::VectorXd pressing = Eigen::VectorXd::Zero(count);
+    for (const Contact& each : best_linear_step(raised, false, kFar, kLevel).contacts)
+      pressing[each.point] = each.multiplier;
+    if ((slopes * pressing).norm() <= kLevel) shared += pressing;
+  }
+  return shared;
 }
 
 }  // namespace evenload

@@ -36,4 +36,8 @@ inline constexpr int kMostFreedom = 6;
 // most kMostFreedom degrees of freedom.
 ExchangeStep best_linear_step(const Rows& rows, bool is_two_sided, double reach, double rounding);
 
+// Multipliers that balance slopes, a column for each point that touches: above 0 for each point
+// that can take part in a balance with them, else 0. Their sum is any; all 0 where no step is held.
+Eigen::VectorXd shared_multipliers(const Columns& slopes);
+
 }  // namespace evenload

@@ -12,9 +12,9 @@ namespace evenload {
 namespace {
 
 constexpr int kMostSteps = 200;
-constexpr std::size_t kMostTouching = 64;
-constexpr double kFirstReach = 20;     // times the peak
-constexpr double kLeastReach = 1e-15;  // of the size of all
+constexpr std::size_t kMostTouching = 300;  // each of them may ask for a small programme
+constexpr double kFirstReach = 20;          // times the peak
+constexpr double kLeastReach = 1e-15;       // of the size of all
 constexpr double kFirstDamping = 1e-2, kLeastDamping = 1e-9, kEasing = 0.1;
 constexpr double kGoodGap = 1e-14;  // share of the peak below which steps bring nothing
 
@@ -136,8 +136,8 @@ class Search {
     return true;
   }
 
-  // Where more points touch than a proof needs, as on prisms and grids, few of them may hold no
-  // proof that all of them do.
+  // Where more points touch than a proof needs, as on prisms and grids and where deviations
+  // alternate, few of them may hold no proof that all of them do, each with a part of the force.
   void prove_by_all() {
     const double lowest = place_.peak - contact_level(place_.peak, rounding_);
     const bool is_two_sided = place_.at->is_two_sided();
@@ -148,7 +148,23 @@ class Search {
       if (side * value >= lowest) all.push_back({i, side, 1});
     }
     Certificate found = certificate(*place_.at, directions_, all, place_.peak, rounding_);
+    if (!found.is_proved && all.size() <= kMostTouching) {
+      share(all);
+      found = certificate(*place_.at, directions_, all, place_.peak, rounding_);
+    }
     if (found.is_proved) proof_ = std::move(found);
+  }
+
+  // Gives each contact that can press a multiplier above 0.
+  void share(std::vector<Contact>& contacts) const {
+    Columns slopes(directions_.cols(), static_cast<Eigen::Index>(contacts.size()));
+    for (std::size_t j = 0; j < contacts.size(); ++j)
+      slopes.col(static_cast<Eigen::Index>(j)) =
+          contacts[j].side *
+          (directions_.transpose() * place_.rows.gradients.col(contacts[j].point));
+    const Eigen::VectorXd shared = shared_multipliers(slopes);
+    for (std::size_t j = 0; j < contacts.size(); ++j)
+      contacts[j].multiplier = shared[static_cast<Eigen::Index>(j)];
   }
 
   bool is_done() const {

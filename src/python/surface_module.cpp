@@ -74,6 +74,8 @@ py::array_t<double> contacts_for_python(const FacetMesh& mesh, double tool_diame
   return result;
 }
 
+using GuidePoints = std::vector<std::vector<std::array<double, 2>>>;
+
 FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallback& callback) {
   FinishParams params;
   double diameter = 0;
@@ -84,13 +86,23 @@ FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallbac
                   {{"zig-zag", Pattern::kZigZag},
                    {"one way", Pattern::kOneWay},
                    {"contours inwards", Pattern::kContoursInwards},
-                   {"contours outwards", Pattern::kContoursOutwards}},
+                   {"contours outwards", Pattern::kContoursOutwards},
+                   {"spiral inwards", Pattern::kSpiralInwards},
+                   {"spiral outwards", Pattern::kSpiralOutwards},
+                   {"between guides", Pattern::kBetweenGuides}},
                   params.pattern);
   keywords.optional("angle", params.angle);
   keywords.required("stepover", params.stepover);
   keywords.optional("cusp_height", params.cusp_height);
   keywords.choice("boundary", {{"tool contact", true}, {"tool centre", false}}, params.by_contact);
   keywords.optional("allowance", params.allowance);
+  keywords.optional("lead_radius", params.lead_radius);
+  GuidePoints guides;
+  keywords.optional("guides", guides);
+  for (const auto& guide : guides) {
+    params.guides.emplace_back();
+    for (const auto& [x, y] : guide) params.guides.back().push_back({x, y});
+  }
   keywords.required("tolerance", params.tolerance);
   keywords.required("deflection", deflection);
   keywords.required("floor", params.floor);
@@ -151,10 +163,11 @@ void bind_finishing(py::module_& module) {
   m.def("finish", &finish_for_python, py::arg("mesh"),
         "The Finish of what is picked. tool_diameter, corner_radius, stepover, tolerance, "
         "deflection of the triangles, floor, top, safe_height, clearance_height in mm; feed, "
-        "plunge_feed, rapid_feed in mm/min; pattern: zig-zag, one way, contours inwards or "
-        "contours outwards; angle in rad; "
-        "cusp_height in mm, 0: constant stepover; boundary: tool contact or tool centre; allowance "
-        "in mm; cut_mode; threads; progress: callable(share) -> whether to go on.");
+        "plunge_feed, rapid_feed in mm/min; pattern: zig-zag, one way, contours inwards, contours "
+        "outwards, spiral inwards, spiral outwards, or between guides with `guides`, two lists of "
+        "(x, y); angle in rad; cusp_height in mm, 0: constant stepover; boundary: tool contact or "
+        "tool centre; allowance in mm; lead_radius in mm, 0: straight down and up; cut_mode; "
+        "threads; progress: callable(share) -> whether to go on.");
   m.def("fewest_lines", &lines_for_python, py::arg("curve"), py::arg("below"), py::arg("above"),
         "The fewest lines along (s, z) that leave it by no more than below and above, in mm.");
 }

@@ -6,9 +6,8 @@
 
 #include "geometry/region.h"
 #include "support/progress.h"
-#include "surface/finish_params.h"
 #include "surface/ground.h"
-#include "surface/passes.h"
+#include "surface/polylines.h"
 
 namespace evenload {
 
@@ -21,13 +20,8 @@ inline constexpr double kOutlineTolerance =
 // Closed polygons, for each row those at one distance from the outline: the outermost row first,
 // half a stepover within the border, and as far beyond it as the tool may touch the faces from
 // there. The ground lies to the left of each. Throws Cancelled.
-std::vector<std::vector<std::vector<Vec2>>> contour_rows(const Ground& ground,
-                                                         const std::vector<Region>& regions,
-                                                         double stepover, Progress& progress);
-
-// The passes along rows of polygons. Throws Cancelled.
-std::vector<PassPart> contour_passes(const Ground& ground,
-                                     const std::vector<std::vector<std::vector<Vec2>>>& rows,
-                                     const FinishParams& params, Progress& progress);
+std::vector<std::vector<Polyline>> contour_rows(const Ground& ground,
+                                                const std::vector<Region>& regions, double stepover,
+                                                Progress& progress);
 
 }  // namespace evenload

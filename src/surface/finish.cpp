@@ -6,21 +6,21 @@
 
 #include "support/demand.h"
 #include "surface/contours.h"
+#include "surface/guides.h"
 #include "surface/ordering.h"
 #include "surface/passes.h"
 #include "surface/spacing.h"
+#include "surface/spiral.h"
 
 namespace evenload {
 
 namespace {
 
-// More passes are a slip of the pen, and would take days.
-constexpr double kMostPasses = 200000;
-
 void check(const FinishParams& p, double deflection) {
-  for (const double number : {p.cutter.radius, p.cutter.corner, p.angle, p.stepover, p.cusp_height,
-                              p.allowance, p.tolerance, p.floor, p.top, p.safe_height,
-                              p.clearance_height, p.feed, p.plunge_feed, p.rapid_feed, deflection})
+  for (const double number :
+       {p.cutter.radius, p.cutter.corner, p.angle, p.stepover, p.cusp_height, p.allowance,
+        p.lead_radius, p.tolerance, p.floor, p.top, p.safe_height, p.clearance_height, p.feed,
+        p.plunge_feed, p.rapid_feed, deflection})
     demand(std::isfinite(number), "A number for finishing is not finite.");
   demand(p.cutter.radius > 0, "The tool's radius must be positive.");
   demand(p.cutter.corner >= 0 && p.cutter.corner <= p.cutter.radius,
@@ -30,11 +30,14 @@ void check(const FinishParams& p, double deflection) {
   demand(p.cusp_height >= 0, "The cusp height must not be negative.");
   demand(p.cusp_height == 0 || p.cutter.corner > 0,
          "A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.");
-  demand(p.cusp_height == 0 || !is_along_outline(p.pattern),
-         "Passes along the outline keep a stepover: leave the cusp height out.");
+  demand(p.cusp_height == 0 || is_parallel(p.pattern),
+         "Only parallel passes follow a cusp height: leave it out.");
   demand(p.cusp_height <= p.cutter.corner,
          "The cusp height must be no more than the radius of the tool's ball or corner.");
   demand(p.allowance >= 0, "The allowance must not be negative.");
+  demand(p.lead_radius >= 0, "The lead radius must not be negative.");
+  demand(p.pattern != Pattern::kBetweenGuides || p.guides.size() == 2,
+         "Passes between guides need two of them.");
   demand(p.tolerance > 0 && deflection >= 0, "The tolerance must be positive.");
   demand(p.feed > 0 && p.plunge_feed > 0 && p.rapid_feed > 0, "Feeds must be positive.");
   demand(p.safe_height >= p.top && p.clearance_height >= p.safe_height,
@@ -61,18 +64,42 @@ std::vector<PassPart> side_by_side(const Ground& ground, const FinishParams& par
   return parts;
 }
 
-// Parts of passes along the outline.
-std::vector<PassPart> along_outline(const Ground& ground, const FinishParams& params,
-                                    Finish& result, Progress& progress) {
+// Parts of passes along the outline, or of a spiral.
+std::vector<PassPart> round_about(const Ground& ground, const FinishParams& params, Finish& result,
+                                  Progress& progress) {
   const std::vector<Region> regions = covered_by_picked(*ground.mesh);
   const Bounds bounds = bounds_of(regions);
   demand(norm(bounds.high - bounds.low) < kMostPasses * params.stepover,
          "The stepover makes too many passes: raise it.");
-  std::vector<std::vector<std::vector<Vec2>>> rows =
-      contour_rows(ground, regions, params.stepover, progress);
-  if (params.pattern == Pattern::kContoursOutwards) std::reverse(rows.begin(), rows.end());
+  std::vector<std::vector<Polyline>> rows;
+  if (is_spiral(params.pattern)) {
+    const bool is_outwards = params.pattern == Pattern::kSpiralOutwards;
+    // A tool that turns clockwise climbs with what stands on its right: within, or around.
+    rows =
+        spiral_rows(ground, regions, params.stepover, is_outwards, params.is_climb != is_outwards);
+  } else {
+    rows = contour_rows(ground, regions, params.stepover, progress);
+    if (params.pattern == Pattern::kContoursOutwards) std::reverse(rows.begin(), rows.end());
+  }
   result.least_stepover = result.largest_stepover = rows.size() > 1 ? params.stepover : 0;
-  return contour_passes(ground, rows, params, progress);
+  return passes_along(ground, rows, params, progress);
+}
+
+std::vector<PassPart> between_guides(const Ground& ground, const FinishParams& params,
+                                     Finish& result, Progress& progress) {
+  const GuidedRows guided = guided_rows(params.guides[0], params.guides[1], params.stepover);
+  result.least_stepover = guided.least_stepover;
+  result.largest_stepover = guided.largest_stepover;
+  return passes_along(ground, guided.rows, params, progress);
+}
+
+std::vector<PassPart> all_parts(const Ground& ground, const FinishParams& params, double deflection,
+                                Finish& result, Progress& progress) {
+  if (is_parallel(params.pattern))
+    return side_by_side(ground, params, deflection, result, progress);
+  if (params.pattern == Pattern::kBetweenGuides)
+    return between_guides(ground, params, result, progress);
+  return round_about(ground, params, result, progress);
 }
 
 }  // namespace
@@ -83,9 +110,7 @@ Finish finish_surface(const FacetMesh& mesh, const FinishParams& params, double 
   const Ground ground{&mesh, params.cutter, params.allowance, params.floor, params.by_contact};
   Finish result;
   try {
-    std::vector<PassPart> parts = is_along_outline(params.pattern)
-                                      ? along_outline(ground, params, result, progress)
-                                      : side_by_side(ground, params, deflection, result, progress);
+    std::vector<PassPart> parts = all_parts(ground, params, deflection, result, progress);
     demand(!parts.empty(),
            "The tool touches none of the picked faces: take a smaller one, or lower "
            "FinalDepth.");

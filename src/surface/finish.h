@@ -1,8 +1,8 @@
 // Finishing: the whole path over the picked faces of a part.
 //
 //  1. pass_frame: the faces seen along the passes
-//  2. even_spacing or spacing_by_cusp: where the passes lie; or contour_rows, for those along the
-//     outline
+//  2. even_spacing or spacing_by_cusp: where the passes lie; or contour_rows, spiral_rows,
+//     guided_rows, for those along other lines
 //  3. samples_along, parts_at_work: the tool's height along each, where it is to cut
 //  4. fewest_lines: the lines of each
 //  5. in_order: which part follows which, links along the surface, and the ways over the part

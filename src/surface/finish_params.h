@@ -1,16 +1,37 @@
 // What a finishing path is to be.
 #pragma once
 
+#include <vector>
+
+#include "geometry/vec2.h"
 #include "surface/cutter.h"
 
 namespace evenload {
 
-enum class Pattern { kZigZag, kOneWay, kContoursInwards, kContoursOutwards };
+enum class Pattern {
+  kZigZag,
+  kOneWay,
+  kContoursInwards,
+  kContoursOutwards,
+  kSpiralInwards,
+  kSpiralOutwards,
+  kBetweenGuides
+};
 
-// Whether passes run along the outline of what is picked, and not side by side.
-inline bool is_along_outline(Pattern pattern) {
-  return pattern == Pattern::kContoursInwards || pattern == Pattern::kContoursOutwards;
+// Whether passes run side by side at an angle, to which alone a cusp height may be wished.
+inline bool is_parallel(Pattern pattern) {
+  return pattern == Pattern::kZigZag || pattern == Pattern::kOneWay;
 }
+inline bool is_spiral(Pattern pattern) {
+  return pattern == Pattern::kSpiralInwards || pattern == Pattern::kSpiralOutwards;
+}
+// Whether each pass goes back the other way from the one before.
+inline bool is_to_and_fro(Pattern pattern) {
+  return pattern == Pattern::kZigZag || pattern == Pattern::kBetweenGuides;
+}
+
+// More passes are a slip of the pen, and would take days.
+inline constexpr double kMostPasses = 200000;
 
 struct FinishParams {
   Cutter cutter;
@@ -20,8 +41,11 @@ struct FinishParams {
   // mm: what may stand between two passes, across the surface, which the distance of the passes
   // follows then; 0: the stepover stays the same.
   double cusp_height = 0;
-  bool by_contact = true;   // what stays on the picked faces: the tool's contact, or its axis
-  double allowance = 0;     // mm, >= 0: stays on the part
+  bool by_contact = true;  // what stays on the picked faces: the tool's contact, or its axis
+  double allowance = 0;    // mm, >= 0: stays on the part
+  double lead_radius = 0;  // mm, >= 0: of the upright arcs from and into the air
+  // Two open lines in plan, mm, for passes between guides.
+  std::vector<std::vector<Vec2>> guides;
   double tolerance = 0.01;  // mm, > 0: of the path against the triangles, see finish.h
   double floor = 0;         // mm: the tip never goes lower
   double top = 0;           // mm: nothing stands higher, so rapids may come down to it

@@ -5,6 +5,8 @@
 #include <optional>
 #include <utility>
 
+#include "surface/lead.h"
+
 namespace evenload {
 
 namespace {
@@ -21,8 +23,9 @@ class PathMaker {
     ++path_.report.passes;
   }
 
-  // Along the surface, in a straight line in plan.
+  // Along the surface, in a straight line in plan. None is needed where a turn of a spiral begins.
   void link_to(const SpacePoint& end) {
+    if (!(distance(at_, end) > kNowhere)) return;
     const Vec2 way = plan(end) - plan(at_);
     const double length = norm(way);
     if (length > kNowhere) {
@@ -38,6 +41,29 @@ class PathMaker {
     ++path_.report.links;
   }
 
+  // Over the part, and by an arc to where a pass begins.
+  void come_down(const std::vector<SpacePoint>& pass) {
+    std::vector<SpacePoint> arc = lead_arc(ground_, pass.begin(), pass.end(), params_);
+    std::reverse(arc.begin(), arc.end());
+    arc.push_back(pass.front());
+    fly_to(arc.front());
+    for (std::size_t i = 1; i < arc.size(); ++i) feed_to(arc[i], MoveKind::kEntry);
+  }
+
+  // By an arc from where a pass ends.
+  void leave(const std::vector<SpacePoint>& pass) {
+    for (const SpacePoint& p : lead_arc(ground_, pass.rbegin(), pass.rend(), params_))
+      feed_to(p, MoveKind::kLink);
+  }
+
+  Toolpath finished() {
+    rapid_to({at_.x, at_.y, params_.clearance_height});
+    return std::move(path_);
+  }
+
+  const SpacePoint& at() const { return at_; }
+
+ private:
   // Over the part, and down by the plunge feed from where material may stand.
   void fly_to(const SpacePoint& end) {
     if (path_.moves.empty()) {
@@ -51,14 +77,6 @@ class PathMaker {
     if (at_.z > end.z) feed_to(end, MoveKind::kEntry);
   }
 
-  Toolpath finished() {
-    rapid_to({at_.x, at_.y, params_.clearance_height});
-    return std::move(path_);
-  }
-
-  const SpacePoint& at() const { return at_; }
-
- private:
   // Downwards no faster than the tool may plunge.
   double feed_on(const SpacePoint& end, double length) const {
     const double down = at_.z - end.z;
@@ -104,7 +122,8 @@ class Ordering {
     double nearest = reach;
     for (std::size_t i = before + 1; i < parts_.size() && parts_[i].row <= parts_[before].row + 1;
          ++i) {
-      if (!is_left_[i] || parts_[i].row == parts_[before].row) continue;
+      const bool is_next = parts_[i].row > parts_[before].row || is_spiral(params_.pattern);
+      if (!is_left_[i] || !is_next) continue;
       const SpacePoint& start = parts_[i].points[nearest_start(parts_[i], at)];
       const double off = norm(plan(start - at));
       if (off > nearest || std::abs(start.z - at.z) > reach) continue;
@@ -143,7 +162,7 @@ class Ordering {
     std::vector<std::size_t> starts{0};
     if (part.is_closed)
       for (std::size_t k = 1; k + 1 < part.points.size(); ++k) starts.push_back(k);
-    else if (params_.pattern == Pattern::kZigZag)
+    else if (is_to_and_fro(params_.pattern))
       starts.push_back(part.points.size() - 1);
     return *std::min_element(starts.begin(), starts.end(), [&](std::size_t a, std::size_t b) {
       return norm(plan(part.points[a] - at)) < norm(plan(part.points[b] - at));
@@ -162,7 +181,7 @@ Toolpath in_order(const Ground& ground, std::vector<PassPart> parts, const Finis
   // What is not yet cut lies to the left of passes that follow each other, or to the right from the
   // inside outwards. A tool that turns clockwise climbs with it on its right.
   const bool is_on_left = params.pattern != Pattern::kContoursOutwards;
-  if (params.is_climb == is_on_left)
+  if (params.is_climb == is_on_left && !is_spiral(params.pattern))  // which turn as they shall
     for (PassPart& part : parts) std::reverse(part.points.begin(), part.points.end());
   Ordering order(std::move(parts), params);
   PathMaker maker(ground, params);
@@ -175,11 +194,12 @@ Toolpath in_order(const Ground& ground, std::vector<PassPart> parts, const Finis
     if (is_linked)
       maker.link_to(points.front());
     else
-      maker.fly_to(points.front());
+      maker.come_down(points);
     maker.cut(points);
     std::optional<std::size_t> linked;
     if (params.pattern != Pattern::kOneWay) linked = order.linked(*next, maker.at());
     is_linked = linked.has_value();
+    if (!is_linked) maker.leave(points);
     next = is_linked ? linked : order.first_left();
   }
   return maker.finished();

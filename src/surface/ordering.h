@@ -10,10 +10,13 @@
 
 namespace evenload {
 
-// The path through all parts, in the order of their rows. Zig-zag and contours: on to the nearest
+// The path through all parts, in the order of their rows. But for One way: on to the nearest
 // place where a part of the next row may begin, along the surface where that is within kLinkReach
-// stepovers or the tool's radius; else over the part to the first that is left. Zig-zag turns parts
-// round for that. One way: always over the part. Condition: there is a part. Throws Cancelled.
+// stepovers or the tool's radius; else over the part to the first that is left. Patterns to and fro
+// turn parts round for that, spirals go on in the same turn or the next. One way: always over the
+// part. Where the tool comes from the air it begins, and where it goes there it ends, by an upright
+// arc of `lead_radius`, a smaller one or none where that would cut into the part. Condition: there
+// is a part. Throws Cancelled.
 Toolpath in_order(const Ground& ground, std::vector<PassPart> parts, const FinishParams& params,
                   Progress& progress);
 inline constexpr double kLinkReach = 3;

@@ -6,9 +6,16 @@ import sys
 import FreeCAD
 import FreeCADGui
 import numpy
-from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from gui_inspection_tools import (  # noqa: E402
+    choose,
+    cut_off,
+    grid,
+    measured,
+    open_points,
+    save,
+)
 from gui_tools import (  # noqa: E402
     OUT,
     answering,
@@ -34,55 +41,6 @@ def is_enabled():
     """Whether the command is, for what is selected now."""
     FreeCADGui.updateGui()
     return bool(FreeCADGui.Command.get("EvenLoad_Inspect").isActive())
-
-
-def save(button, name):
-    """Clicks a button that writes a file; tells how large it is then."""
-    path = os.path.join(OUT, name)
-    dialog, before = QtGui.QFileDialog, QtGui.QFileDialog.getSaveFileName
-    try:
-        dialog.getSaveFileName = staticmethod(lambda *_: (path, ""))
-        click(button)
-    finally:
-        dialog.getSaveFileName = before
-    return os.path.getsize(path) if os.path.exists(path) else 0
-
-
-def open_points(dock, path):
-    dialog, before = QtGui.QFileDialog, QtGui.QFileDialog.getOpenFileName
-    try:
-        dialog.getOpenFileName = staticmethod(lambda *_: (path, ""))
-        click(dock.open)
-    finally:
-        dialog.getOpenFileName = before
-    later(50)
-
-
-def choose(box, data):
-    box.setCurrentIndex(box.findData(data))
-    later(50)
-
-
-def cut_off(dock):
-    """The widgets of the dock whose right edge is hidden."""
-    area = dock.widget()
-    seen = area.viewport().width()
-    kinds = QtGui.QAbstractSpinBox, QtGui.QComboBox, QtGui.QPushButton
-    return [
-        widget.metaObject().className()
-        for kind in kinds
-        for widget in area.widget().findChildren(kind)
-        if widget.isVisible()
-        and widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
-    ]
-
-
-def measured(name, points, normals):
-    from evenload import inspection
-
-    path = os.path.join(OUT, name)
-    inspection.write_csv(path, points, normals, "mm")
-    return path
 
 
 def session():
@@ -168,7 +126,7 @@ def session():
     choose(dock.evaluation.points, False)
     result["of_faces"] = dock.told.text()
     choose(dock.evaluation.points, True)
-    choose(dock.evaluation.kind, "aligned")
+    choose(dock.alignment.free, "none")
     result["aligned"] = [view.found.zone, float(2 * numpy.abs(waves).max())]
     dock.tolerance.width.setValue(0.05)
     later(100)
@@ -179,7 +137,7 @@ def session():
     }
     open_points(dock, measured("far.csv", feet + [0, 0, 30], normals))
     result["far"] = dock.told.text()
-    choose(dock.evaluation.kind, "profile")
+    choose(dock.alignment.free, "all")
     open_points(dock, measured("few.csv", feet[:3], normals[:3]))
     result["few"] = [dock.told.text(), dock.save_report.isEnabled()]
 
@@ -207,13 +165,6 @@ def session():
     FreeCAD.closeDocument(doc.Name)
     later(200)
     result["gone"] = len(command._shown)
-
-
-def grid():
-    """Fewer places than test_inspection.py has, which are drawn sooner."""
-    from inspected import X, Y
-
-    return (each.reshape(21, 21)[::2, ::2].ravel() for each in (X, Y))
 
 
 run(session)

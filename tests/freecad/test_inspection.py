@@ -207,6 +207,48 @@ def test_a_datum_leaves_the_error_of_position_in_the_profile(doc):
         face_inspection.datum_of(faces_of(doc, Part.makeSphere(5), ["Face1"]))
 
 
+def test_a_datum_is_a_plane_face_or_a_datum_plane_of_the_document(doc):
+    obj = doc.addObject("Part::Feature", "Box")
+    obj.Shape = Part.makeBox(20, 20, 10)
+    obj.Placement.Base = Vector(0, 0, 5)
+    body = doc.addObject("PartDesign::Body", "Body")
+    plane = body.newObject("PartDesign::Plane", "Plane")
+    plane.AttachmentOffset.Base = plane.Placement.Base = Vector(1, 2, 3)
+    body.Placement.Base = Vector(0, 0, 4)
+    doc.recompute()
+    point, normal = face_inspection.datum_at(obj, "Face6")
+    assert point == pytest.approx((10, 10, 15)) and normal == pytest.approx((0, 0, 1))
+    point, normal = face_inspection.datum_at(plane, "")
+    assert point == pytest.approx((1, 2, 7)) and normal == pytest.approx((0, 0, 1))
+    level = next(each for each in doc.Objects if each.Name.startswith("XZ_Plane"))
+    assert face_inspection.datum_at(level, "")[1] == pytest.approx((0, -1, 0))
+    ball = doc.addObject("Part::Feature", "Ball")
+    ball.Shape = Part.makeSphere(5)
+    with pytest.raises(ValueError, match="one plane face"):
+        face_inspection.datum_at(ball, "Face1")
+    base = [(obj, ["Face1", "Face6"]), (ball, ["Face1"])]
+    assert face_inspection.plane_faces(base) == [(obj, "Face1"), (obj, "Face6")]
+
+
+def test_the_motions_that_were_free_are_told(bore):
+    points = as_measured(wall_points(24, numpy.random.default_rng(3).uniform(-0.01, 0.01, 24)))
+    assert face_inspection.evaluate(bore, points).free == inspection.profiles.MOTIONS
+    assert face_inspection.evaluate(bore, points, free="tz").free == ("tz",)
+    datum = (0, 0, 0), (0, 0, 1)
+    found = face_inspection.evaluate(bore, points, datum=datum)
+    assert found.free == () and found.datum == datum
+
+
+def test_the_largest_cylinder_tells_how_faces_are_bent(doc, part, top, bore):
+    bent = face_inspection.round_face(top)
+    assert bent.nature == "CX" and bent.radius == pytest.approx(45)
+    for angle, wanted in ((0, 0), (30, 30), (90, 90), (135, 45), (-20, 20), (180, 0)):
+        assert bent.feed_direction(angle) == pytest.approx(wanted)
+    bent = face_inspection.round_face(bore)
+    assert bent.nature == "CV" and bent.radius == pytest.approx(8)
+    assert face_inspection.round_face(faces_of(doc, Part.makeBox(1, 1, 1), ["Face1"])) is None
+
+
 def test_points_that_other_faces_are_nearer_to_can_be_left_out(doc, part):
     solid = dome(part)
     name = round_face(solid)

@@ -83,6 +83,43 @@ def test_the_report_is_one_file_with_its_picture_verdict_and_certificate(bore):
     assert html_report.report_of(found, "bore <1>.csv") == text
 
 
+@pytest.mark.parametrize("unit, factor, name", [("mm", 1, "mm"), ("inch", 25.4, "in")])
+def test_the_report_is_in_the_unit_that_is_asked_with_motions_and_datum(doc, unit, factor, name):
+    faces = faces_of(doc, Part.makeBox(20, 20, 10), ["Face6"])
+    measured = as_measured([[x, y, 10.02] for x in (2, 8, 14, 18) for y in (3, 9, 17)])
+    datum = (0, 0, 2.54), (0, 0, 1)
+    found = face_inspection.evaluate(faces, measured, "profile", 0.05, ("tx",), datum)
+    text = html_report.report_of(found, unit=unit)
+    digits = {"mm": 4, "inch": 6}[unit]
+    assert "is %.*f %s, of 12 points" % (digits, 0.04 / factor, name) in text
+    assert "keeps the tolerance of %.*f %s." % (digits, 0.05 / factor, name) in text
+    assert "<td>%.*f</td>" % (digits, 10.02 / factor) in text  # z of a point
+    assert "Deviation, %s<" % name in text and "<td>tx</td>" in text
+    through = "through %s %s, normal 0.000000" % (
+        ", ".join("%.*f" % (digits + 2, each / factor) for each in (0, 0, 2.54)),
+        name,
+    )
+    assert through in text
+    assert (" mm" in text) == (unit == "mm")
+
+
+def test_the_report_tells_a_prediction_beside_what_was_measured(bore):
+    found = face_inspection.evaluate(bore, as_measured(WALL), "cylinder")
+    assert "Prediction" not in html_report.report_of(found)
+    cut = inspection.Cut(0.15, 0.08, 0.3, 5, 8, 5100)
+    predicted = inspection.prediction("CV", 90, 3, cut)
+    text = html_report.report_of(found, prediction=predicted)
+    row = "<td>Cylindricity</td><td>0.0445</td><td>95.6 %%</td><td>%.4f</td>" % found.zone
+    assert row in text and "a concave face, passes at 90° to its axis, Rz 3 µm" in text
+    assert "face radius 8, not 45 mm" in text
+    text = html_report.report_of(found, unit="inch", prediction=predicted)
+    assert "Rz 118.1 µin" in text and "face radius 0.315, not 1.772 in" in text
+    found = face_inspection.evaluate(bore, as_measured(WALL), free=())
+    text = html_report.report_of(found, prediction=predicted)
+    measured = re.findall(r"<td>([^<]*)</td><td>[^<]*</td><td>[^<]* %</td><td>[^<]+</td>", text)
+    assert measured == ["Profile of a surface in the datum"]
+
+
 # ---- job files ----
 
 

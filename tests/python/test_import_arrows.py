@@ -55,7 +55,8 @@ LATE = {
     ("__init__", "evenload.optimisation"),  # or all of it would be loaded with FreeCAD
     ("__init__", "evenload.simulation"),
     ("dynamics.charts", "evenload.dynamics.pictures"),  # needs matplotlib
-    ("gui.__init__", "evenload.gui.progress"),  # FreeCAD's start needs neither
+    ("gui.__init__", "evenload.gui.preferences_page"),  # FreeCAD's start needs none of these
+    ("gui.__init__", "evenload.gui.progress"),
     ("gui.__init__", "evenload.gui.views"),
     ("job_files.inspection", "evenload.face_inspection.html_report"),  # needs matplotlib
     ("job_files.inspection", "evenload.face_inspection.picture"),

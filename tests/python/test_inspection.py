@@ -52,6 +52,28 @@ def test_zones_are_the_known_optimum_and_proved(kind):
         assert numpy.abs(found.deviations).max() <= zone / 2 * (1 + EXACT) + 2e-15 * size
 
 
+@pytest.mark.parametrize(
+    "count, run, height_run",
+    [
+        *((13, 4, 3), (14, 4, 2), (15, 3, 2), (16, 5, 1), (16, 5, 2), (17, 4, 3)),
+        *((18, 5, 3), (20, 4, 3), (20, 6, 3), (21, 6, 3), (24, 1, 1), (24, 2, 1)),
+    ],
+)
+def test_a_cylinder_is_proved_where_deviations_alternate_exactly(count, run, height_run):
+    # All points touch then, in patterns of which few contacts hold no proof by themselves.
+    random = numpy.random.default_rng(6)
+    turn, number = 2 * numpy.pi * numpy.arange(count) / count, numpy.arange(count)
+    radius = 8 + 0.01 * (-1.0) ** (number // run)
+    along = numpy.where((number // height_run) % 2, 18.0, 2.0)
+    points = numpy.stack([radius * numpy.cos(turn), radius * numpy.sin(turn), along], axis=1)
+    for _ in range(6):
+        found = inspection.fit(points, "cylinder")
+        assert found.is_proved
+        assert found.zone == pytest.approx(0.02, rel=1e-9)
+        assert imbalance(found, points) < 1e-8
+        points = points @ numpy.linalg.qr(random.normal(size=(3, 3)))[0] + random.normal(size=3)
+
+
 @pytest.mark.parametrize("kind", KINDS)
 @pytest.mark.parametrize("noise", [1e-5, 1e-2, 0.1])
 def test_the_minimum_zone_is_never_wider_than_that_of_least_squares(kind, noise):

@@ -208,6 +208,61 @@ def test_predictions_warn_beyond_their_range():
             inspection.predict(*arguments)
 
 
+CUT = dict(
+    stepover=0.15,
+    feed_per_tooth=0.08,
+    depth=0.3,
+    tool_radius=5.0,
+    face_radius=45.0,
+    spindle_speed=5100.0,
+)
+
+
+def test_a_prediction_tells_all_errors_of_the_source_s_parts():
+    found = inspection.prediction("CX", 90, 3, inspection.Cut(**CUT))
+    for name, error in found.errors.items():
+        assert error == inspection.predict(name, "CX", 90, 3)
+    assert list(found.errors) == ["Cyl", "SPE", "SPE_A", "SPE_AR"]
+    assert found.warnings() == [] and len(found.sentences()) == 4
+    assert found.sentences()[0] == "Predicted cylindricity: 0.0212 mm."
+    assert found.sentences("inch")[0] == "Predicted cylindricity: 0.000835 in."
+
+
+@pytest.mark.parametrize(
+    "name, value, words",
+    [
+        ("stepover", 0.3, "stepover 0.3, not 0.15 mm."),
+        ("feed_per_tooth", 0.12, "feed per tooth 0.12, not 0.08 mm."),
+        ("depth", 0.2, "depth 0.2, not 0.3 mm."),
+        ("tool_radius", 3.0, "tool radius 3, not 5 mm."),
+        ("face_radius", 8.0, "face radius 8, not 45 mm."),
+        ("spindle_speed", 8000.0, "spindle speed 8000 rev/min, not 5100."),
+        ("passes", "One way", "passes one way, not zig-zag."),
+    ],
+)
+def test_a_prediction_warns_of_each_value_beyond_the_source_s(name, value, words):
+    found = inspection.prediction("CV", 0, 3, inspection.Cut(**{**CUT, name: value}))
+    (warning,) = found.warnings()
+    assert warning == "Outside of what the source measured, a guess: " + words
+    assert found.sentences()[-1] == warning
+    # The source rounds its own feeds by 1 %.
+    assert (
+        name == "passes"
+        or not inspection.prediction(
+            "CV", 0, 3, inspection.Cut(**{**CUT, name: 1.012 * CUT[name]})
+        ).warnings()
+    )
+
+
+def test_a_prediction_of_several_differences_tells_them_in_one_sentence_and_unit():
+    cut = inspection.Cut(**{**CUT, "stepover": 0.254, "tool_radius": 2.54})
+    (warning,) = inspection.prediction("CX", 0, 3, cut).warnings("inch")
+    assert warning.endswith("stepover 0.01, not 0.005906 in; tool radius 0.1, not 0.1969 in.")
+    for arguments in (("CX", 91, 3), ("CX", -1, 3), ("CC", 0, 3), ("CX", 0, -1)):
+        with pytest.raises(ValueError):
+            inspection.prediction(*arguments, cut)
+
+
 # ---- tables and probing ----
 
 POINTS = numpy.array([[1.5, -2.25, 30], [40, 0.125, 36]])
@@ -220,36 +275,6 @@ def test_tables_come_back_in_mm(tmp_path, unit, scale):
     points, normals = inspection.read_csv(tmp_path / "p.csv")
     assert points == pytest.approx(scale * POINTS, rel=1e-15)
     assert normals == pytest.approx(NORMALS)
-    inspection.write_dmis(tmp_path / "p.dmi", POINTS, NORMALS, unit)
-    text = (tmp_path / "p.dmi").read_text()
-    assert text.startswith(
-        "DMISMN/'EVENLOAD',05.2\nUNITS/%s,ANGDEC\n" % {"mm": "MM", "inch": "INCH"}[unit]
-    )
-    assert "F(P2)=FEAT/POINT,CART,40,0.125,36,0,0,1\nMEAS/POINT,F(P2),1\n" in text
-    measured = "UNITS/%s\nF(P1)=FEAT/POINT,CART,0,0,0,0,0,1\n"
-    measured += "FA(P1)=FEAT/POINT,CART,$\n 1.5,-2.25,30.,0,.6,.8\n"
-    (tmp_path / "r.dmi").write_text(measured % {"mm": "MM", "inch": "INCH"}[unit])
-    found = inspection.read_dmis(tmp_path / "r.dmi")
-    assert list(found) == ["P1"]
-    assert found["P1"][0] == pytest.approx(scale * POINTS[0])
-    assert found["P1"][1] == pytest.approx(NORMALS[0])
-
-
-@pytest.mark.parametrize(
-    "text, words",
-    [
-        ("FA(P1)=FEAT/POINT,CART,1,2,3,0,0,1\n", "no unit"),
-        ("UNITS/MM\nUNITS/INCH\n", "mixes"),
-        ("UNITS/FEET\n", "mm or inch"),
-        ("UNITS/MM\n", "no measured points"),
-        ("UNITS/MM\nFA(P1)=FEAT/POINT,CART,1,2,3,0,0\n", "six numbers"),
-        ("UNITS/MM\n" + 2 * "FA(P1)=FEAT/POINT,CART,1,2,3,0,0,1\n", "twice"),
-    ],
-)
-def test_dmis_that_is_unclear_is_refused(tmp_path, text, words):
-    (tmp_path / "r.dmi").write_text(text)
-    with pytest.raises(ValueError, match=words):
-        inspection.read_dmis(tmp_path / "r.dmi")
 
 
 @pytest.mark.parametrize(

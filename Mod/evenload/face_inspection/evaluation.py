@@ -9,6 +9,7 @@ from evenload import inspection
 from evenload.face_inspection.measured import check_nearness, of_faces
 from evenload.face_inspection.nearest import FacesPart
 from evenload.inspection.fits import KINDS as FEATURES
+from evenload.inspection.points import length_told
 from evenload.inspection.profiles import MOTIONS
 
 PROFILE = "profile"
@@ -23,6 +24,11 @@ ERRORS = {  # what the zone of each is called [ISO 1101]
 }
 STRAIGHT = 1e-6  # of the points' extent: what lies nearer to one line tells no surface
 IN, OUT, OPEN = "in tolerance", "out of tolerance", "not decided"
+JUDGED = {
+    IN: "It keeps the tolerance of %s.",
+    OUT: "It exceeds the tolerance of %s.",
+    OPEN: "Whether the tolerance of %s is kept is not decided: measure more points.",
+}
 
 
 @dataclass(frozen=True)
@@ -33,7 +39,8 @@ class Evaluation:
     narrowest zone, mm; tolerance: mm, None where none is asked; deviations: signed distances, mm,
     of each point from the faces after the motion of a profile, or from the feature that was fitted;
     found: the Profile or the Fit; left_out: number of points of the file that were nearer to
-    other faces.
+    other faces; free: names of the motions of a profile that were left free; datum: (point, normal)
+    of its datum plane, or None.
     """
 
     faces: object
@@ -44,6 +51,8 @@ class Evaluation:
     deviations: numpy.ndarray
     found: object
     left_out: int = 0
+    free: tuple = ()
+    datum: object = None
 
     @property
     def verdict(self):
@@ -67,11 +76,17 @@ class Evaluation:
 
     @property
     def sentences(self):
-        """What it comes to, one sentence each: the error, the certificate, the verdict."""
-        found = self.found
-        told = ["The %s is %.4f mm, of %d points." % (self.error, self.zone, len(self.deviations))]
+        """The sentences with lengths in mm."""
+        return self.told()
+
+    def told(self, unit="mm"):
+        """What it comes to, one sentence each: the error, the certificate, the verdict. unit: "mm"
+        or "inch", of lengths.
+        """
+        found, zone = self.found, length_told(self.zone, unit)
+        told = ["The %s is %s, of %d points." % (self.error, zone, len(self.deviations))]
         if getattr(found, "radius", None) is not None:
-            told[0] = told[0][:-1] + ", at a radius of %.4f mm." % found.radius
+            told[0] = told[0][:-1] + ", at a radius of %s." % length_told(found.radius, unit)
         if found.is_proved:
             told.append(
                 "No zone near by is narrower (contacts: %d; balance of their forces: %.0e)."
@@ -81,15 +96,8 @@ class Evaluation:
             told.append("That it is the narrowest zone is not proved: take it for an upper bound.")
         if self.left_out:
             told.append("Points nearer to other faces, left out: %d." % self.left_out)
-        if self.verdict == IN:
-            told.append("It keeps the tolerance of %.4f mm." % self.tolerance)
-        elif self.verdict == OUT:
-            told.append("It exceeds the tolerance of %.4f mm." % self.tolerance)
-        elif self.verdict == OPEN:
-            told.append(
-                "Whether the tolerance of %.4f mm is kept is not decided: measure more points."
-                % self.tolerance
-            )
+        if self.verdict is not None:
+            told.append(JUDGED[self.verdict] % length_told(self.tolerance, unit))
         return told
 
     @property
@@ -124,29 +132,25 @@ def evaluate(faces, measured, kind=PROFILE, tolerance=None, free=None, datum=Non
         found = inspection.fit(measured.points, kind)
         zone = found.zone
         return Evaluation(faces, measured, kind, zone, tolerance, found.deviations, found, left_out)
-    _check_number(measured.points, free, datum)
+    free = _motions(free, datum)
+    _check_number(measured.points, free)
     found = inspection.profile(measured.points, part, free, datum)
-    width = found.width
-    return Evaluation(faces, measured, kind, width, tolerance, found.deviations, found, left_out)
-
-
-def datum_of(faces):
-    """(point, normal) of the datum plane that PickedFaces are. Raises ValueError for what is no
-    single plane.
-    """
-    if len(faces.faces) != 1 or not faces.faces[0].Surface.isPlanar():
-        raise ValueError("The datum is one plane face, not %s." % faces.name)
-    face = faces.faces[0]
-    return tuple(face.CenterOfMass), tuple(
-        face.normalAt(*face.Surface.parameter(face.CenterOfMass))
+    return Evaluation(
+        *(faces, measured, kind, found.width, tolerance, found.deviations, found, left_out),
+        *(free, datum),
     )
 
 
-def _check_number(points, free, datum):
-    """Few points fit any face: they must be more than the motions that are free."""
+def _motions(free, datum):
+    """The names of the free motions; what they are where nobody says, profile() has, too."""
     if free is None:
-        free = () if datum is not None else MOTIONS
-    motions = len((free,) if isinstance(free, str) else tuple(free))
+        return () if datum is not None else MOTIONS
+    return (free,) if isinstance(free, str) else tuple(free)
+
+
+def _check_number(points, free):
+    """Few points fit any face: they must be more than the motions that are free."""
+    motions = len(free)
     if len(points) <= motions:
         raise ValueError(
             "%d points fit any face by %d free motions: measure %d or more, or leave fewer free."

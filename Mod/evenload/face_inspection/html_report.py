@@ -1,29 +1,36 @@
 """A report of an evaluation as one HTML file, with its picture in it, made to be printed."""
 
-from evenload.face_inspection.evaluation import IN, OUT
+from evenload.face_inspection.evaluation import IN, OUT, PROFILE
 from evenload.face_inspection.picture import save_map
+from evenload.inspection.points import SHOWN, length_told, mm_per
+from evenload.inspection.predictions import ADJUSTED_R_SQUARED, MEANINGS
 from evenload.pictures import html_page
 
+ROUGHNESS = {"mm": ("µm", 1.0), "inch": ("µin", 0.0254)}  # how it is written, and its µm
 VERDICTS = {IN: "good", OUT: "bad"}
 
 
-def write_report(evaluation, path, source=""):
-    """Writes the report of an Evaluation; source: the name of the file of points. The same
-    evaluation gives the same bytes.
+def write_report(evaluation, path, source="", unit="mm", prediction=None):
+    """Writes the report of an Evaluation.
+
+    source: the name of the file of points. unit: "mm" or "inch", of all lengths. prediction: the
+    Prediction of evenload.inspection that is told beside what was measured. The same evaluation
+    gives the same bytes.
     """
-    html_page.write(report_of(evaluation, source), path)
+    html_page.write(report_of(evaluation, source, unit, prediction), path)
 
 
-def report_of(evaluation, source=""):
+def report_of(evaluation, source="", unit="mm", prediction=None):
     """The report as a text."""
     parts = [
         _verdict(evaluation),
-        html_page.sentences(evaluation.sentences),
-        _facts(evaluation, source),
+        html_page.sentences(evaluation.told(unit)),
+        _facts(evaluation, source, unit),
         "<h2>Deviations</h2>",
-        html_page.picture(lambda file: save_map(evaluation, file), "Map of the deviations"),
+        html_page.picture(lambda file: save_map(evaluation, file, unit), "Map of the deviations"),
         _certificate(evaluation),
-        _points(evaluation),
+        _prediction(evaluation, prediction, unit) if prediction is not None else "",
+        _points(evaluation, unit),
     ]
     return html_page.page("Inspection of %s" % evaluation.faces.name, parts)
 
@@ -35,25 +42,32 @@ def _verdict(evaluation):
     return html_page.verdict(kind, evaluation.verdict.capitalize())
 
 
-def _facts(evaluation, source):
+def _facts(evaluation, source, unit):
     found, deviations = evaluation.found, evaluation.deviations
+    name = SHOWN[unit][0]
     rows = [
         ("Faces", ", ".join("%s of %s" % (n, label) for label, n in evaluation.faces.parts)),
         ("Points", "%d%s" % (len(deviations), ", of " + source if source else "")),
-        (evaluation.error.capitalize(), "%.5f mm" % evaluation.zone),
+        (evaluation.error.capitalize(), length_told(evaluation.zone, unit, 1)),
     ]
     if evaluation.tolerance is not None:
-        rows.append(("Tolerance", "%.5f mm" % evaluation.tolerance))
-    rows.append(("Deviations", "%.5f to %.5f mm" % (deviations.min(), deviations.max())))
-    for name, title, unit in (("radius", "Radius", " mm"), ("point", "Place", " mm")):
-        value = getattr(found, name, None)
+        rows.append(("Tolerance", length_told(evaluation.tolerance, unit, 1)))
+    ends = _number(deviations.min(), unit, 1), _number(deviations.max(), unit, 1)
+    rows.append(("Deviations", "%s to %s %s" % (*ends, name)))
+    for attribute, title in (("radius", "Radius"), ("point", "Place")):
+        value = getattr(found, attribute, None)
         if value is not None:
-            rows.append((title, _numbers(value) + unit))
+            rows.append((title, "%s %s" % (_lengths(value, unit), name)))
     if getattr(found, "direction", None) is not None:
-        rows.append(("Direction", _numbers(found.direction)))
+        rows.append(("Direction", _shares(found.direction)))
     if hasattr(found, "shift"):
-        rows.append(("Shift of the points", _numbers(found.shift) + " mm"))
-        rows.append(("Turn of the points", "; ".join(map(_numbers, found.turn))))
+        rows.append(("Free motions", ", ".join(evaluation.free) or "none, as aligned"))
+        if evaluation.datum is not None:
+            point, normal = evaluation.datum
+            told = _lengths(point, unit), name, _shares(normal)
+            rows.append(("Datum plane", "through %s %s, normal %s" % told))
+        rows.append(("Shift of the points", "%s %s" % (_lengths(found.shift, unit), name)))
+        rows.append(("Turn of the points", "; ".join(map(_shares, found.turn))))
     return html_page.facts(rows)
 
 
@@ -73,20 +87,66 @@ def _certificate(evaluation):
     return "<h2>Certificate</h2>" + html_page.sentences([told]) + html_page.table(head, rows)
 
 
-def _points(evaluation):
+def _prediction(evaluation, prediction, unit):
+    """The source's regressions, beside the one that was measured."""
+    measured = _measured_error(evaluation)
+    rows = [
+        (
+            MEANINGS[name].capitalize(),
+            _number(error, unit),
+            "%.1f %%" % (100 * ADJUSTED_R_SQUARED[name]),
+            _number(evaluation.zone, unit) if name == measured else "",
+        )
+        for name, error in prediction.errors.items()
+    ]
+    name = SHOWN[unit][0]
+    head = ("Form error", "Predicted, " + name, "R² adjusted", "Measured, " + name)
+    told = (
+        "By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, Rz %s."
+    )
+    nature = "convex" if prediction.nature == "CX" else "concave"
+    sign, micrometres = ROUGHNESS[unit]
+    roughness = "%.4g %s" % (prediction.rz / micrometres, sign)
+    told %= (nature, round(prediction.feed_direction, 2), roughness)
+    sentences = [told, *prediction.warnings(unit)]
+    return "<h2>Prediction</h2>" + html_page.sentences(sentences) + html_page.table(head, rows)
+
+
+def _measured_error(evaluation):
+    """The name of the predicted error that an evaluation measured, None where it is none."""
+    if evaluation.kind == "cylinder":
+        return "Cyl"
+    if evaluation.kind != PROFILE:
+        return None
+    if not evaluation.free:
+        return "SPE_A"
+    return "SPE" if evaluation.datum is None else None
+
+
+def _points(evaluation, unit):
     measured, beyond = evaluation.measured, evaluation.is_beyond
     rows = [
-        (name, *("%.4f" % each for each in point), "%+.5f" % deviation)
+        (name, *(_number(each, unit) for each in point), _number(deviation, unit, 1, "+"))
         for name, point, deviation in zip(
             measured.names, measured.points.tolist(), evaluation.deviations
         )
     ]
     bad = set() if beyond is None else {row for row, is_bad in enumerate(beyond) if is_bad}
-    head = ("Point", "x, mm", "y, mm", "z, mm", "Deviation, mm")
-    return "<h2>Points</h2>" + html_page.table(head, rows, bad)
+    head = [word % SHOWN[unit][0] for word in ("x, %s", "y, %s", "z, %s", "Deviation, %s")]
+    return "<h2>Points</h2>" + html_page.table(("Point", *head), rows, bad)
 
 
-def _numbers(value):
+def _number(length, unit, finer=0, sign=""):
+    """A length in mm as a number in a unit."""
+    return ("%" + sign + ".*f") % (SHOWN[unit][1] + finer, length / mm_per(unit))
+
+
+def _lengths(value, unit):
+    """A length, or three, in mm, as numbers in a unit."""
     if hasattr(value, "__len__"):
-        return ", ".join("%.6f" % float(each) for each in value)
-    return "%.5f" % value
+        return ", ".join(_number(each, unit, 2) for each in value)
+    return _number(value, unit, 1)
+
+
+def _shares(value):
+    return ", ".join("%.6f" % float(each) for each in value)

@@ -6,6 +6,7 @@ from matplotlib.tri import Triangulation
 
 from evenload.face_inspection.evaluation import PROFILE
 from evenload.face_inspection.mesh import between, mesh_of, nearest_of
+from evenload.inspection.points import SHOWN, length_told, mm_per
 from evenload.pictures.figure import new_figure
 from evenload.pictures.figure import save as save_figure
 
@@ -17,24 +18,26 @@ GROUND, INK, BAD = "#d7dadd", "#202124", "#d93025"
 COLOURS = "viridis"  # its lightness rises evenly: the map can be read in grey
 
 
-def save_samples(faces, samples, path):
-    """Draws Samples on PickedFaces into a PNG or SVG file."""
-    figure, views = _views("%d points on %s" % (len(samples.points), faces.name), faces)
+def save_samples(faces, samples, path, unit="mm"):
+    """Draws Samples on PickedFaces into a PNG or SVG file. unit: "mm" or "inch", of the axes."""
+    figure, views = _views("%d points on %s" % (len(samples.points), faces.name), faces, unit)
     for view in views:
         view.draw(colour=GROUND)
         view.mark(samples.points, "o", color=INK, markersize=3.5)
     save_figure(figure, path)
 
 
-def save_map(evaluation, path):
+def save_map(evaluation, path, unit="mm"):
     """Draws the deviations of an Evaluation into a PNG or SVG file.
 
     Colours are of the deviations at the measured points and, between these, of their means by
-    distance. path: a name, or a file that is open for bytes, which becomes a PNG.
+    distance. path: a name, or a file that is open for bytes, which becomes a PNG. unit: "mm" or
+    "inch", of all lengths.
     """
-    title = "%s: %s %.4f mm" % (evaluation.faces.name, evaluation.error, evaluation.zone)
-    figure, views = _views(title, evaluation.faces)
-    points, deviations = evaluation.measured.points, evaluation.deviations
+    zone = length_told(evaluation.zone, unit)
+    title = "%s: %s %s" % (evaluation.faces.name, evaluation.error, zone)
+    figure, views = _views(title, evaluation.faces, unit)
+    points, deviations = evaluation.measured.points, evaluation.deviations / mm_per(unit)
     largest = float(numpy.abs(deviations).max()) or 1.0
     contacts = points[numpy.asarray(evaluation.found.contacts, dtype=int)]
     beyond = evaluation.is_beyond
@@ -51,13 +54,13 @@ def save_map(evaluation, path):
         colours,
         ax=[view.axes for view in views],
         shrink=0.8,
-        label="deviation, mm; above 0: " + meaning,
+        label="deviation, %s; above 0: %s" % (SHOWN[unit][0], meaning),
     )
     views[0].axes.legend(loc="upper left", bbox_to_anchor=(0, -0.1), ncols=2, frameon=False)
     save_figure(figure, path)
 
 
-def _views(title, faces):
+def _views(title, faces, unit):
     """(figure, the _View that show PickedFaces in it)."""
     mesh = mesh_of(faces)
     mean = (mesh.areas[:, None] * mesh.normals).sum(axis=0) / mesh.areas.sum()
@@ -66,7 +69,7 @@ def _views(title, faces):
     figure = new_figure(SIZE[0] * (1 if is_one_sided else 1.4), SIZE[1], layout="constrained")
     figure.suptitle(title, fontsize=10)
     places = figure.subplots(1, len(sides), squeeze=False)[0]
-    return figure, [_View(*each, mesh, is_one_sided) for each in zip(places, sides)]
+    return figure, [_View(*each, mesh, is_one_sided, unit) for each in zip(places, sides)]
 
 
 class _View:
@@ -74,8 +77,8 @@ class _View:
     away.
     """
 
-    def __init__(self, axes, towards, mesh, is_straight):
-        self.axes, self._mesh = axes, mesh
+    def __init__(self, axes, towards, mesh, is_straight, unit):
+        self.axes, self._mesh, self._unit = axes, mesh, unit
         self._towards = towards = towards / numpy.linalg.norm(towards)
         self._is_straight = is_straight
         if is_straight:  # as drawings have it: x to the right, or y where that is not seen
@@ -87,7 +90,7 @@ class _View:
         self._right = right / numpy.linalg.norm(right)
         self._up = numpy.cross(towards, self._right)
         axes.set_aspect("equal")
-        self._label()
+        self._label(SHOWN[unit][0])
 
     def mark(self, points, sign, **how):
         """Draws those of n x 3 points that are seen."""
@@ -119,13 +122,14 @@ class _View:
         return shown
 
     def _seen(self, points):
-        """n x 2 of n x 3."""
-        return numpy.stack([points @ self._right, points @ self._up], axis=-1)
+        """n x 2, in the unit that is shown, of n x 3."""
+        seen = numpy.stack([points @ self._right, points @ self._up], axis=-1)
+        return seen / mm_per(self._unit)
 
-    def _label(self):
+    def _label(self, unit):
         for direction, tell in (
             (self._right, self.axes.set_xlabel),
             (self._up, self.axes.set_ylabel),
         ):
             straight = [name for name, share in zip("xyz", direction) if share > STRAIGHT]
-            tell("%s, mm" % straight[0] if straight else "mm")
+            tell("%s, %s" % (straight[0], unit) if straight else unit)

@@ -19,7 +19,25 @@ def start():
     for name, instance in command.COMMANDS.items():
         FreeCADGui.addCommand(name, instance)
     host.add_to_workbench(list(command.COMMANDS))
+    FreeCADGui.addPreferencePage(PreferencesPage, "EvenLoad")
     window.show, window.watch = _show, _watch
+
+
+class PreferencesPage:
+    """The page EvenLoad of FreeCAD's preferences, as FreeCAD asks for it."""
+
+    def __init__(self, parent=None):
+        # Here, for FreeCAD's start needs none of its widgets.
+        from evenload.gui import preferences_page
+
+        self._widgets = preferences_page.PageWidgets()
+        self.form = self._widgets.form
+
+    def loadSettings(self):
+        self._widgets.show()
+
+    def saveSettings(self):
+        self._widgets.keep()
 
 
 def _show(operation):

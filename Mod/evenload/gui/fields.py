@@ -191,19 +191,25 @@ def show_unset(box, text):
 class FineBox(QtGui.QDoubleSpinBox):
     """A field for lengths that FreeCAD's decimals would round away; its values are mm."""
 
-    def __init__(self):
+    # Each with metric units and with inches: names and their mm, decimals, steps in mm.
+    names, factors = ("mm", "in"), (1.0, INCH)
+    digits, steps = FINE_DECIMALS, FINE_STEPS
+
+    def __init__(self, most=FINE_MOST):
+        """most: mm."""
         super().__init__()
-        self._factor, unit = _shown_unit(LENGTH, INCH)
-        inches = _is_inch(unit)
-        if inches:
-            self._factor, unit = INCH, "in"
-        else:
-            self._factor, unit = 1.0, "mm"
-        self.setDecimals(FINE_DECIMALS[inches])
-        self.setSingleStep(FINE_STEPS[inches] / self._factor)
-        self.setMaximum(FINE_MOST / self._factor)
+        self._most = most
+        self.show_units()
+
+    def show_units(self):
+        """Takes the units that the user has chosen by now; the number stays as it is."""
+        inches = shows_inches()
+        self._factor, unit = self.factors[inches], self.names[inches]
+        self.setDecimals(self.digits[inches])
+        self.setSingleStep(self.steps[inches] / self._factor)
+        self.setMaximum(self._most / self._factor)
         self.setSuffix(" " + unit)
-        longest = "%.*f %s" % (FINE_DECIMALS[inches], 0.0, unit)
+        longest = "%.*f %s" % (self.digits[inches], 0.0, unit)
         self.setMinimumWidth(width_of(self, longest) + AROUND)
 
     def set_mm(self, value):
@@ -235,6 +241,11 @@ def values_in(text):
 def width_of(widget, text):
     """Pixels of a text in a widget."""
     return QtGui.QFontMetrics(widget.font()).boundingRect(text).width()
+
+
+def shows_inches():
+    """Whether the user has chosen inches for lengths."""
+    return _is_inch(_shown_unit(LENGTH, INCH)[1])
 
 
 def _shown_unit(kind, value):

@@ -3,11 +3,11 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui import fields
+from evenload.gui import fields, preferences
 from evenload.gui.slots import telling_slot
 from evenload.settings.setting import LENGTH
 
-KEPT_IN = "User parameter:BaseApp/Preferences/Mod/EvenLoad/Panels"
+KEPT_IN = preferences.KEPT_IN + "/Panels"
 
 
 class Fold(QtGui.QWidget):

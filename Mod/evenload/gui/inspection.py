@@ -3,7 +3,8 @@
 import FreeCAD
 import FreeCADGui
 
-from evenload.gui.inspection_view import InspectionView, selected_faces
+from evenload.gui.inspection_selection import selected_faces
+from evenload.gui.inspection_view import InspectionView
 
 _shown = []  # the InspectionView that is there
 

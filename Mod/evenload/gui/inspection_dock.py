@@ -4,38 +4,34 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import host
-from evenload.face_inspection.patterns import LEAST
 from evenload.gui import load_colours
+from evenload.gui import inspection_rows as rows
+from evenload.gui.inspection_alignment import Alignment
+from evenload.gui.inspection_labels import label, unit
+from evenload.gui.length_box import LengthBox
 from evenload.gui.load_legend import NAMES, Legend
-from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button
+from evenload.inspection.points import SHOWN, mm_per
 
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadInspection"  # of the dock
-WIDTH = 320  # pixels at least
-MOST_SHOWN = 5000  # points: more would hold the window up for seconds
-DEVIATION = load_colours.Measure("deviation", "Deviation", "mm", 4, tuple(NAMES))
-PATTERNS = (("Halton-Zaremba", "Halton-Zaremba"), ("Matrix", "matrix"))
-SPACINGS = (("Arc length", "arc length"), ("As seen from above", "plan"))
-ALIGNED = "aligned"  # a profile without any motion
-POINTS_OF = (("All of the file", True), ("Of these faces alone", False))
-KINDS = (
-    ("Profile, best fit", "profile"),
-    ("Profile, as aligned", ALIGNED),
-    ("Flatness", "plane"),
-    ("Cylindricity", "cylinder"),
-    ("Sphericity", "sphere"),
-    ("Roundness", "circle"),
-    ("Straightness", "line"),
-)
+WIDTH = 264  # pixels, as FreeCAD's own dock has at first
+MARGINS = 4, 4, 4, 4  # pixels around what stands in each other: there is little room
+TO_MEASURE, MEASURED, PREDICTED = 0, 1, 2  # the numbers of the tabs
 
 
 class DeviationLegend(Legend):
     """The scale of deviations, and the colour of points beyond the tolerance."""
 
     has_beyond = False
+
+    def show_deviations(self, largest, named):
+        """The scale from -largest to largest, mm, in a unit."""
+        name, decimals = SHOWN[named]
+        measure = load_colours.Measure("deviation", "Deviation", name, decimals, tuple(NAMES))
+        shown = largest / mm_per(named)
+        self.show_scale(measure, -shown, shown, None)
 
     def swatches(self):
         words = _translate("EvenLoad", "point beyond the tolerance")
@@ -49,14 +45,17 @@ class InspectionDock(QtGui.QDockWidget):
         window = FreeCADGui.getMainWindow()
         super().__init__(_translate("EvenLoad", "Inspect"), window)
         self.setObjectName(NAME)
-        self.faces, self.told_samples, self.told = _label(), _label(), _label()
-        self.file = _label(_translate("EvenLoad", "No file is open."))
+        self.faces, self.told_samples, self.told = label(), label(), label()
+        self.predicted = label()
+        self.file = label(_translate("EvenLoad", "No file is open."))
         self.take = button(
             "Take Selected Faces", "Inspects the faces that are selected", view.take_selection
         )
         self.legend = DeviationLegend()
-        self.samples = _sampling()
-        self.evaluation, self.tolerance = _evaluating(), _tolerance()
+        self.samples, self.cutting = rows.sampling(), rows.cutting()
+        self.evaluation, self.tolerance = rows.evaluating(), rows.tolerance()
+        self.alignment = Alignment(view.pick_datum)
+        self._unit = unit()
         self.probing = button(
             "Probing Program…",
             "Writes G-code that probes these points, G38.2, by the post-processor",
@@ -68,10 +67,16 @@ class InspectionDock(QtGui.QDockWidget):
         self.save_report = button("Report…", "Writes a report to print, HTML", view.save_report)
         self.save_map = button("Picture…", "Draws the deviations", view.save_map)
         self.tabs = QtGui.QTabWidget()
-        self.tabs.addTab(self._where(), _translate("EvenLoad", "Where to measure"))
-        self.tabs.addTab(self._measured(), _translate("EvenLoad", "Measured points"))
+        for page, title, tip in (
+            (_page(*self._where()), "Where", "Where to measure"),
+            (_page(*self._measured()), "Measured", "What measured points say"),
+            (_page(self.cutting, self.predicted), "Predicted", "What to expect of a finishing"),
+        ):
+            number = self.tabs.addTab(page, _translate("EvenLoad", title))
+            self.tabs.setTabToolTip(number, _translate("EvenLoad", tip))
         content = QtGui.QWidget()
         column = QtGui.QVBoxLayout(content)
+        column.setContentsMargins(*MARGINS)
         column.addWidget(self.faces)
         column.addWidget(self.take)
         column.addWidget(self.tabs, 1)
@@ -85,80 +90,51 @@ class InspectionDock(QtGui.QDockWidget):
         window.addDockWidget(QtCore.Qt.RightDockWidgetArea, self)
 
     def _where(self):
-        page = QtGui.QWidget()
-        column = QtGui.QVBoxLayout(page)
-        column.addWidget(self.samples)
-        column.addWidget(self.told_samples)
-        column.addLayout(_row(self.save_points, self.save_picture))
-        column.addWidget(self.probing)
-        column.addStretch(1)
-        return page
+        saving = self.save_points, self.save_picture
+        return self.samples, self.told_samples, saving, self.probing
 
     def _measured(self):
-        page = QtGui.QWidget()
-        column = QtGui.QVBoxLayout(page)
-        column.addLayout(_row(self.open, self.file))
-        column.addWidget(self.evaluation)
-        column.addWidget(self.tolerance)
-        column.addWidget(self.told)
-        column.addWidget(self.legend)
-        column.addLayout(_row(self.save_report, self.save_map))
-        column.addStretch(1)
-        return page
+        saving = self.save_report, self.save_map
+        return (
+            *((self.open, self.file), self.evaluation, self.alignment, self.tolerance, self.told),
+            *(self.legend, saving),
+        )
+
+    def follow_units(self, named):
+        """Whether lengths were shown in another unit before; now they are in this."""
+        is_new, self._unit = named != self._unit, named
+        if is_new:
+            for box in self.lengths():
+                box.follow_units()
+        return is_new
+
+    def lengths(self):
+        """The fields for lengths."""
+        groups = self.samples, self.evaluation, self.tolerance, self.cutting
+        widgets = [getattr(group, name) for group in groups for name in group.names]
+        return [widget for widget in widgets if isinstance(widget, LengthBox)]
+
+    def offer_operations(self, operations):
+        """Lists operations, [(text, name), ...], whose values may be taken; what is chosen stays if
+        it is among them, and nobody is told.
+        """
+        rows.offer(self.cutting.source, operations)
 
 
-def _sampling():
-    count = QtGui.QSpinBox()
-    count.setRange(1, MOST_SHOWN)
-    count.setValue(LEAST)
-    count.setKeyboardTracking(False)
-    posts = combo((name, name) for name in sorted(host.post_processors()))
-    posts.setCurrentIndex(max(0, posts.findData("linuxcnc")))
-    return Rows(
-        "Points",
-        (
-            (
-                "pattern",
-                "Pattern",
-                "Halton-Zaremba has no rows that may miss a fillet",
-                combo(PATTERNS),
-            ),
-            ("count", "Number", "At least so many; fewer than 49 may tell too little", count),
-            ("spacing", "Spacing", "Even along each face, or from above over all", combo(SPACINGS)),
-            ("margin", "Margin", "From the border of the faces", number(0, 1000, 2, 0.5, "mm")),
-            ("ball", "Probe", "Diameter of the probe's ball", number(0.1, 50, 3, 0.5, "mm")),
-            ("post", "Post-processor", "Of the probing program", posts),
-        ),
-    )
-
-
-def _evaluating():
-    return Rows(
-        "Evaluation",
-        (
-            ("kind", "Form error", "By minimum zone, with its proof", combo(KINDS)),
-            ("points", "Points", "A file may be of more faces than these", combo(POINTS_OF)),
-            (
-                "radius",
-                "Ball radius",
-                "Of a file that holds centres of the probe's ball",
-                number(0, 50, 3, 0.5, "mm", "points of contact"),
-            ),
-        ),
-    )
-
-
-def _tolerance():
-    allowed = number(0, 1000, 4, 0.005, "mm", "none")
-    tip = "Width of the zone that is allowed"
-    return Rows("Tolerance", (("width", "Zone", tip, allowed),))
-
-
-def _label(text=""):
-    label = QtGui.QLabel(text)
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label
+def _page(*parts):
+    """A tab with widgets, and rows of widgets, below each other."""
+    page = QtGui.QWidget()
+    column = QtGui.QVBoxLayout(page)
+    column.setContentsMargins(*MARGINS)
+    for part in parts:
+        if isinstance(part, tuple):
+            column.addLayout(_row(*part))
+            continue
+        if isinstance(part, rows.Rows):
+            part.layout().setContentsMargins(*MARGINS)
+        column.addWidget(part)
+    column.addStretch(1)
+    return page
 
 
 def _row(*widgets):

@@ -4,7 +4,7 @@ import numpy
 from pivy import coin
 
 from evenload.face_inspection.mesh import nearest_of
-from evenload.gui import load_colours
+from evenload.gui import load_colours, preferences
 from evenload.gui.nodes import unlit, unpickable
 
 POINT, BAD = (0.11, 0.44, 0.65), load_colours.BEYOND
@@ -55,7 +55,8 @@ class InspectionNode:
         shares = 0.5 + 0.5 * values / largest
         triangles.numVertices.setValues(0, len(mesh.corners), [3] * len(mesh.corners))
         self.colours.addChild(both_sides)
-        self.colours.addChild(_coloured(triangles, corners, load_colours.on_scale(shares)))
+        shades = load_colours.on_scale(shares, preferences.scale())
+        self.colours.addChild(_coloured(triangles, corners, shades))
         marks = numpy.zeros((len(points), 3))
         if is_beyond is not None:
             marks[is_beyond] = BAD

@@ -10,16 +10,24 @@ import numpy
 
 from evenload.planar import CUT, ENTRY, LINK, RAPID
 
-# From the least value to the largest: red, green, blue of 0 to 1, ever lighter.
-SCALE = numpy.array(
-    [
+# By their names, from the least value to the largest: red, green, blue of 0 to 1, ever lighter.
+# None holds a red like BEYOND, nor greys, which are a kind of moves.
+SCALES = {
+    "Violet to yellow": (
         (0.19, 0.07, 0.37),
         (0.23, 0.32, 0.66),
         (0.10, 0.57, 0.60),
         (0.40, 0.77, 0.35),
         (0.98, 0.91, 0.30),
-    ]
-)
+    ),
+    "Blue to white": (
+        (0.03, 0.12, 0.38),
+        (0.08, 0.33, 0.67),
+        (0.25, 0.57, 0.85),
+        (0.58, 0.80, 0.95),
+        (0.93, 0.98, 1.00),
+    ),
+}
 BEYOND = (0.90, 0.10, 0.10)  # of what is above the limit
 KINDS = {  # their lightness, 0 to 100, is more than 15 apart
     RAPID: (0.97, 0.80, 0.80),
@@ -94,16 +102,24 @@ def worst_of(measure, simulation):
     return int(numpy.argmax(numpy.where(cuts, means, -numpy.inf)))
 
 
-def on_scale(share):
-    """Colours, n x 3 of 0 to 1, for shares of the scale, each 0 to 1."""
-    at = numpy.linspace(0, 1, len(SCALE))
+def names():
+    """The names of the scales; the first is the one that is shown where nobody prefers another."""
+    return list(SCALES)
+
+
+def on_scale(share, scale=None):
+    """Colours, n x 3 of 0 to 1, for shares of a scale, each 0 to 1. scale: one of names(), None for
+    the first.
+    """
+    colours = numpy.array(SCALES[scale or names()[0]])
+    at = numpy.linspace(0, 1, len(colours))
     share = numpy.clip(numpy.nan_to_num(numpy.asarray(share, float)), 0, 1)
-    return numpy.stack([numpy.interp(share, at, SCALE[:, k]) for k in range(3)], axis=-1)
+    return numpy.stack([numpy.interp(share, at, colours[:, k]) for k in range(3)], axis=-1)
 
 
-def colours_of(measure, simulation, least, largest, limit=None):
+def colours_of(measure, simulation, least, largest, limit=None, scale=None):
     """The colours of all samples, n x 3 of 0 to 1. limit: cuts whose mean is above it stand out;
-    None for no limit.
+    None for no limit. scale: as for on_scale.
     """
     colours = numpy.empty((len(simulation.x), 3))
     for kind, colour in KINDS.items():
@@ -112,7 +128,7 @@ def colours_of(measure, simulation, least, largest, limit=None):
     if measure is KIND or values is None:
         return colours
     counted = has_it(measure, simulation)
-    colours[counted] = on_scale((values[counted] - least) / (largest - least))
+    colours[counted] = on_scale((values[counted] - least) / (largest - least), scale)
     if limit is not None:
         means = means_of(measure, simulation)
         colours[(simulation.kind == CUT) & (means > limit)] = BEYOND

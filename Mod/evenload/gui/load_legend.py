@@ -3,7 +3,7 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui import load_colours
+from evenload.gui import load_colours, preferences
 from evenload.planar import CUT, ENTRY, LINK, RAPID
 
 BAR = 14  # pixels
@@ -42,7 +42,8 @@ class Legend(QtGui.QWidget):
         width = self.width() / STEPS
         share = [(k + 0.5) / STEPS for k in range(STEPS)]
         values = [self._least + each * (self._largest - self._least) for each in share]
-        for k, (colour, value) in enumerate(zip(load_colours.on_scale(share), values)):
+        colours = load_colours.on_scale(share, preferences.scale())
+        for k, (colour, value) in enumerate(zip(colours, values)):
             if self._limit is not None and value > self._limit:
                 colour = load_colours.BEYOND
             painter.fillRect(QtCore.QRectF(k * width, 0, width + 1, BAR), _qt(colour))

@@ -7,8 +7,8 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import host, materials, simulation
-from evenload.gui import load_colours, progress, view3d
+from evenload import host, simulation
+from evenload.gui import load_colours, preferences, progress, view3d
 from evenload.gui.load_legend import Legend, told
 from evenload.gui.load_node import LoadNode
 from evenload.gui.observer import Observer
@@ -84,14 +84,14 @@ def step_of(operation):
 
 
 def material_of(operation):
-    """The material whose force is shown: that of ours, the first one for others; None without a
-    spindle speed.
+    """The material whose force is shown: that of ours, the one that is preferred for others; None
+    without a spindle speed.
     """
     controller = host.controller_of(operation)
     if controller is None or not controller.SpindleSpeed > 0:
         return None
     inner = host.operation_under(operation)
-    return inner.Material if is_ours(inner) else materials.names()[0]
+    return inner.Material if is_ours(inner) else preferences.material()
 
 
 def values_at(found, number, time):
@@ -198,7 +198,8 @@ class LoadView:
     def _choose(self):
         measure, limit = self.measure, self._limit()
         least, largest = load_colours.range_of(measure, self.found)
-        colours = load_colours.colours_of(measure, self.found, least, largest, limit)
+        scale = preferences.scale()
+        colours = load_colours.colours_of(measure, self.found, least, largest, limit, scale)
         self.node.path.colour(colours)
         self.legend.show_scale(measure, least, largest, limit)
         self.worst.setEnabled(load_colours.worst_of(measure, self.found) is not None)

@@ -5,8 +5,9 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import engagement, fields, preview
+from evenload.gui import engagement, fields, preferences
 from evenload.gui.folds import Fold, form_in
+from evenload.gui.hole_pick import HolePick
 from evenload.gui.marks import Marks
 from evenload.gui.slots import slot
 from evenload.gui.status import Status
@@ -19,6 +20,7 @@ _translate = FreeCAD.Qt.translate
 
 ADDED_TO = "Feeds"  # where FreeCAD's own choice of the coolant stands; without it in the last part
 FITTED_IN = "Spiral"  # that whose values may be fitted again
+HOLE_IN = "Entry"  # that with a hole, which may be picked
 
 
 def _forget_the_panel(*_):
@@ -42,9 +44,14 @@ class FormPage(_gui.op.TaskPanelPage):
 
     kind = None  # the operation's proxy class
     engagement = None  # the row of the engagement angle; None where an operation has none
+    hole = None  # the HolePick; None where an operation enters by no hole
 
     def follow(self, piece):
         """Goes to what a Piece of a sentence in the status names."""
+        raise NotImplementedError
+
+    def take_hole(self, hole):
+        """Takes a hole that was picked: (x, y, diameter or None), mm."""
         raise NotImplementedError
 
     def show_status(self):
@@ -81,7 +88,7 @@ class FormPage(_gui.op.TaskPanelPage):
         self.live.setToolTip(
             _translate("EvenLoad", "Shows the path in the 3D view while values change")
         )
-        self.live.setChecked(preview.is_wanted())
+        self.live.setChecked(preferences.live_preview())
         whole.addWidget(self.live)
         self.area = _Area()
         self.area.setWidgetResizable(True)
@@ -115,6 +122,9 @@ class FormPage(_gui.op.TaskPanelPage):
                     _translate("EvenLoad", "What was set shall follow the geometry again")
                 )
                 rows.addRow(self.again)
+            elif title == HOLE_IN:
+                self.hole = HolePick(self.take_hole)
+                rows.addRow(self.hole.button)
         layout.addStretch(1)
         return content
 

@@ -5,13 +5,14 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, recording, view3d
+from evenload.gui import fields, load_view, preferences, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
 from evenload.gui.status import FAILED
 from evenload.operations.base import SENTENCES
 from evenload.settings.setting import UNITS
+from evenload.settings.table import HOLE_ENTRIES
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
@@ -34,6 +35,7 @@ def create(operation):
         obj = operation.Create(operation.NAME.replace(" ", ""), parentJob=job)
         obj.ViewObject.Proxy.deleteOnReject = True  # Cancel in its first panel takes it away again
         obj.ViewObject.Visibility = True
+        preferences.set_defaults(obj)
     except host.no_tool_chosen():
         doc.abortTransaction()
         return None
@@ -119,6 +121,8 @@ class OperationPage(PreviewPage):
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
         self._refresh.stop()
+        if self.hole is not None:
+            self.hole.end()
 
     def setDirty(self):
         super().setDirty()
@@ -170,6 +174,14 @@ class OperationPage(PreviewPage):
 
     def _fit_again(self):
         self.obj.Proxy.follow_tool(self.obj, again=self.kind.fitted)
+        self._show_settings(self.obj)
+        self.setDirty()
+
+    def take_hole(self, hole):
+        x, y, diameter = hole
+        self.obj.EntryPoint = FreeCAD.Vector(x, y, self.obj.EntryPoint.z)
+        if diameter is not None:
+            self.obj.HoleDiameter = diameter
         self._show_settings(self.obj)
         self.setDirty()
 
@@ -247,6 +259,8 @@ class OperationPage(PreviewPage):
             self.labels[setting.name].setEnabled(matters)
         if self.engagement is not None:
             self.engagement.show_cut(obj)
+        if self.hole is not None:
+            self.hole.button.setEnabled(obj.Entry in HOLE_ENTRIES)
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 

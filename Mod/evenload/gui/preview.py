@@ -8,6 +8,7 @@ import FreeCAD
 from PySide import QtCore
 
 from evenload import waiting
+from evenload.gui import preferences
 from evenload.gui.observer import Observer
 from evenload.gui.preview_node import PreviewNode, colours_of
 from evenload.gui.slots import slot, telling_slot
@@ -16,21 +17,10 @@ from evenload.operations.base import SENTENCES
 from evenload.planar import drawn
 from evenload.settings.labels import told
 
-KEPT_IN, KEPT_AS = "User parameter:BaseApp/Preferences/Mod/EvenLoad", "LivePreview"
 DELAY = 50  # ms without a change until computing begins: whoever turns a knob changes it more often
 LOOK = 20  # ms between looks at what the thread has found
 
 COMPUTING, SHOWN, REFUSED = "computing", "shown", "refused"  # states of a preview
-
-
-def is_wanted():
-    """Whether the user wants previews."""
-    return FreeCAD.ParamGet(KEPT_IN).GetBool(KEPT_AS, True)
-
-
-def want(is_wanted):
-    """Keeps whether the user wants previews."""
-    FreeCAD.ParamGet(KEPT_IN).SetBool(KEPT_AS, is_wanted)
 
 
 def computed(task):
@@ -64,7 +54,7 @@ class Preview:
 
     def restart(self):
         """Has the path computed anew, in place of what is under way."""
-        if self._observer is None or not is_wanted():
+        if self._observer is None or not preferences.live_preview():
             return
         self._stop()
         self._delay.start()

@@ -2,7 +2,7 @@
 
 import FreeCAD
 
-from evenload.gui import page_form, preview
+from evenload.gui import page_form, preferences, preview
 from evenload.gui.slots import telling_slot
 from evenload.gui.status import FAILED, PREVIEW, WAITING, figures_of, state_of, values_of
 from evenload.operations.checks import DEPTHS
@@ -99,7 +99,7 @@ class PreviewPage(page_form.FormPage):
         return [name for name in fields_of(sentence) if name in self.labels]
 
     def _live_toggled(self, is_wanted):
-        preview.want(is_wanted)
+        preferences.keep_live_preview(is_wanted)
         if not is_wanted:
             self.preview.clear()
         elif self.isdirty or not self.was_computed:

@@ -6,9 +6,10 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import machines, materials
+from evenload import materials
 from evenload.gui import colours
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
+from evenload.gui.machine_box import MachineBox
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
@@ -17,7 +18,6 @@ from evenload.words import clock
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadSimulation"  # of the dock
-FILE = "\0file"  # of the list of machines: another one, which is asked for
 LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
 CM3 = 1e3  # mm3
 BAR = 1000  # steps of the progress bar
@@ -106,8 +106,6 @@ class SimulationDock(QtGui.QDockWidget):
 
 
 def _asked():
-    machine = [("None: programmed feeds", None)]
-    machine += [(name, name) for name in machines.names()] + [("File…", FILE)]
     return Rows(
         "Simulation",
         (
@@ -118,7 +116,7 @@ def _asked():
                 "Another one beside it on the same scale; each as if the other had cut nothing",
                 combo(()),
             ),
-            ("machine", "Machine", "Times are within its limits", combo(machine)),
+            ("machine", "Machine", "Times are within its limits", MachineBox()),
             (
                 "material",
                 "Material",

@@ -1,6 +1,6 @@
 """What the window Simulation shows in the 3D view."""
 
-from evenload.gui import load_colours
+from evenload.gui import load_colours, preferences
 from evenload.gui.areas_node import AreasNode
 from evenload.gui.load_node import LoadNode
 from evenload.gui.load_view import OVER
@@ -38,7 +38,9 @@ class RunInView:
         found = self.run.simulation
         least, largest = load_colours.range_of(COLOURED, found)
         above = None if limit is None else limit + OVER
-        shades = load_colours.colours_of(COLOURED, found, least, largest, above)
+        shades = load_colours.colours_of(
+            COLOURED, found, least, largest, above, preferences.scale()
+        )
         self.node.path.colour(shades)
 
     def show_tool_at(self, sample):

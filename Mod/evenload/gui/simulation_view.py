@@ -3,15 +3,22 @@ with the tool in the 3D view.
 """
 
 import html
-import os
 
 import FreeCAD
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from evenload import host, materials
-from evenload.gui import colours, files, load_view, picking, simulation_task, view3d
+from evenload import host
+from evenload.gui import (
+    colours,
+    files,
+    load_view,
+    picking,
+    preferences,
+    simulation_task,
+    view3d,
+)
 from evenload.gui.observer import Observer
-from evenload.gui.simulation_dock import CM3, FILE, SimulationDock, totals_of
+from evenload.gui.simulation_dock import CM3, SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
 from evenload.gui.simulation_report import JobReport
 from evenload.gui.slots import slot, telling_slot
@@ -30,7 +37,7 @@ class SimulationView:
 
     def __init__(self, operation, closed):
         self.operation, self._closed = operation, closed
-        self.runs, self._machine_file = [], ""
+        self.runs = []
         self._view = view3d.view_of(operation.Document)
         self._scene = self._view.getSceneGraph()
         self.in_view = RunInView(self._scene)
@@ -44,6 +51,7 @@ class SimulationView:
         self._connect()
         self._scene.addChild(self._clicks.root)
         self._list_operations()
+        self.dock.asked.machine.show_machine(preferences.machine())
         self._show_defaults()
         self.dock.show()
         self.simulate()
@@ -51,7 +59,7 @@ class SimulationView:
     def _connect(self):
         dock = self.dock
         self._again.timeout.connect(slot(self.simulate))
-        dock.asked.machine.activated.connect(slot(self._machine_chosen))
+        dock.asked.machine.taken.connect(slot(self.simulate))
         dock.asked.changed.connect(slot(self._asked_changed))
         dock.limits.changed.connect(slot(self._limits_changed))
         dock.slider.valueChanged.connect(telling_slot(self._slid))
@@ -77,7 +85,7 @@ class SimulationView:
 
     def _show_defaults(self):
         """The material and the limits of the operation."""
-        material = load_view.material_of(self.operation) or materials.names()[0]
+        material = load_view.material_of(self.operation) or preferences.material()
         self.dock.asked.show_values(material=material)
         try:
             degrees, rate = limits_of(self.operation)
@@ -92,22 +100,6 @@ class SimulationView:
         if chosen != self.operation.Name:
             self.operation = self.operation.Document.getObject(chosen)
             self._show_defaults()
-        self.simulate()
-
-    def _machine_chosen(self):
-        """Asks for a file where the machine is in one."""
-        machine = self.dock.asked.machine
-        if machine.currentData() != FILE:
-            return
-        title = _translate("EvenLoad", "Open Machine Profile")
-        path, _ = QtGui.QFileDialog.getOpenFileName(
-            self.dock, title, self._machine_file, "JSON (*.json)"
-        )
-        self._machine_file = path
-        if path:
-            machine.setItemText(machine.currentIndex(), os.path.basename(path))
-        else:
-            self.dock.asked.show_values(machine=None)
         self.simulate()
 
     def operations(self):
@@ -129,17 +121,12 @@ class SimulationView:
         self.dock.plot.show_limits(self.limits())
         self.in_view.show_limit(self.limits()[COLOURED.key])
 
-    def _machine(self):
-        """The name or file of the machine; None without one, '' while its file is asked for."""
-        machine = self.dock.asked.machine.currentData()
-        return self._machine_file if machine == FILE else machine
-
     # ---- simulating ----
 
     def simulate(self):
         """Simulates what is asked for in a thread, in place of what is under way."""
         asked = self.dock.asked
-        machine = self._machine()
+        machine = asked.machine.machine()
         if machine == "":
             return  # it is being asked for
         operations = self.operations()
@@ -238,7 +225,7 @@ class SimulationView:
             files.write(lambda: write_csv(path, rows), self.dock.tell)
 
     def save_report(self):
-        job, machine = host.parent_job(self.operation), self._machine()
+        job, machine = host.parent_job(self.operation), self.dock.asked.machine.machine()
         path = self._asked_name("Save Report", "HTML (*.html)", ".html")
         if path and job is not None:
             self.report.start(job, self.dock.asked.material.currentData(), machine, path)

@@ -6,25 +6,29 @@ stated, angles in degrees. docs/inspection.md has methods, figures and limits. S
 [Varga 2023].
 """
 
+from evenload.inspection.dmis import read_dmis, write_dmis
 from evenload.inspection.fits import Fit, fit
 from evenload.inspection.parts import AtPoints, BentPart, test_part
-from evenload.inspection.predictions import OutsideRange, predict
+from evenload.inspection.predictions import Cut, OutsideRange, Prediction, predict, prediction
 from evenload.inspection.probing import compensated, probing_moves
 from evenload.inspection.profiles import Profile, profile
 from evenload.inspection.sampling import halton_zaremba, matrix
-from evenload.inspection.tables import read_csv, read_dmis, write_csv, write_dmis
+from evenload.inspection.tables import read_csv, write_csv
 
 __all__ = [
     "AtPoints",
     "BentPart",
+    "Cut",
     "Fit",
     "OutsideRange",
+    "Prediction",
     "Profile",
     "compensated",
     "fit",
     "halton_zaremba",
     "matrix",
     "predict",
+    "prediction",
     "probing_moves",
     "profile",
     "read_csv",

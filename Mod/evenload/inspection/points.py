@@ -3,6 +3,7 @@
 import numpy
 
 MM_PER = {"mm": 1.0, "inch": 25.4}
+SHOWN = {"mm": ("mm", 4), "inch": ("in", 6)}  # how a unit is written, and decimals of deviations
 
 
 def points_of(given, widths=(3,)):
@@ -35,3 +36,19 @@ def mm_per(unit):
     if unit not in MM_PER:
         raise ValueError("The unit of the points is mm or inch, not %r: state which." % (unit,))
     return MM_PER[unit]
+
+
+def given(points, normals, unit):
+    """(points, normals, mm of the unit) as they are written into a file. Raises ValueError, in a
+    sentence, for what is none.
+    """
+    points = points_of(points)
+    return points, normals_of(normals, len(points)), mm_per(unit)
+
+
+def length_told(length, unit="mm", finer=0):
+    """A length in mm as it is told in a unit, such as '0.0100 mm'; finer: more decimals than of
+    deviations, or fewer.
+    """
+    name, decimals = SHOWN[unit]
+    return "%.*f %s" % (decimals + finer, length / mm_per(unit), name)

@@ -35,6 +35,20 @@ TEST(Exchange, MeetsAParabolaByTheLineOfEqualRipple) {
   EXPECT_NEAR(sum, 1, 1e-14);
 }
 
+TEST(Exchange, SharesForcesAmongAllPointsThatCanPress) {
+  Columns cross(2, 4);
+  cross << 1, -1, 0, 0, 0, 0, 1, -1;
+  const Eigen::VectorXd all = shared_multipliers(cross);
+  EXPECT_GT(all.minCoeff(), 0.1);
+  EXPECT_NEAR((cross * all).norm(), 0, 1e-12);
+  // Nothing holds the third point.
+  const Eigen::VectorXd two = shared_multipliers(cross.leftCols(3));
+  EXPECT_NEAR(two[0], two[1], 1e-12);
+  EXPECT_GT(two[0], 0.1);
+  EXPECT_NEAR(two[2], 0, 1e-12);
+  EXPECT_EQ(shared_multipliers(cross.col(0)).maxCoeff(), 0);
+}
+
 TEST(Exchange, StopsAtTheReach) {
   const ExchangeStep found = best_linear_step(parabola(), true, 0.1, 1e-15);
   EXPECT_TRUE(found.is_solved);

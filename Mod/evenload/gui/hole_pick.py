@@ -1,0 +1,111 @@
+"""Picking a hole for the tool's entry in the 3D view."""
+
+import FreeCAD
+import Part
+from PySide import QtCore, QtGui
+
+from evenload.gui import view3d
+from evenload.gui.picking import Clicks
+from evenload.gui.slots import slot, telling_slot
+
+SAME = 1e-6  # mm between two vertices that are one
+UPRIGHT = 1e-6  # x and y of a hole's direction at the most
+
+_translate = FreeCAD.Qt.translate
+
+
+def hole_of(shape):
+    """(x, y, diameter) of the upright hole that an edge or a face belongs to, None for others."""
+    if isinstance(shape, Part.Edge):
+        round_one, kind = shape.Curve, Part.Circle
+    elif isinstance(shape, Part.Face):
+        round_one, kind = shape.Surface, Part.Cylinder
+    else:
+        return None
+    if not isinstance(round_one, kind):
+        return None
+    axis, centre = round_one.Axis, round_one.Center
+    if max(abs(axis.x), abs(axis.y)) > UPRIGHT:
+        return None
+    return centre.x, centre.y, 2 * round_one.Radius
+
+
+def picked_at(view, pixel):
+    """(x, y, diameter) of what is in a view at a pixel: the hole whose rim or wall it is, or a
+    place alone, with None. None where nothing is.
+    """
+    info = view.getObjectInfo(pixel)
+    if not info:
+        return None
+    owner = info.get("ParentObject") or FreeCAD.getDocument(info["Document"]).getObject(
+        info["Object"]
+    )
+    name = info.get("SubName") or info.get("Component") or ""
+    shape = owner.getSubObject(name) if name else None  # where it stands in the document
+    if isinstance(shape, Part.Vertex):  # a circle has one, too
+        whole = owner.getSubObject(name.rpartition(".")[0])
+        shapes = [edge for edge in whole.Edges if _ends_in(edge, shape)]
+    else:
+        shapes = [shape]
+    holes = list(filter(None, map(hole_of, shapes)))
+    return holes[0] if holes else (info["x"], info["y"], None)
+
+
+def _ends_in(edge, vertex):
+    return any(vertex.Point.isEqual(each.Point, SAME) for each in edge.Vertexes)
+
+
+class HolePick:
+    """A button that stays down until a hole is picked. taken: a bound method that is called with
+    (x, y, diameter or None) and not kept alive.
+    """
+
+    def __init__(self, taken):
+        self._taken = telling_slot(taken)
+        self._clicks = Clicks(telling_slot(self._clicked))
+        self._view = None  # while picking
+        self._pixel = None  # that was clicked on
+        self.button = QtGui.QPushButton(_translate("EvenLoad", "Pick the Hole"))
+        self.button.setCheckable(True)
+        self.button.setToolTip(
+            _translate(
+                "EvenLoad",
+                "A click on the rim or the wall of a hole in the 3D view takes its centre and "
+                "diameter, one elsewhere the place alone",
+            )
+        )
+        self.button.toggled.connect(telling_slot(self._toggled))
+        # After the event: while Coin goes through the scene nothing may be taken out of it.
+        self._soon = QtCore.QTimer(self.button)
+        self._soon.setSingleShot(True)
+        self._soon.timeout.connect(slot(self._take))
+
+    def end(self):
+        """Picks no longer."""
+        if self._view is not None:
+            self._view.getSceneGraph().removeChild(self._clicks.root)
+            self._view = None
+        self.button.setChecked(False)
+
+    def _toggled(self, is_on):
+        if not is_on:
+            self.end()
+            return
+        try:
+            self._view = view3d.view_of(FreeCAD.ActiveDocument)
+        except ValueError as error:
+            FreeCAD.Console.PrintError("%s\n" % error)
+            self.end()
+            return
+        # Before all else in the scene: what FreeCAD selects by this click keeps it from the rest.
+        self._view.getSceneGraph().insertChild(self._clicks.root, 0)
+
+    def _clicked(self, pixel, size):
+        self._pixel = tuple(map(int, pixel))
+        self._soon.start(0)
+
+    def _take(self):
+        found = picked_at(self._view, self._pixel) if self._view is not None else None
+        if found is not None:
+            self._taken(found)
+            self.end()

@@ -1,0 +1,53 @@
+"""Sentences in the dock Inspect, with lengths in the unit that the user has chosen."""
+
+import contextlib
+import re
+
+from PySide import QtCore, QtGui
+
+from evenload.gui import colours, fields, files
+from evenload.inspection.points import SHOWN, mm_per
+
+# A length as sentences on what cannot be tell it; feeds are no lengths.
+IN_MM = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) mm\b(?!/)")
+
+
+def unit():
+    """ "mm" or "inch", as the user has chosen."""
+    return "inch" if fields.shows_inches() else "mm"
+
+
+def in_users_unit(text):
+    """A sentence that tells lengths in mm, in the user's unit."""
+    if unit() == "mm":
+        return text
+    name = SHOWN["inch"][0]
+    return IN_MM.sub(lambda found: "%.4g %s" % (float(found[1]) / mm_per("inch"), name), text)
+
+
+def label(text=""):
+    """A label for sentences."""
+    made = QtGui.QLabel(text)
+    made.setWordWrap(True)
+    made.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+    return made
+
+
+def tell(where, text, colour=None):
+    """Tells a text in a label."""
+    where.setText(text)
+    where.setStyleSheet("color: %s" % colours.shade(colour, where) if colour else "")
+
+
+@contextlib.contextmanager
+def telling(where):
+    """While something takes its time; why it cannot be is told in a label."""
+    QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
+    try:
+        yield
+    except ValueError as error:
+        tell(where, in_users_unit(str(error)), colours.BAD)
+    except OSError as error:
+        tell(where, files.refusal(error), colours.BAD)
+    finally:
+        QtGui.QApplication.restoreOverrideCursor()

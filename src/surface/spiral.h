@@ -1,0 +1,19 @@
+// A spiral round the middle of the picked faces, seen from above.
+#pragma once
+
+#include <vector>
+
+#include "geometry/region.h"
+#include "surface/ground.h"
+#include "surface/polylines.h"
+
+namespace evenload {
+
+// The turns of a spiral of Archimedes whose radius changes by `stepover` mm with each: from as far
+// out as the tool may touch the regions down to the middle of their bounds, or the other way. Each
+// turn begins where the one before ends.
+std::vector<std::vector<Polyline>> spiral_rows(const Ground& ground,
+                                               const std::vector<Region>& regions, double stepover,
+                                               bool is_outwards, bool is_clockwise);
+
+}  // namespace evenload
