@@ -211,7 +211,11 @@ def session():
     doc.undo()
     later(100)
     result["set_undone"] = op.Strategy
+    units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    units.SetInt("UserSchema", 6)
     FreeCAD.Units.setSchema(6)
+    later(100)
+    result["mm_again"] = [headers(dock), dock.asked.Stepover.text()]
 
     # A strategy that does not fit.
     from evenload.advisor import STRATEGIES, Advice

@@ -89,6 +89,8 @@ def test_units_are_those_that_freecad_prefers(session):
     units = dict(header.rsplit("\n", 1) for header in headers if "\n" in header)
     assert units["Scatter"] not in ("", "mm", "µm")
     assert units["Least\nspeed"] not in ("mm/s", "mm/min")
+    headers, stepover = session["mm_again"]
+    assert stepover.endswith(" mm") and "Scatter\nmm" in headers
 
 
 def test_it_follows_its_tool_controller_and_ends_with_its_dock_and_document(session):

@@ -5,7 +5,7 @@ import FreeCADGui
 
 from evenload import host
 from evenload.gui.advisor_view import AdvisorView
-from evenload.gui.inspection_view import selected_faces
+from evenload.gui.inspection_selection import selected_faces
 from evenload.operations.finishing import Finishing
 
 _shown = []  # the AdvisorView that is there

@@ -4,10 +4,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import machines, materials
-from evenload.gui import colours
-from evenload.gui.advisor_table import AdviceModel, REMARK, table_of
-from evenload.gui.fields import FINE_STEPS, FineBox
+from evenload import materials
+from evenload.gui import colours, fields
+from evenload.gui.advisor_table import ON_MACHINE, REMARK, AdviceModel, table_of
+from evenload.gui.length_box import FineLengthBox, LengthBox
+from evenload.gui.machine_box import MachineBox
 from evenload.gui.stability_inputs import Rows, combo
 from evenload.gui.stability_layout import button, scrolled
 from evenload.settings.labels import LABELS
@@ -17,9 +18,16 @@ _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadFinishingAdvisor"  # of the dock
 LEFT, HEIGHT = 285, 380  # pixels
+MOST = 50.0  # mm, of lengths
 ARROW = 12  # pixels that the sign of the order takes of a heading
 BAR = 1000  # steps of the progress bar
 LENGTHS = ("Stepover", "CuspHeight", "stock")  # of what is asked, in mm
+
+
+class StepBox(LengthBox):
+    """A field for a stepover, or what stands on the faces."""
+
+    digits, steps = fields.FINE_DECIMALS, (0.05, 0.002 * fields.INCH)
 
 
 class AdvisorDock(QtGui.QDockWidget):
@@ -82,17 +90,23 @@ class AdvisorDock(QtGui.QDockWidget):
         """{name: mm}"""
         return {name: getattr(self.asked, name).mm() for name in LENGTHS}
 
+    def follow_units(self):
+        """Shows all in the units that the user has chosen by now."""
+        for name in LENGTHS:
+            getattr(self.asked, name).follow_units()
+        self.show_rows(self.model.rows)
+
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""
         for widget in (self.bar, self.cancel):
             widget.setVisible(share is not None)
         self.bar.setValue(round(BAR * (share or 0.0)))
 
-    def show_rows(self, rows, has_machine):
+    def show_rows(self, rows):
         """Shows rows of Advice, with the row that was chosen still chosen."""
         chosen = self.chosen()
         self.model.show_rows(rows)
-        self.table.setColumnHidden(2, not has_machine)
+        self.table.setColumnHidden(ON_MACHINE, self.asked.machine.machine() is None)
         for section in range(REMARK):
             self.table.resizeColumnToContents(section)
             self.table.setColumnWidth(section, self.table.columnWidth(section) + ARROW)
@@ -115,8 +129,6 @@ class AdvisorDock(QtGui.QDockWidget):
 
 def _asked():
     (spacing,) = (row for row in FINISHING if row.name == "Spacing")
-    machine = [("None: programmed feeds", None)]
-    machine += [(name, name) for name in machines.names()]
     return Rows(
         "What is compared",
         (
@@ -126,16 +138,21 @@ def _asked():
                 "Stepover",
                 LABELS["Stepover"],
                 "Of neighbouring passes, seen from above",
-                _length(0.05),
+                StepBox(MOST),
             ),
-            ("CuspHeight", LABELS["CuspHeight"], "Of a level face; sets the stepover", _length()),
+            (
+                "CuspHeight",
+                LABELS["CuspHeight"],
+                "Of a level face; sets the stepover",
+                FineLengthBox(MOST),
+            ),
             (
                 "stock",
                 "Stock on the faces",
                 "What the cut before has left, across them",
-                _length(0.1),
+                StepBox(MOST),
             ),
-            ("machine", "Machine", "Times are within its limits, too", combo(machine)),
+            ("machine", "Machine", "Times are within its limits, too", MachineBox()),
             (
                 "material",
                 "Material",
@@ -144,15 +161,6 @@ def _asked():
             ),
         ),
     )
-
-
-def _length(step=None):
-    """A field for a length; step in mm, None: its own."""
-    box = FineBox()
-    box.setKeyboardTracking(False)
-    if step:
-        box.setSingleStep(step * box.singleStep() / FINE_STEPS[0])
-    return box
 
 
 def _label():

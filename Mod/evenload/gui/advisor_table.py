@@ -50,7 +50,7 @@ COLUMNS = (
     Column("Least speed", "least_speed", SPEED, max, "The least cutting speed of the working edge"),
     Column("Impulse", "impulse", IMPULSE, min, "Of the cutting force over the time of the cuts"),
 )
-STRATEGY, REMARK = 0, len(COLUMNS) + 1  # the numbers of the columns before and behind
+STRATEGY, ON_MACHINE, REMARK = 0, 2, len(COLUMNS) + 1  # numbers of columns
 
 
 class AdviceModel(QtCore.QAbstractTableModel):

@@ -5,10 +5,11 @@ from PySide import QtCore, QtGui
 
 from evenload import advisor
 from evenload import tool as tools
-from evenload.gui import colours
+from evenload.gui import colours, preferences
 from evenload.gui.advisor_dock import AdvisorDock
 from evenload.gui.advisor_table import name_of
 from evenload.gui.advisor_task import Advising
+from evenload.gui.length_box import UnitsWatch
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations import finishing
@@ -48,6 +49,7 @@ class AdvisorView:
         objects = [*job.Model.Group, *job.Tools.Group, *([operation] if operation else [])]
         self._observer = Observer([job, *objects], PROPERTIES, telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
+        self._units = UnitsWatch(self.dock, self.dock.follow_units)
         self.dock.show()
         self.compare()
 
@@ -56,6 +58,7 @@ class AdvisorView:
         asked.Stepover.valueChanged.connect(slot(self._stepover_set))
         asked.CuspHeight.valueChanged.connect(slot(self._cusp_height_set))
         asked.changed.connect(slot(self._compare_soon))
+        asked.machine.taken.connect(slot(self._compare_soon))
         self._again.timeout.connect(slot(self.compare))
         self.dock.table.selectionModel().selectionChanged.connect(slot(self._enable))
         self.dock.visibilityChanged.connect(telling_slot(self._dock_shown))
@@ -64,6 +67,7 @@ class AdvisorView:
         """Removes it from the window, and stops what is under way."""
         self.task.cancel()
         self._again.stop()
+        self._units.end()
         FreeCAD.removeDocumentObserver(self._observer)
         self.dock.hide()
         self.dock.deleteLater()
@@ -73,6 +77,7 @@ class AdvisorView:
     def _show_defaults(self):
         """The operation's settings, or those of a new one."""
         self.dock.list_controllers(self.job.Tools.Group)
+        self.dock.asked.machine.show_machine(preferences.machine())
         operation = self.operation
         if operation is not None:
             lengths = {
@@ -138,9 +143,11 @@ class AdvisorView:
 
     def compare(self):
         """Compares the strategies as the dock asks, in place of what is under way."""
+        asked = self.dock.asked
+        if asked.machine.machine() == "":
+            return  # it is being asked for
         self._show([])
         self.dock.tell("")
-        asked = self.dock.asked
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
         try:
             question = advisor.read(
@@ -149,7 +156,7 @@ class AdvisorView:
                 controller=self.controller(),
                 stock=self.dock.lengths()["stock"],
                 material=asked.material.currentData(),
-                machine=asked.machine.currentData(),
+                machine=asked.machine.machine(),
                 **self._settings(),
             )
         except ValueError as error:
@@ -176,7 +183,7 @@ class AdvisorView:
 
     def _show(self, rows):
         self.rows = rows
-        self.dock.show_rows(rows, self.dock.asked.machine.currentData() is not None)
+        self.dock.show_rows(rows)
         self._enable()
 
     def _enable(self):
