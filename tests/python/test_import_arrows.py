@@ -23,6 +23,9 @@ ARROWS = {
     "face_inspection": {"host", "ground", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
+    "advisor": {
+        *("host", "ground", "settings", "geometry", "operations", "ball_end", "face_inspection"),
+    },
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
         *("inspection", "face_inspection"),
@@ -38,6 +41,7 @@ ARROWS = {
         "pictures",
         "inspection",
         "face_inspection",
+        "advisor",
     },
 }
 GROUND = {

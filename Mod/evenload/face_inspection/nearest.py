@@ -35,6 +35,15 @@ class FacesPart:
         """How far n x 3 points lie from the faces, trimmed as they are; not negative."""
         return self._all(points, range(len(points)))[2]
 
+    def places(self, points):
+        """[(face, (u, v)), ...]: where on which face n x 3 points have their nearest places."""
+        self._all(points, range(len(points)))
+        homes = (self._homes[number] for number in range(len(points)))
+        return [
+            (self._faces[home].face, self._places[number, home])
+            for number, home in enumerate(homes)
+        ]
+
     def _all(self, points, numbers):
         points = numpy.asarray(points, dtype=float).reshape(-1, 3)
         feet, normals = numpy.empty_like(points), numpy.empty_like(points)

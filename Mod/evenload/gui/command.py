@@ -73,6 +73,21 @@ class OfFaces(Command):
         )
 
 
+class OfFinishing(OfFaces):
+    """For a selected operation EvenLoad Finishing, or for selected faces where there is a job."""
+
+    def IsActive(self):
+        selected = FreeCADGui.Selection.getSelection()
+        if len(selected) == 1 and _is_finishing(selected[0]):
+            return True
+        return Command.IsActive(self) and super().IsActive()
+
+
+def _is_finishing(obj):
+    """By the name of its class's module, which documents keep: importing it takes its time."""
+    return type(getattr(obj, "Proxy", None)).__module__ == "evenload.operations.finishing"
+
+
 COMMANDS = {
     "EvenLoad_Adaptive": Command(
         "adaptive",
@@ -113,6 +128,14 @@ COMMANDS = {
         "EvenLoad_Finishing",
         "EvenLoad Finishing",
         "Finishes faces by passes of a ball end, bull-nosed or flat tool",
+    ),
+    "EvenLoad_FinishingAdvisor": OfFinishing(
+        "advisor",
+        "EvenLoad_FinishingAdvisor",
+        "EvenLoad Finishing Advisor",
+        "Compares ten strategies for the selected faces or finishing operation by time, chips, "
+        "cusps, tip and force, and makes an operation of one",
+        does="show",
     ),
     "EvenLoad_StabilityChart": Command(
         "stability",

@@ -89,15 +89,14 @@ class Finishing(base.Operation):
             self._set_cusp_height(obj)
 
     def _set_cusp_height(self, obj):
-        corner, half = _end_radius(obj), obj.Stepover.Value / 2
-        if half <= corner:
-            height = corner - math.sqrt((corner - half) * (corner + half))
-            self.quietly(obj, "CuspHeight", height)
+        corner, stepover = _end_radius(obj), obj.Stepover.Value
+        if stepover / 2 <= corner:
+            self.quietly(obj, "CuspHeight", cusp_height_of(stepover, corner))
 
     def _set_stepover(self, obj):
         corner, height = _end_radius(obj), obj.CuspHeight.Value
         if 0 < height <= corner:
-            self.quietly(obj, "Stepover", 2 * math.sqrt(height * (2 * corner - height)))
+            self.quietly(obj, "Stepover", stepover_of(height, corner))
         if "Stepover" not in obj.OwnValues:
             obj.OwnValues = obj.OwnValues + ["Stepover"]
 
@@ -121,8 +120,7 @@ class Finishing(base.Operation):
         return True
 
     def check_settings(self, obj, tool, data):
-        ranges.check(obj, self.settings)
-        _check_stepover(obj, tool)
+        check(obj, tool)
 
     # ---- running ----
 
@@ -153,7 +151,7 @@ class Finishing(base.Operation):
         compute.refuse_turned_work_plane(obj)
         self.check_settings(obj, tool, data)
         job = host.parent_job(op)
-        faces, lines = _sorted(_of_models(job, obj.Base), obj.Strategy)
+        faces, lines = _sorted(of_models(job, obj.Base), obj.Strategy)
         try:
             found = facets.of(faces, job.Model.Group, obj.Tolerance.Value)
         except Stopped:
@@ -164,9 +162,20 @@ class Finishing(base.Operation):
             settings_of(obj, self.settings),
             tool,
             data,
-            {**_parameters(self, obj, tool, data, found), **lines},
+            {**arguments_of(obj, tool, data, found), **lines},
             compute.spindle_notes(obj, data),
         )
+
+
+def cusp_height_of(stepover, radius):
+    """mm between two passes of a level face, up to twice the radius of the tool's end apart."""
+    half = stepover / 2
+    return radius - math.sqrt((radius - half) * (radius + half))
+
+
+def stepover_of(cusp_height, radius):
+    """mm between two passes of a level face that leave a cusp, no higher than the radius."""
+    return 2 * math.sqrt(cusp_height * (2 * radius - cusp_height))
 
 
 def _end_radius(obj):
@@ -178,7 +187,7 @@ def _wants_even_cusps(obj):
     return obj.Spacing == EVEN_CUSPS and obj.Strategy in PARALLEL
 
 
-def _of_models(job, picked):
+def of_models(job, picked):
     """Base geometry in which faces of the job's originals, as macros name them, are its models'."""
     return [
         (model, [element])
@@ -198,8 +207,11 @@ def _sorted(base, strategy):
     return faces, {"guides": guides.of([each for each in base if each not in faces])}
 
 
-def _check_stepover(obj, tool):
-    """Raises ValueError for a distance of passes that the tool cannot have."""
+def check(obj, tool):
+    """Raises ValueError for settings that cannot be used, and for a distance of passes that the
+    tool cannot have.
+    """
+    ranges.check(obj, FINISHING)
     if obj.Stepover.Value > tool.diameter:
         raise ValueError(
             "Stepover is %g mm, more than the tool's diameter of %g mm: lower it."
@@ -235,10 +247,10 @@ def _check_heights(obj, found):
         )
 
 
-def _parameters(proxy, obj, tool, data, found):
+def arguments_of(obj, tool, data, found):
     """Keyword arguments of the core's finish(), but for `progress`; mm, rad, mm/min."""
     arguments = {
-        **parameters.of(obj, proxy.settings),
+        **parameters.of(obj, FINISHING),
         "tool_diameter": tool.diameter,
         "corner_radius": _end_radius(obj),
         "tolerance": obj.Tolerance.Value - found.deflection,

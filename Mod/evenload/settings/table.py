@@ -16,6 +16,7 @@ from evenload.settings.own import (
     OF_LAME_SPIRAL,
     OF_TROCHOID,
     PARALLEL,
+    SPIRALS,
     REST_MACHINING,
 )
 from evenload.settings.shared import CONSTANT_FORCE, HOLE_ENTRIES, SETTINGS
@@ -35,6 +36,7 @@ __all__ = [
     "PARALLEL",
     "REST_MACHINING",
     "SETTINGS",
+    "SPIRALS",
     "TOLERANCE",
     "boxes_of",
     "sections_of",
