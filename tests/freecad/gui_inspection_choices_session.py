@@ -168,7 +168,7 @@ def predictions(part, view):
     result["outside"] = dock.predicted.text()
     cutting.roughness.set_mm(0)
     job, controller = host.create_job(part.Document, [part], 10, 1650, 5100, 4)
-    controller.Tool = host.create_tool("ballend", {"Diameter": 10})
+    controller.Tool = host.create_tool("ballend", {"Diameter": 10, "Flutes": 2})
     op = finishing.Create("Finish", parentJob=job, toolController=controller)
     op.Base = [(job.Model.Group[0], "Face%d" % number_of_top(part))]
     op.PassAngle, op.Stepover = 67.5, 0.2

@@ -101,12 +101,11 @@ def test_a_prediction_is_the_source_s_for_the_user_s_values(session):
 def test_a_finishing_operation_tells_its_values(session):
     seen = session["operation"]
     assert seen["listed"] == ["Own", "Finish"]
-    assert seen["values"] == pytest.approx([0.2, 1650 / 5100, 5])
+    assert seen["values"] == pytest.approx([0.2, 1650 / 5100 / 2, 5])
     direction, speed, roughness = seen["others"]
     assert direction == pytest.approx(67.5) and speed == 5100
     assert roughness == pytest.approx(seen["cusp"])
-    assert "stepover 0.2, not 0.15 mm; feed per tooth 0.3235, not 0.08 mm" in seen["told"]
-    assert "1 tooth is assumed" in seen["told"]
+    assert "stepover 0.2, not 0.15 mm; feed per tooth 0.1618, not 0.08 mm" in seen["told"]
     # A value that the user changes makes them the user's own.
     assert session["edited"] == ""
     told, has_none = session["standing"]

@@ -28,8 +28,8 @@ class Strategy:
 
 
 ZIG_ZAG, ONE_WAY = PARALLEL
-# The source's directions of zig-zag passes, its contours and its spirals [Varga 2023, ch. 6: 1 to 6,
-# 8 and 9], and two more; docs/finishing.md says what is not there of the source's ten.
+# The source's directions of zig-zag passes, its contours and its spirals [Varga 2023, ch. 6: 1 to
+# 6, 8 and 9], and two more; docs/finishing.md says what is not there of the source's ten.
 STRATEGIES = (
     *(Strategy(ZIG_ZAG, angle) for angle in (0.0, 22.5, 45.0, 67.5, 90.0)),
     Strategy("Contours inwards"),

@@ -1,5 +1,7 @@
 """Picking a hole for the tool's entry in the 3D view."""
 
+import math
+
 import FreeCAD
 import Part
 from PySide import QtCore, QtGui
@@ -8,6 +10,7 @@ from evenload.gui import view3d
 from evenload.gui.picking import Clicks
 from evenload.gui.slots import slot, telling_slot
 
+NEAR = 0.05  # of its diameter: how far a hole may be from the foremost place that was clicked on
 SAME = 1e-6  # mm between two vertices that are one
 UPRIGHT = 1e-6  # x and y of a hole's direction at the most
 
@@ -34,9 +37,21 @@ def picked_at(view, pixel):
     """(x, y, diameter) of what is in a view at a pixel: the hole whose rim or wall it is, or a
     place alone, with None. None where nothing is.
     """
-    info = view.getObjectInfo(pixel)
-    if not info:
-        return None
+    # All that lies there, the foremost first: beside an edge that may be the face next to it.
+    infos = view.getObjectsInfo(pixel) or ()
+    for info in infos:
+        hole = _hole_at(info)
+        if hole is not None and _distance(info, infos[0]) < NEAR * hole[2]:
+            return hole
+    return (infos[0]["x"], infos[0]["y"], None) if infos else None
+
+
+def _distance(one, other):
+    return math.dist(*([info[axis] for axis in "xyz"] for info in (one, other)))
+
+
+def _hole_at(info):
+    """The hole that what FreeCAD tells of a pixel belongs to, None without one."""
     owner = info.get("ParentObject") or FreeCAD.getDocument(info["Document"]).getObject(
         info["Object"]
     )
@@ -47,8 +62,7 @@ def picked_at(view, pixel):
         shapes = [edge for edge in whole.Edges if _ends_in(edge, shape)]
     else:
         shapes = [shape]
-    holes = list(filter(None, map(hole_of, shapes)))
-    return holes[0] if holes else (info["x"], info["y"], None)
+    return next(filter(None, map(hole_of, shapes)), None)
 
 
 def _ends_in(edge, vertex):
