@@ -40,6 +40,8 @@ def pictures(dock, name):
         later(100)
         dock.grab().save(os.path.join(OUT, "%s_%d.png" % (name, width)))
         found += cut_off(dock)
+        # Another dock of FreeCAD's in the same area may need more.
+        result.setdefault("needed", []).append(dock.minimumSizeHint().width())
         result.setdefault("widths", []).append(dock.width())
     return found
 
