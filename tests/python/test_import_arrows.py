@@ -22,6 +22,7 @@ ARROWS = {
     "inspection": {"ground"},
     "face_inspection": {"host", "ground", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
+    "suggestion": {"host", "ground", "simulation", "stability", "optimisation"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
@@ -38,6 +39,8 @@ ARROWS = {
         "pictures",
         "inspection",
         "face_inspection",
+        "optimisation",
+        "suggestion",
     },
 }
 GROUND = {
@@ -77,6 +80,7 @@ WITHOUT_FREECAD = {
         "stability.cut",
         "stability.field",
         "stability.picture",
+        "suggestion.search",
     ),
     *("settings.labels", "settings.notes", "settings.own", "settings.pages"),
     *("settings.parameters", "gui.load_colours"),
