@@ -72,6 +72,7 @@ def test_what_is_set_now_has_the_times_of_its_path(op):
     assert found.time_s == pytest.approx(op.CuttingTime, rel=0.02)
     assert (found.feed, found.spindle_speed) == (pytest.approx(255), 6366)
     assert found.force_peak_n > 0 and found.power_w > 0 and found.h_max_mm > 0
+    assert found.bound_by == ""
 
 
 def test_what_is_set_now_is_told_even_beyond_the_limits(op):
@@ -129,6 +130,14 @@ def test_what_the_user_changes_is_kept_with_the_tool(square, op):
     assert kept.of(controller, again)["cutting_length"] == 9
     kept.keep(controller, again, {**kept.of(controller, again), "teeth": 3})
     assert kept.of(controller, again)["most_speed"] == 180 and "3" in controller.CuttingLimits
+
+
+def test_speeds_that_were_suggested_by_what_was_set_can_be_kept(square, op):
+    controller, found = square.controller, cuts.read(op)
+    limits = kept.suggested(found)
+    kept.keep(controller, found, limits, always=kept.SPEEDS)
+    controller.SpindleSpeed = 3000
+    assert kept.of(controller, cuts.read(op)) == limits
 
 
 @pytest.mark.parametrize("text", ["{", "[]", '{"teeth": "2"}', '{"teeth": 0}', '{"flutes": 2}'])

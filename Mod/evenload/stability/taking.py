@@ -1,5 +1,7 @@
 """A cut that was chosen goes into the operation and its tool controller."""
 
+import contextlib
+
 from evenload import host
 from evenload.stability.operation import depth_of
 
@@ -24,15 +26,21 @@ def take(
     does not have it does not get. step: what undoing is called. Raises ValueError for numbers that
     cannot be.
     """
-    doc = operation.Document
-    doc.openTransaction(step)
-    try:
+    with undoable(operation.Document, step):
         take_open(operation, speed, depth, cut_mode, engagement_deg, feed)
-        doc.recompute()
+        operation.Document.recompute()
+
+
+@contextlib.contextmanager
+def undoable(document, step):
+    """What is set while this lasts is one step to undo; on an error nothing is set."""
+    document.openTransaction(step)
+    try:
+        yield
     except Exception:
-        doc.abortTransaction()
+        document.abortTransaction()
         raise
-    doc.commitTransaction()
+    document.commitTransaction()
 
 
 def take_open(operation, speed=None, depth=None, cut_mode=None, engagement_deg=None, feed=None):

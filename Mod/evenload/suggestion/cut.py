@@ -39,9 +39,16 @@ class Cut:
         """m/min of what is set now."""
         return 1e-3 * math.pi * self.tool.diameter * self.spindle_speed
 
-    def values(self):
-        """What a suggestion sets: whether it still holds shows in these."""
-        return self.engagement_deg, self.step_down, self.spindle_speed, self.feed
+    def state(self):
+        """What figures hold for: they are stale once this differs."""
+        area = sum(region.area for region in self.regions)
+        numbers = (
+            *(self.engagement_deg, self.levels, self.step_down, self.spindle_speed, self.feed),
+            *(self.depth, self.tool.diameter, area),
+            *(value for value in self.options.values() if not isinstance(value, str)),
+        )
+        words = [value for value in self.options.values() if isinstance(value, str)]
+        return [*("%.6g" % number for number in numbers), *words, self.hole]
 
 
 def read(operation):

@@ -13,7 +13,8 @@ CHIP_SHARE = 0.006  # of the diameter: the largest chip thickness where nobody t
 LENGTH_SHARE = 2.0  # of the diameter: the cutting length where the tool bit does not tell
 # m/min: of tools without a spindle speed; else from so much of what is set up to that.
 SURFACE_SPEED, LEAST_SHARE = (100.0, 200.0), 0.75
-KEYS = ("max_chip_thickness", "least_speed", "most_speed", "cutting_length", "teeth")
+SPEEDS = ("least_speed", "most_speed")  # suggested by what is set, and kept once that is changed
+KEYS = ("max_chip_thickness", *SPEEDS, "cutting_length", "teeth")
 
 
 def suggested(cut):
@@ -36,17 +37,26 @@ def of(controller, cut):
     return {**suggested(cut), **_read(controller)}
 
 
-def keep(controller, cut, limits):
-    """Keeps those of the limits that differ from what was suggested or kept; nothing is touched
-    where all are the same.
+def changed(controller, cut, limits, always=()):
+    """Those of the limits that differ from what was suggested or kept. always: the keys of those
+    that are to be kept in any case.
     """
-    before = of(controller, cut)
-    changed = {key: limits[key] for key in KEYS if limits[key] != before[key]}
-    if not changed:
+    before, there = of(controller, cut), _read(controller)
+    return {
+        key: limits[key]
+        for key in KEYS
+        if limits[key] != before[key] or (key in always and key not in there)
+    }
+
+
+def keep(controller, cut, limits, always=()):
+    """Keeps what was changed; nothing is touched where nothing was."""
+    found = changed(controller, cut, limits, always)
+    if not found:
         return
     if not hasattr(controller, PROPERTY):
         controller.addProperty("App::PropertyString", PROPERTY, GROUP, DOC)
-    setattr(controller, PROPERTY, json.dumps({**_read(controller), **changed}))
+    setattr(controller, PROPERTY, json.dumps({**_read(controller), **found}))
 
 
 def _read(controller):

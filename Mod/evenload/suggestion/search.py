@@ -53,6 +53,8 @@ def now(cut, asked, progress=None):
         progress=progress,
         **cut.options,
     )
+    for candidate in found.candidates:
+        candidate.bound_by = ""  # no limit has made its feed
     return next(iter(found.candidates), None)
 
 
