@@ -133,6 +133,25 @@ def taken(view, op):
     return seen
 
 
+def without_path(job):
+    """Of an operation that has no path, nor base geometry: whether the command is active, and what
+    the dock tells where the panel opens it.
+    """
+    from evenload.gui import optimise
+    from evenload.operations import adaptive
+
+    empty = adaptive.Create("Empty", parentJob=job)
+    found = [is_active(empty)]
+    view = optimise.show(empty)
+    found += [view.dock.told.text(), view.dock.take.isEnabled()]
+    view.dock.suggest.click()
+    later(100)
+    found += [view.dock.told.text(), view.task.is_busy]
+    empty.Document.removeObject(empty.Name)
+    later(300)
+    return [*found, docks()]
+
+
 def in_panel(op):
     """Suggest… in the panel: what is taken shows there; Cancel takes it back, OK is one step."""
     found = {"before": state(op)}
@@ -261,6 +280,7 @@ def session():
     ours.ToolController.Tool.Diameter = 6
     doc.recompute()
     later(500)
+    result["empty"] = without_path(job)
     result["panel"] = in_panel(ours)
     # It goes with its operation's document, also while it computes, and by its user.
     view = command(ours)

@@ -98,6 +98,13 @@ def test_what_cannot_be_is_told_in_one_sentence(session):
     assert "diameter of the tool" in told and "is 0 mm: set it." in told and not is_busy
 
 
+def test_without_a_path_the_command_is_grey_and_the_dock_tells_what_is_missing(session):
+    is_active, told, can_be_taken, again, is_busy, docks = session["empty"]
+    assert not is_active and "base geometry" in told.lower() and not can_be_taken
+    assert again == told and not is_busy
+    assert docks == 0, "it goes with its operation"
+
+
 def test_cancel_stops_it(session):
     assert session["busy"] == [True, True]
     assert session["cancelled"] == [False, "It was cancelled.", False]

@@ -199,6 +199,16 @@ def test_floors_at_several_depths_and_tools_without_a_diameter_are_refused(bench
         cuts.read(op)
 
 
+def test_it_says_what_does_not_enter_the_figures(square):
+    square.done(square.operation())
+    op = square.operation(StockToLeave=0.3, UseRestMachining=True)
+    notes = cuts.read(op).notes
+    assert notes == [
+        "All figures are of whole floors, as if nothing had been cut before.",
+        "All figures are without the stock to leave at the walls.",
+    ]
+
+
 def test_of_a_trochoid_and_of_a_constant_force_it_says_what_the_figures_are(bench):
     slot = bench(case_model(corpus_case("slot62")))
     op = slot.operation(kind="trochoid", FeedControl="Constant force")

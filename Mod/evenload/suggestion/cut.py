@@ -101,6 +101,8 @@ def _notes(operation, task):
         notes.append("All figures are those of EvenLoad Adaptive on the same floors.")
     if task.is_rest:
         notes.append("All figures are of whole floors, as if nothing had been cut before.")
+    if task.settings.StockToLeave.Value > 0:
+        notes.append("All figures are without the stock to leave at the walls.")
     if task.settings.FeedControl.lower() not in inputs.FEED_CONTROLS:
         notes.append("All figures are at a constant feed, for a constant force does not scale.")
     return notes
