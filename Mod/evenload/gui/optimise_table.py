@@ -26,7 +26,7 @@ class Column:
 
     title: str
     number: object  # candidate -> what it is sorted by
-    text: object  # candidate -> what is shown
+    text: object  # candidate -> what is shown; the same function where that is no number
 
 
 def columns(with_machine):
@@ -53,11 +53,11 @@ def columns(with_machine):
             1 if inches else 0,
         ),
         Column(_translate("EvenLoad", "Time"), lambda c: c.time_s, lambda c: clock(c.time_s)),
+        Column(_translate("EvenLoad", "Held down by"), bound_of, bound_of),
         figure(_translate("EvenLoad", "Force, N"), "force_peak_n", "%.0f"),
         figure(_translate("EvenLoad", "Torque, N m"), "torque_peak_nm", "%.2f"),
         figure(_translate("EvenLoad", "Power, W"), "power_w", "%.0f"),
         scaled(_translate("EvenLoad", "Chip, %s") % unit, lambda c: c.h_max_mm / per, fine),
-        Column(_translate("EvenLoad", "Held down by"), bound_of, bound_of),
     ]
     if with_machine:
         on_machine = Column(
@@ -126,7 +126,7 @@ class CandidateModel(QtCore.QAbstractTableModel):
         column = self.shown[index.column()]
         if role == QtCore.Qt.DisplayRole:
             return column.text(self.rows[index.row()])
-        if role == QtCore.Qt.TextAlignmentRole and index.column() + 1 < len(self.shown):
+        if role == QtCore.Qt.TextAlignmentRole and column.number is not column.text:
             return int(QtCore.Qt.AlignRight | QtCore.Qt.AlignVCenter)
         return None
 
