@@ -47,6 +47,15 @@ def load(machine):
     return _checked(*_profile(machine))
 
 
+def profile(machine):
+    """The dictionary of a machine, as in a file, with its name. machine: as for `load`. Raises
+    ValueError with a sentence for what cannot be used.
+    """
+    found, name = _profile(machine)
+    _checked(found, name)
+    return {**found, "name": name}
+
+
 def spindle(machine):
     """{"speeds": (least, largest) in rev/min, "power": W, "torque": N m} of a machine's spindle;
     what its profile does not tell is without limit.

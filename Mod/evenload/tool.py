@@ -118,6 +118,11 @@ def diameter(controller):
     return max(_number(bit, "Diameter"), 0.0) if bit else 0.0
 
 
+def chip_load(controller):
+    """mm per tooth that a tool controller's tool bit tells; 0 where it does not."""
+    return max(_number(controller.Tool, "Chipload"), 0.0)
+
+
 def corner_radius(controller):
     """The radius in mm between a bull-nosed tool's floor and side, by its controller; else 0."""
     bit = controller.Tool

@@ -22,6 +22,7 @@ ARROWS = {
     "inspection": {"ground"},
     "face_inspection": {"host", "ground", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
+    "suggestion": {"host", "ground", "simulation", "stability", "optimisation"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "advisor": {
         *("host", "ground", "settings", "geometry", "operations", "ball_end", "face_inspection"),
@@ -42,6 +43,8 @@ ARROWS = {
         "inspection",
         "face_inspection",
         "advisor",
+        "optimisation",
+        "suggestion",
     },
 }
 GROUND = {
@@ -81,6 +84,7 @@ WITHOUT_FREECAD = {
         "stability.cut",
         "stability.field",
         "stability.picture",
+        "suggestion.search",
     ),
     *("settings.labels", "settings.notes", "settings.own", "settings.pages", "settings.sentences"),
     *("settings.parameters", "gui.load_colours"),

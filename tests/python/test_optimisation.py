@@ -279,6 +279,26 @@ def test_where_no_candidate_is_allowed_the_answer_says_which_limit_refuses_most(
     assert all(c.force_peak_n > 5 and c.feed_per_tooth for c in found.candidates)
 
 
+def test_at_a_feed_that_is_given_the_figures_are_its_own():
+    options = {"engagement_deg": 60, "axial_depths": 6}
+    (free,) = optimised(**options).candidates
+    (same,) = optimised(feed=free.feed, **options).candidates
+    assert same.bound_by == "" and not same.refused
+    for name in ("feed_per_tooth", "time_s", "force_peak_n", "power_w", "h_max_mm"):
+        assert getattr(same, name) == pytest.approx(getattr(free, name), rel=1e-9), name
+    (slow,) = optimised(feed=0.5 * free.feed, **options).candidates
+    assert slow.h_max_mm == pytest.approx(0.5 * free.h_max_mm) and slow.time_s > free.time_s
+    (fast,) = optimised(feed=2 * free.feed, **options).candidates
+    assert fast.h_max_mm == pytest.approx(2 * free.h_max_mm) and fast.time_s < free.time_s
+    assert fast.refused_by == "chip thickness"
+    assert fast.refused == (
+        "At %.5g mm/min the tools' chip thickness of the tool of 6 mm at 60°, 6 mm deep, is above "
+        "0.04 mm." % (2 * free.feed)
+    )
+    (heavy,) = optimised(feed=free.feed, max_force=0.9 * free.force_peak_n, **options).candidates
+    assert heavy.refused_by == "force" and heavy.force_peak_n == pytest.approx(free.force_peak_n)
+
+
 def test_a_depth_beyond_the_cutting_length_is_refused():
     found = optimised(depth=14, axial_depths=(14, 7))
     deep = [c for c in found.candidates if c.levels == 1]
@@ -402,6 +422,7 @@ def test_speeds_span_what_tool_and_machine_allow():
         ({"tools": [{**SIX, "diameter": math.nan}]}, "diameter of tool 1 must be a number above"),
         ({"tools": [{**SIX, "teeth": 1.5}]}, "teeth of tool 1 must be a whole number above 0"),
         ({"tools": [{**SIX, "surface_speed": (9, 2)}]}, "surface_speed of tool 1 must be m/min"),
+        ({"feed": 0}, "feed must be a number above 0, not 0"),
         ({"tools": [{**SIX, "min_chip_thickness": 1}]}, "is above its max_chip_thickness."),
         ({"tools": [{**SIX, "helix_angle_deg": 90}]}, "helix_angle_deg of tool 1 must be 0 or"),
         ({"material": [METAL, METAL]}, "There are 2 materials for 1 tools: give one for all,"),

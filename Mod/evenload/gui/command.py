@@ -5,7 +5,8 @@ from importlib import import_module
 import FreeCAD
 import FreeCADGui
 
-from evenload import compiled
+from evenload import compiled, host
+from evenload.settings.properties import is_ours
 from evenload.settings.sentences import shown
 
 
@@ -60,6 +61,14 @@ def _selected_path():
         return None
     path = getattr(selected[0], "Path", None)
     return selected[0] if getattr(path, "Size", 0) > 0 else None
+
+
+class OfCut(OfPath):
+    """For one of our operations that clears floors, or a dressup of one, that has a path."""
+
+    def IsActive(self):
+        found = _selected_path()
+        return found is not None and is_ours(host.operation_under(found))
 
 
 class OfFaces(Command):
@@ -142,6 +151,14 @@ COMMANDS = {
         "EvenLoad_StabilityChart",
         "EvenLoad Stability Chart",
         "Shows at which spindle speeds and depths an operation chatters, and finds the best cut",
+    ),
+    "EvenLoad_Optimise": OfCut(
+        "optimise",
+        "EvenLoad_Optimise",
+        "EvenLoad Optimise",
+        "Suggests engagement angle, step down, spindle speed and feeds within what tool and "
+        "machine stand, beside what is set now",
+        does="show",
     ),
     "EvenLoad_Inspect": OfFaces(
         "inspection",

@@ -44,6 +44,7 @@ class FormPage(_gui.op.TaskPanelPage):
 
     kind = None  # the operation's proxy class
     engagement = None  # the row of the engagement angle; None where an operation has none
+    suggest = None  # the button that opens the dock Optimise; None where that knows no such cut
     hole = None  # the HolePick; None where an operation enters by no hole
 
     def follow(self, piece):
@@ -116,6 +117,12 @@ class FormPage(_gui.op.TaskPanelPage):
                 entries.append((label, form.coolantController))
             rows = form_in(self.folds[title].body, entries)
             layout.addWidget(self.folds[title])
+            if title == ADDED_TO and engagement.ANGLE in self.settings:
+                self.suggest = QtGui.QPushButton(_translate("EvenLoad", "Suggest…"))
+                self.suggest.setToolTip(
+                    _translate("EvenLoad", "What tool and machine allow, beside what is set now")
+                )
+                rows.addRow(self.suggest)
             if title == FITTED_IN:
                 self.again = QtGui.QPushButton(_translate("EvenLoad", "Fit all again"))
                 self.again.setToolTip(

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, preferences, recording, view3d
+from evenload.gui import fields, load_view, optimise, preferences, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
@@ -107,6 +107,8 @@ class OperationPage(PreviewPage):
         for name in self.boxes:
             # FreeCAD writes its text anew whenever a field comes into view.
             fields.edit_of(self.widgets[name]).textChanged.connect(slot(self._show_unset, name))
+        if self.suggest is not None:
+            self.suggest.clicked.connect(slot(self._suggest))
         if self.kind.fitted:
             self.again.clicked.connect(slot(self._fit_again))
 
@@ -195,6 +197,15 @@ class OperationPage(PreviewPage):
 
     def _toggle_load(self):
         load_view.toggle(self.obj)
+
+    def _suggest(self):
+        optimise.show(self.obj)
+
+    def show_taken(self):
+        """Shows what was set in operation and tool controller while the panel is open."""
+        self.obj.Proxy.follow_tool(self.obj)
+        self._show_new_tool()
+        self.preview.restart()  # it does not follow the tool controller
 
     def follow(self, piece):
         """Goes to the place or the field that a note names."""

@@ -15,9 +15,9 @@ LOOK = 20  # ms between looks at what the thread has found
 
 
 class Simulating:
-    """One simulation at a time of setups, in a thread. dock: shows the progress; taken: a bound
-    method that gets the Runs, refused: one that gets the sentence why there are none. Neither is
-    kept alive.
+    """One task at a time in a thread, by default the simulation of setups. dock: shows the
+    progress; taken: a bound method that gets the results, such as Runs, refused: one that gets the
+    sentence why there are none. Neither is kept alive.
     """
 
     def __init__(self, dock, taken, refused):
@@ -34,10 +34,14 @@ class Simulating:
 
     def start(self, setups):
         """Simulates setups in place of what is under way."""
+        self.run(lambda: simulated(setups, self.done))
+
+    def run(self, task):
+        """Does a task, which tells `done` what is done, in place of what is under way."""
         self.worker.cancel()
         self._share, self._runs = 0.0, []
         self._dock.show_progress(0.0)
-        self.worker.start(lambda: simulated(setups, self._done))
+        self.worker.start(task)
         self._timer.start()
 
     def cancel(self):
@@ -46,7 +50,8 @@ class Simulating:
         self.worker.cancel()
         self._dock.show_progress(None)
 
-    def _done(self, share):
+    def done(self, share):
+        """Takes the share that is done, 0 to 1, in whichever thread."""
         self._share = share
 
     def _look(self):
@@ -90,7 +95,7 @@ def simulated(setups, told):
 
         def going(share, number=number):
             told((number + share) / len(setups))
-            return _goes_on(share)
+            return goes_on(share)
 
         found = setup.simulate(progress=going, **options)
         if found.cancelled:
@@ -98,7 +103,8 @@ def simulated(setups, told):
         yield Run(name, found)
 
 
-def _goes_on(share):
+def goes_on(share):
+    """Whether the task of this thread shall go on."""
     try:
         waiting.go_on(share)
     except waiting.Stopped:

@@ -16,6 +16,10 @@ FEED_CONTROLS = (  # those that scale with the feed
     "constant removal rate",
     "constant chip thickness",
 )
+SEVERAL_DEPTHS = (
+    "The floors of '%s' lie at several depths: make an operation for each depth, and optimise one "
+    "by one."
+)
 SAME = 1e-6  # share by which lengths and speeds may pass their limits: rounding
 TOOL_KEYS = {
     "diameter": "mm",
@@ -100,6 +104,7 @@ class Task:
     resolution: float
     workers: int
     stability_margin: float
+    feed: float  # mm/min, of all candidates; None: the largest within the limits
     notes: list
 
     def entry(self, diameter):
@@ -129,6 +134,8 @@ def checked(
     if max(angles) >= 180:
         raise ValueError("engagement_deg must be below 180, not %g." % max(angles))
     hole = _hole(rest.pop("hole") or known_hole)
+    if rest["feed"] is not None:
+        _positive(rest["feed"], "feed")
     for name in ("maximum_feed", "entry_feed", "roll_radius", "resolution"):
         _positive(rest[name], name)
     if rest["maximum_feed"] < 1:
@@ -212,10 +219,7 @@ def _regions(core, region):
                 % getattr(region, "Label", region)
             )
         if len(last.cuts) > 1:
-            raise ValueError(
-                "The floors of '%s' lie at several depths: make an operation for each depth, and "
-                "optimise one by one." % getattr(region, "Label", region)
-            )
+            raise ValueError(SEVERAL_DEPTHS % getattr(region, "Label", region))
         depth = region.StartDepth.Value - region.FinalDepth.Value
         depth -= getattr(getattr(region, "StockToLeaveAxial", None), "Value", 0.0)
         return list(last.regions), depth, last.hole

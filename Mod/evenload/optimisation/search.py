@@ -24,6 +24,7 @@ def optimise(
     engagement_deg=(30, 45, 60, 75, 90),
     axial_depths=None,
     spindle_speeds=None,
+    feed=None,
     max_force=None,
     max_torque=None,
     max_power=None,
@@ -52,6 +53,7 @@ def optimise(
     axial_depths: mm, at the most; the pocket is cut in equal levels no deeper. None: the four
         fewest levels that a tool can do.
     spindle_speeds: rev/min. None: five, over the range of the tool's surface speed.
+    feed: mm/min at the angle that all are judged at; None: each at the largest within the limits.
     max_force, max_torque, max_power: N, N m, W; max_left_area: mm2 that may be left or out of
         reach. None: no limit.
     hole: (x, y, diameter), drilled before.
@@ -208,7 +210,9 @@ class _LevelOf:
             self._set_figures(row)
 
     def _set_feed(self, row):
-        """The largest feed per tooth within the limits; the least where it is above one."""
+        """The largest feed per tooth within the limits, the least where that is above one; or the
+        feed that is asked for.
+        """
         per_minute = row.spindle_speed * row.teeth
         turning = row.spindle_speed * 2 * math.pi / 60
         mean_torque = self.task.max_power / turning
@@ -223,24 +227,29 @@ class _LevelOf:
             ((-math.inf if feed is None else feed, name) for feed, name in bounds),
             key=lambda bound: bound[0],
         )
-        row.feed_per_tooth = max(feed, self.least)
-        if feed < self.least:
-            _refuse(row, row.bound_by, self._too_much(row))
+        if self.task.feed is None:
+            wanted, at = self.least, "At the least chip of %g mm" % self.tool.min_chip_thickness
+            row.feed_per_tooth = max(feed, wanted)
+        else:
+            wanted, at = self.task.feed / per_minute, "At %.5g mm/min" % self.task.feed
+            row.feed_per_tooth = wanted
+        if feed < wanted:
+            _refuse(row, row.bound_by, "%s %s" % (at, self._too_much(row)))
+        elif self.task.feed is not None:
+            row.bound_by = ""
         row.feed = row.feed_per_tooth * per_minute
 
     def _too_much(self, row):
         over = {
+            "chip thickness": "%g mm" % self.tool.max_chip_thickness,
             "force": "%g N" % self.task.max_force,
             "torque": "%g N m" % self.task.max_torque,
             "power": "%g W" % self.task.max_power,
             "machine feed": "%g mm/min" % self.task.max_feed,
         }
-        return (
-            "At the least chip of %g mm %s of the tool of %g mm at %g°, %.3g mm deep, is above %s."
-            % (
-                *(self.tool.min_chip_thickness, LIMITS[row.bound_by], row.diameter),
-                *(row.engagement_deg, row.axial_depth, over[row.bound_by]),
-            )
+        return "%s of the tool of %g mm at %g°, %.3g mm deep, is above %s." % (
+            *(LIMITS[row.bound_by], row.diameter, row.engagement_deg, row.axial_depth),
+            over[row.bound_by],
         )
 
     def _set_figures(self, row):
