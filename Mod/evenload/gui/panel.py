@@ -19,6 +19,7 @@ _gui = host.gui()
 _translate = FreeCAD.Qt.translate
 
 NARROWEST_BUTTON = 36  # pixels beside the frame
+NARROW = "; icon-size: 0px; padding-left: 6px; padding-right: 6px"
 BESIDE_BUTTONS_TEXT = 36  # pixels: icon, frame, what is between buttons
 EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
@@ -124,9 +125,11 @@ class OperationPage(PreviewPage):
         """
         texts = [button.text() for button in buttonBox.buttons()]
         needed = sum(fields.width_of(buttonBox, text) + BESIDE_BUTTONS_TEXT for text in texts)
-        # Languages with long words need the room of the icons.
-        icons = "" if needed <= fields.ROOM else "; icon-size: 0px"
-        buttonBox.setStyleSheet("QPushButton { min-width: %dpx%s }" % (NARROWEST_BUTTON, icons))
+        # Languages with long words need the room of the icons, and of what FreeCAD 1.1's own style
+        # leaves around the words.
+        narrow = "" if needed <= fields.ROOM else NARROW
+        style = "QPushButton { min-width: %dpx%s }" % (NARROWEST_BUTTON, narrow)
+        buttonBox.setStyleSheet(style)
 
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
