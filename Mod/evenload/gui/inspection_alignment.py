@@ -38,6 +38,8 @@ class Alignment(Rows):
                 ("motions", "", "", MotionBoxes()),
             ),
         )
+        # A narrow dock has no room for the list and its button beside their label.
+        self.layout().setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         # Before those who evaluate: with a datum nothing is free, as in Python and in job files.
         self.datum.chosen.connect(slot(self._datum_chosen))
         self.free.currentIndexChanged.connect(slot(self._show_motions))
