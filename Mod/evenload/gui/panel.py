@@ -207,6 +207,7 @@ class OperationPage(PreviewPage):
     def show_taken(self):
         """Shows what was set in operation and tool controller while the panel is open."""
         self.obj.Proxy.follow_tool(self.obj)
+        host.show_controller(self)
         self._show_new_tool()
         self.preview.restart()  # it does not follow the tool controller
 

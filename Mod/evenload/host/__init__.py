@@ -44,6 +44,7 @@ from evenload.host.window import (
     gui,
     show_field,
     show_job,
+    show_controller,
     show_value,
 )
 
@@ -90,6 +91,7 @@ __all__ = [
     "set_stock_margin",
     "show_field",
     "show_job",
+    "show_controller",
     "show_value",
     "surface_features",
     "text_of",

@@ -32,6 +32,15 @@ def show_value(box):
     (box.updateWidget if ASSETS else box.updateSpinBox)()
 
 
+def show_controller(page):
+    """Shows the tool controller's values anew in a page of an operation's panel that edits these,
+    too, as FreeCAD 1.1 has it: as they are shown they are set when the panel closes.
+    """
+    editor = getattr(page, "tcEditor", None)
+    if editor is not None:
+        editor.updateUi()
+
+
 FIELDS = {
     "StartDepth": "startDepth",
     "FinalDepth": "finalDepth",
