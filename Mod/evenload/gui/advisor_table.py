@@ -6,6 +6,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.gui import colours
+from evenload.settings.sentences import shown
 from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
@@ -171,7 +172,8 @@ def _rounded(value):
 
 
 def _remark(row):
-    return " ".join((row.refusal, *row.notes) if row.refusal else row.notes)
+    sentences = (row.refusal, *row.notes) if row.refusal else row.notes
+    return " ".join(map(shown, sentences))
 
 
 def _unit_of(column, values):
