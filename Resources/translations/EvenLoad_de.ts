@@ -4392,6 +4392,10 @@ cm³/min</translation>
         <source>torque</source>
         <translation>Drehmoment</translation>
     </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

@@ -4392,6 +4392,10 @@ cm³/min</translation>
         <source>torque</source>
         <translation>nyomaték</translation>
     </message>
+    <message>
+        <source>Face</source>
+        <translation>Felület</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
