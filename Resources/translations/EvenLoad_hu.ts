@@ -3518,7 +3518,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>Chatter is not looked at: the tool has no modes of it.</source>
-        <translation>A rezgést nem vizsgáljuk: a szerszámnak nincsenek hozzá módusai.</translation>
+        <translation>A berezgést nem vizsgáljuk: a szerszámnak nincsenek hozzá módusai.</translation>
     </message>
     <message>
         <source>Chip, %s</source>
@@ -4294,7 +4294,7 @@ cm³/min</translation>
     </message>
     <message>
         <source>chatter</source>
-        <translation>rezgés</translation>
+        <translation>berezgés</translation>
     </message>
     <message>
         <source>chip thickness</source>
