@@ -29,6 +29,7 @@ TRANSLATE = ("translate", "_translate")  # what a text is given to that is shown
 # Tables of texts beside the window: all that their rows have of words.
 TABLES = {
     "dynamics/pictures.py": ("FIT_PARTS",),
+    "gui/load_colours.py": ("SCALES",),
     "pictures/load_rows.py": ("ROWS",),
     "pictures/over_time.py": ("KINDS",),
 }

@@ -12,6 +12,8 @@ FILES_OF_THE_CORE = (
     *("src/strategy/lame/lame_clearing.cpp", "src/strategy/lame/lame_pitch.cpp"),
     *("src/strategy/choose/region_clearing.cpp", "src/feed/load_share.cpp"),
     *("src/surface/contours.cpp", "src/surface/spacing.cpp", "src/dynamics/modal_fit.cpp"),
+    *("src/surface/finish.cpp", "src/surface/guides.cpp"),
+    *("src/ball_end/bent_surface.cpp", "src/ball_end/chip.cpp"),
     *("src/simulate/dexel_stock.cpp", "src/inspection/fit.cpp"),
 )
 SENTENCES_OF_THE_CORE = (
@@ -78,6 +80,40 @@ SENTENCES_OF_THE_CORE = (
     "or another NarrowPassages.",
     "The pre-drilled hole's centre lies outside the ground that the tool can reach: move "
     "EntryPoint into the pocket, at least a tool's radius from its walls.",
+    # src/surface/finish.cpp, src/surface/guides.cpp
+    "A number for finishing is not finite.",
+    "The tool's radius must be positive.",
+    "The corner's radius must lie between 0 and the tool's radius.",
+    "The stepover must be positive and no more than the tool's diameter.",
+    "The cusp height must not be negative.",
+    "A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.",
+    "Only parallel passes follow a cusp height: leave it out.",
+    "The cusp height must be no more than the radius of the tool's ball or corner.",
+    "The allowance must not be negative.",
+    "The lead radius must not be negative.",
+    "Passes between guides need two of them.",
+    "The tolerance must be positive.",
+    "Feeds must be positive.",
+    "The safe height must not lie below the top, nor the clearance height below it.",
+    "The stepover makes too many passes: raise it.",
+    "The tool touches none of the picked faces: take a smaller one, or lower FinalDepth.",
+    "A guide has no length: pick another edge.",
+    "The guides cross each other: pick two that lie side by side.",
+    # src/ball_end
+    "A patch needs two curvatures in 1/mm, a slope from 0 to below 90 degrees and the direction "
+    "in which it leans.",
+    "The ball does not fit into the concave surface: take a tool whose radius is smaller.",
+    "Steps on a patch are measured on the centre or on the surface, not in plan.",
+    "No chip: earlier passes left no stock where the tool stands.",
+    "The chip reaches beyond the lower half of the ball: the surface is too steep for a ball-end "
+    "tool along its axis.",
+    "The feed per tooth is too large beside the stepover: the tooth before does not bound the "
+    "chip, which has no mean thickness by its face.",
+    "The tool's diameter must be above 0 mm.",
+    "The feed per tooth must lie above 0 mm and below the tool's radius.",
+    "The stepover must lie above 0 mm and below the tool's diameter.",
+    "The axial depth, the stock's allowance, must lie above 0 mm and below the tool's radius.",
+    "The feed direction must be a number of degrees.",
     # src/feed, src/surface, src/simulate, src/dynamics, src/inspection
     "A constant force needs a material that resists: give it a force coefficient above 0.",
     "A constant force needs the spindle's speed: set that of the tool controller.",
@@ -107,8 +143,28 @@ SENTENCES_OF_THE_CORE = (
 SENTENCES_OF_SEVERAL_PIECES = (
     "Checked against the model.",
     "Made from the models themselves: the path keeps off all of the job's.",
-    "The %s is %.4f mm, of %d points, at a radius of %.4f mm.",
+    "The %s is %s, of %d points, at a radius of %s.",
     *("straightness", "flatness", "roundness", "sphericity", "cylindricity"),
+    # What a prediction's cut differs in.
+    *("stepover %.4g, not %.4g %s", "feed per tooth %.4g, not %.4g %s"),
+    *("depth %.4g, not %.4g %s", "tool radius %.4g, not %.4g %s", "face radius %.4g, not %.4g %s"),
+    "There is no %s on %s: pick the geometry anew.",
+    "There is no edge on %s: pick the geometry anew.",
+    "Passes between guides need two of them beside the faces: pick two edges, or two chains. What "
+    "is picked makes %d lines.",
+    # What evenload.optimise tells the dock Optimise; the rest of it tells of arguments of scripts.
+    "The floors of '%s' lie at several depths: make an operation for each depth, and optimise one "
+    "by one.",
+    "%.3g mm is deeper than the cutting length of %s, %g mm.",
+    "%.5g rev/min is outside of what %s and the machine can do, %.5g to %.5g rev/min.",
+    "The path of the tool of %g mm touches no material: check the region and the hole.",
+    "No candidate is within the limits: %s refuses most, %d of %d, as in: %s",
+    "At the least chip of %g mm %s of the tool of %g mm at %g°, %.3g mm deep, is above %s.",
+    "%s chatters %.3g mm deep at %.5g rev/min and %g°, where the feed is at %g° to X.",
+    "%s nearly chatters %.3g mm deep at %.5g rev/min and %g°, where the feed is at %g° to X.",
+    *("the tool's diameter", "the tools' cutting length", "the spindle speed", "the force"),
+    *("the tools' chip thickness", "the torque", "the power", "the machine's feed"),
+    *("the area left", "chatter"),
     # Names of geometry, of which evenload.words makes lists.
     *("Face%s of %s", "Edge%s of %s", "%d edges of %s", "%d edges"),
     *("%s and Face%s of %s", "%s and Edge%s of %s", "%s and %d more", "%s and %d others"),

@@ -13,9 +13,11 @@ TELLING = (
     *("geometry/*.py", "operations/*.py", "stability/[!p]*.py"),
     *("simulation/earlier.py", "simulation/job.py", "simulation/part.py", "simulation/proof.py"),
     *("dynamics/frf.py", "dynamics/frf_files.py", "dynamics/modes.py", "dynamics/vibration.py"),
-    *("inspection/points.py", "inspection/tables.py"),
+    *("inspection/dmis.py", "inspection/points.py", "inspection/predictions.py"),
+    *("inspection/tables.py", "face_inspection/datum.py"),
     *("face_inspection/evaluation.py", "face_inspection/faces.py", "face_inspection/measured.py"),
     *("face_inspection/patterns.py", "host/posts.py", "gui/view3d.py"),
+    *("advisor/answering.py", "advisor/reading.py", "ball_end/places.py", "suggestion/*.py"),
 )
 # What tells of the values in a file; elsewhere only a script can give a value that is none.
 OF_FILES = ("machines.py", "vibration.py")
@@ -24,11 +26,17 @@ NOT_TOLD = {
     "(Cancelled: nothing is cut here)",  # a comment of the G-code
     "EvenLoad results",  # a group of properties
     "Modes of vibration at the tool's tip, for stability charts: JSON, see docs/stability_chart.md",
+    "What the tool stands, for suggested feeds and speeds: JSON, see docs/optimisation.md",
     "not planar",
     "speed depth cut_mode removal_rate spectral_radius surface_location_error",
+    # Of predict() and read() in a script.
+    "%s was fitted to feed directions from 0 to 90 degrees; here it is a guess.",
+    "The finishing operation has no '%s': it has %s.",
     # Pieces of what stands in joined.py.
-    *("arc length", "of the type ", " and its ", ", at a radius of %.4f mm."),
+    *("arc length", "of the type ", " and its ", ", at a radius of %s.", "%s %s, not %s %s"),
     *("%s of %s", "%.12g mm/min", "turn the spindle at %.0f rev/min"),
+    *("%s on %s", "edge on %s", "There is no %s: pick the geometry anew."),
+    "%s What is picked makes %d lines.",
 }
 # In the window's files, the calls whose arguments nobody sees.
 SILENT_CALLS = {
@@ -41,25 +49,29 @@ _SILENT = re.compile(
     r"[a-z_.]+|"  # names, and words that SPOKEN does not have
     r"[A-Z][a-z]+(?:[A-Z][a-z]+)+|"  # properties
     r"EvenLoad[A-Z_]\w*|\w+[.]svg|"
+    r"/[A-Z]\w+|"  # groups of parameters
     r"[#<\0.*].*|(?:; )?(?:font|color|text|icon)[ :-].*|"  # colours, HTML, style sheets
     r"QPushButton .*|"
     r".*::.*|User parameter:.*|evenload\..*|utf-8|"
     r"[^A-Za-z]*|[\d. ]+(?:mm|mm/min|°)|"  # numbers
-    r"%[\d.*]*[dfg]°?|%\.\*f ?%s|%s\n|"  # nothing but places
+    r"%#?[\d.*]*[dfg]°?|%\.(?:\*f|4g) ?%s|%s\n|"  # nothing but places
     r"\[%s\]|%s(?:\.|\.%s = | \()%s\)?|%s = %s or %s|"
-    r".*%r.*"  # lines of macros
+    r".*%r.*|"  # lines of macros
+    r"\(\?.*"  # expressions
 )
 _WORDS = {
-    *("Active", "Angle", "Base", "Edge", "Face", "FreeCAD", "Job", "Label", "Length", "Operations"),
+    *("Active", "Angle", "Base", "Edge", "FreeCAD", "Job", "Label", "Length", "Operations"),
     *("Path", "Pixmap", "Placement", "Report", "Resources", "Shape", "Size", "Value", "Velocity"),
     *("Up-to-date", "MenuText", "ToolTip", "xx", "yy", "DMIS", "Halton-Zaremba", "arc length"),
     *("m/N", "mm/N", "um/N", "uin/lbf", "g/N", "(m/s)/N", "(m/s2)/N", "N/µm", "Hz", " Hz", "kN/m"),
     *("mm", "N", "µm", "mm/min", "mm³/min", "cm³/min", "%s, Ø %g mm", "%.12g mm/min"),
+    *("µin", "m/min", "ft/min", "N m", "N\u00b7s", "W", "Rz", "CX", "CV"),
+    *("Arcs", "Check", "Component", "Report view", "Python console"),
     *("JSON (*.json)", "CSV (*.csv)", "HTML (*.html)", "G-code (*.ngc *.nc *.gcode)"),
     *("PNG (*.png);;SVG (*.svg)", "CSV (*.csv);;DMIS (%s)"),
 }
 # Words of the window in small letters, which would else pass for names.
-_SPOKEN = {"cut", "entry", "link", "rapid", "none"}
+_SPOKEN = {"cut", "entry", "link", "rapid", "none", "force", "torque", "power", "to"}
 
 
 def is_silent(text):

@@ -140,10 +140,6 @@
         <translation>Der ersten Halbachse gegen die X-Achse; angepasst, solange nicht gesetzt</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; or passes along the outline of the faces, from the outside or from the inside on</source>
-        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; oder Bahnen entlang des Umrisses der Flächen, von außen oder von innen her</translation>
-    </message>
-    <message>
         <source>Passes that were steered to find the shape of that trochoid; 0 for circles and cycloids, and where none was repeated</source>
         <translation>Durchgänge, die gesteuert wurden, um die Form dieser Trochoide zu finden; 0 bei Kreisen und Zykloiden, und wo keine wiederholt wurde</translation>
     </message>
@@ -266,6 +262,14 @@
     <message>
         <source>Wished smallest radius of the path; at first 0.15 of the tool&apos;s diameter</source>
         <translation>Gewünschter kleinster Radius der Bahn; zunächst das 0.15-Fache des Werkzeugdurchmessers</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
+        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen</translation>
+    </message>
+    <message>
+        <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
+        <translation>Radius der senkrechten Bögen, auf denen das Werkzeug aus der Luft in eine Bahn einfährt und sie verlässt; kleiner, wo das Teil im Weg ist; zunächst das 0.1-Fache des Werkzeugdurchmessers</translation>
     </message>
 </context>
 <context>
@@ -1423,14 +1427,6 @@
         <translation>Insel %1</translation>
     </message>
     <message>
-        <source>It exceeds the tolerance of %1 mm.</source>
-        <translation>Die Toleranz von %1 mm ist überschritten.</translation>
-    </message>
-    <message>
-        <source>It keeps the tolerance of %1 mm.</source>
-        <translation>Die Toleranz von %1 mm ist eingehalten.</translation>
-    </message>
-    <message>
         <source>Its force coefficients</source>
         <translation>Seine Schnittkraftkoeffizienten</translation>
     </message>
@@ -1545,10 +1541,6 @@
     <message>
         <source>MaximumFeed is %1 mm/min: it must not be below the tool controller&apos;s horizontal feed of %2 mm/min.</source>
         <translation>[MaximumFeed] ist %1 mm/min: darf nicht unter dem horizontalen Vorschub der Werkzeugsteuerung von %2 mm/min liegen.</translation>
-    </message>
-    <message>
-        <source>Measured points</source>
-        <translation>Gemessene Punkte</translation>
     </message>
     <message>
         <source>Minimum radius</source>
@@ -1747,10 +1739,6 @@
         <translation>Reihenfolge nach</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; or passes along the outline of the faces, from the outside or from the inside on</source>
-        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; oder Bahnen entlang des Umrisses der Flächen, von außen oder von innen her</translation>
-    </message>
-    <message>
         <source>Passes</source>
         <translation>Bahnen</translation>
     </message>
@@ -1837,14 +1825,6 @@
     <message>
         <source>Process damping</source>
         <translation>Prozessdämpfung</translation>
-    </message>
-    <message>
-        <source>Profile, as aligned</source>
-        <translation>Profil, wie ausgerichtet</translation>
-    </message>
-    <message>
-        <source>Profile, best fit</source>
-        <translation>Profil, eingepasst</translation>
     </message>
     <message>
         <source>Python %1 and OpenCASCADE %2</source>
@@ -1987,10 +1967,6 @@ cm³/min</translation>
     <message>
         <source>Segments must lie between 3 and 12.</source>
         <translation>[Segments]: muss zwischen 3 und 12 liegen.</translation>
-    </message>
-    <message>
-        <source>Select faces that do not stand upright.</source>
-        <translation>Flächen auswählen, die nicht senkrecht stehen.</translation>
     </message>
     <message>
         <source>Select level faces, closed edges or sketches.</source>
@@ -2203,14 +2179,6 @@ cm³/min</translation>
     <message>
         <source>The %1 feed of the tool controller &apos;%2&apos; is 0: set its %3.</source>
         <translation>Der Vorschub (%1) der Werkzeugsteuerung „%2“ ist 0: %3 setzen.</translation>
-    </message>
-    <message>
-        <source>The %1 is %2 mm, of %3 points, at a radius of %4 mm.</source>
-        <translation>%1: %2 mm, aus %3 Punkten, bei einem Radius von %4 mm.</translation>
-    </message>
-    <message>
-        <source>The %1 is %2 mm, of %3 points.</source>
-        <translation>%1: %2 mm, aus %3 Punkten.</translation>
     </message>
     <message>
         <source>The %1 must be above 0, not %2.</source>
@@ -2479,10 +2447,6 @@ cm³/min</translation>
     <message>
         <source>The pocket %1 was skipped. The tool of %2 mm does not fit into the pocket: %3</source>
         <translation>Die Tasche %1 wurde ausgelassen. Das Werkzeug von %2 mm passt nicht hinein: %3</translation>
-    </message>
-    <message>
-        <source>The point %1 does not have six numbers.</source>
-        <translation>Der Punkt %1 hat keine sechs Zahlen.</translation>
     </message>
     <message>
         <source>The point %1 is told twice: leave one out.</source>
@@ -2907,10 +2871,6 @@ cm³/min</translation>
     <message>
         <source>Whether the cut is stable is not known: %1</source>
         <translation>Ob der Schnitt stabil ist, ist nicht bekannt: %1</translation>
-    </message>
-    <message>
-        <source>Whether the tolerance of %1 mm is kept is not decided: measure more points.</source>
-        <translation>Ob die Toleranz von %1 mm eingehalten ist, ist nicht entschieden: mehr Punkte messen.</translation>
     </message>
     <message>
         <source>Which way the cutting edges meet the material, whichever way the spindle turns</source>
@@ -3456,6 +3416,986 @@ cm³/min</translation>
         <source>The region near (%1, %2): %3</source>
         <translation>Der Bereich bei (%1, %2): %3</translation>
     </message>
+    <message>
+        <source>%1 chatters %2 mm deep at %3 rev/min and %4°, where the feed is at %5° to X.</source>
+        <translation>%1 rattert, %2 mm tief bei %3 U/min und %4°, wo der Vorschub in %5° zu X steht.</translation>
+    </message>
+    <message>
+        <source>%1 mm is deeper than the cutting length of %2, %3 mm.</source>
+        <translation>%1 mm ist tiefer als die Schneidenlänge von %2, %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1 nearly chatters %2 mm deep at %3 rev/min and %4°, where the feed is at %5° to X.</source>
+        <translation>%1 rattert beinahe, %2 mm tief bei %3 U/min und %4°, wo der Vorschub in %5° zu X steht.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places along the path are not counted: the tool is at an edge or border there, or takes no chip that is known.</source>
+        <translation>%1 von %2 Stellen entlang der Bahn sind nicht gezählt: das Werkzeug steht dort an einer Kante oder am Rand, oder nimmt keinen bekannten Span.</translation>
+    </message>
+    <message>
+        <source>%1 of the tool controller &apos;%2&apos; cannot be read: empty it.</source>
+        <translation>%1 der Werkzeugsteuerung „%2“ kann nicht gelesen werden: leeren.</translation>
+    </message>
+    <message>
+        <source>%1 rev/min is outside of what %2 and the machine can do, %3 to %4 rev/min.</source>
+        <translation>%1 U/min liegt außerhalb dessen, was %2 und die Maschine können, %3 bis %4 U/min.</translation>
+    </message>
+    <message>
+        <source>%s cuts by %s.</source>
+        <translation>%s schneidet nach %s.</translation>
+    </message>
+    <message>
+        <source>A click on the rim or the wall of a hole in the 3D view takes its centre and diameter, one elsewhere the place alone</source>
+        <translation>Ein Klick auf Rand oder Wand eines Lochs in der 3D-Ansicht nimmt dessen Mitte und Durchmesser, einer daneben nur die Stelle</translation>
+    </message>
+    <message>
+        <source>A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.</source>
+        <translation>Ein Schaftfräser lässt Stufen, keine Rillen: einen Bahnabstand setzen, oder einen Kugelfräser nehmen.</translation>
+    </message>
+    <message>
+        <source>A guide has no length: pick another edge.</source>
+        <translation>Eine Leitkurve hat keine Länge: eine andere Kante wählen.</translation>
+    </message>
+    <message>
+        <source>A number for finishing is not finite.</source>
+        <translation>Eine Zahl für das Schlichten ist nicht endlich.</translation>
+    </message>
+    <message>
+        <source>A patch needs two curvatures in 1/mm, a slope from 0 to below 90 degrees and the direction in which it leans.</source>
+        <translation>Ein Flächenstück braucht zwei Krümmungen in 1/mm, eine Neigung von 0 bis unter 90 Grad und die Richtung, in die es sich neigt.</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alle</translation>
+    </message>
+    <message>
+        <source>All figures are at a constant feed, for a constant force does not scale.</source>
+        <translation>Alle Zahlen gelten bei konstantem Vorschub, denn eine konstante Kraft lässt sich nicht umrechnen.</translation>
+    </message>
+    <message>
+        <source>All figures are of whole floors, as if nothing had been cut before.</source>
+        <translation>Alle Zahlen gelten für ganze Böden, als wäre vorher nichts geschnitten.</translation>
+    </message>
+    <message>
+        <source>All figures are those of EvenLoad Adaptive on the same floors.</source>
+        <translation>Alle Zahlen sind die von EvenLoad Adaptiv auf denselben Böden.</translation>
+    </message>
+    <message>
+        <source>All figures are without the stock to leave at the walls.</source>
+        <translation>Alle Zahlen sind ohne das Aufmaß an den Wänden.</translation>
+    </message>
+    <message>
+        <source>Angle, °</source>
+        <translation>Winkel, °</translation>
+    </message>
+    <message>
+        <source>Angles are numbers between 0 and 180, as 45; 60; 75.</source>
+        <translation>Winkel sind Zahlen zwischen 0 und 180, etwa 45; 60; 75.</translation>
+    </message>
+    <message>
+        <source>Angles, °</source>
+        <translation>Winkel in °</translation>
+    </message>
+    <message>
+        <source>At its end</source>
+        <translation>An seinem Ende</translation>
+    </message>
+    <message>
+        <source>At the least chip of %1 mm %2 of the tool of %3 mm at %4°, %5 mm deep, is above %6.</source>
+        <translation>Bei der kleinsten Spandicke von %1 mm liegt %2 über %6 (Werkzeug von %3 mm bei %4°, %5 mm tief).</translation>
+    </message>
+    <message>
+        <source>Between guides</source>
+        <translation>Zwischen Leitkurven</translation>
+    </message>
+    <message>
+        <source>Blue to white</source>
+        <translation>Blau bis Weiß</translation>
+    </message>
+    <message>
+        <source>Chatter is not looked at: the tool has no modes of it.</source>
+        <translation>Rattern wird nicht betrachtet: das Werkzeug hat keine Moden dafür.</translation>
+    </message>
+    <message>
+        <source>Chip, %s</source>
+        <translation>Spandicke, %s</translation>
+    </message>
+    <message>
+        <source>Chosen…</source>
+        <translation>Gewählte…</translation>
+    </message>
+    <message>
+        <source>Colours of values</source>
+        <translation>Farben der Werte</translation>
+    </message>
+    <message>
+        <source>Concave</source>
+        <translation>Konkav</translation>
+    </message>
+    <message>
+        <source>Convex</source>
+        <translation>Konvex</translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Bezug</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring passes</source>
+        <translation>Abstand benachbarter Bahnen</translation>
+    </message>
+    <message>
+        <source>Engagement angles in degrees</source>
+        <translation>Eingriffswinkel in Grad</translation>
+    </message>
+    <message>
+        <source>EvenLoad Finishing Advisor</source>
+        <translation>EvenLoad Schlichtberater</translation>
+    </message>
+    <message>
+        <source>EvenLoad Optimise</source>
+        <translation>EvenLoad Optimieren</translation>
+    </message>
+    <message>
+        <source>EvenLoad Optimise: %s</source>
+        <translation>EvenLoad Optimieren: %s</translation>
+    </message>
+    <message>
+        <source>Face radius</source>
+        <translation>Flächenradius</translation>
+    </message>
+    <message>
+        <source>Feed direction</source>
+        <translation>Vorschubrichtung</translation>
+    </message>
+    <message>
+        <source>Feed direction and Rz must be numbers, and Rz not below 0.</source>
+        <translation>Vorschubrichtung und Rz müssen Zahlen sein, und Rz nicht unter 0.</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Vorschub je Zahn</translation>
+    </message>
+    <message>
+        <source>Feed, %s/min</source>
+        <translation>Vorschub, %s/min</translation>
+    </message>
+    <message>
+        <source>Feeds must be positive.</source>
+        <translation>Vorschübe müssen positiv sein.</translation>
+    </message>
+    <message>
+        <source>Fewer paths are computed, which is quicker</source>
+        <translation>Weniger Bahnen werden berechnet, das geht schneller</translation>
+    </message>
+    <message>
+        <source>Finds the quickest cut that keeps these limits</source>
+        <translation>Findet den schnellsten Schnitt, der diese Grenzen einhält</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>Schlichten</translation>
+    </message>
+    <message>
+        <source>Free motions</source>
+        <translation>Freie Bewegungen</translation>
+    </message>
+    <message>
+        <source>From the least value to the largest</source>
+        <translation>Vom kleinsten Wert zum größten</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Allgemein</translation>
+    </message>
+    <message>
+        <source>Gives the operation the chosen strategy</source>
+        <translation>Gibt der Operation die gewählte Strategie</translation>
+    </message>
+    <message>
+        <source>Height of what stands between two passes</source>
+        <translation>Höhe dessen, was zwischen zwei Bahnen stehen bleibt</translation>
+    </message>
+    <message>
+        <source>Held down by</source>
+        <translation>Begrenzt durch</translation>
+    </message>
+    <message>
+        <source>Highest cusp</source>
+        <translation>Höchste Rille</translation>
+    </message>
+    <message>
+        <source>How it is bent</source>
+        <translation>Wie sie gekrümmt ist</translation>
+    </message>
+    <message>
+        <source>How many cutting edges it has around</source>
+        <translation>Wie viele Schneiden es am Umfang hat</translation>
+    </message>
+    <message>
+        <source>How many numbers of levels, from the fewest possible on</source>
+        <translation>Wie viele Anzahlen von Ebenen, ab der kleinstmöglichen</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>Kraftstoß</translation>
+    </message>
+    <message>
+        <source>In the window; the setup sheet of a job comes first. Macros and job files begin with the same values for everyone</source>
+        <translation>Im Fenster; das Setup-Blatt eines Auftrags geht vor. Makros und Auftragsdateien beginnen bei allen mit denselben Werten</translation>
+    </message>
+    <message>
+        <source>It exceeds the tolerance of %1.</source>
+        <translation>Die Toleranz von %1 ist überschritten.</translation>
+    </message>
+    <message>
+        <source>It keeps the tolerance of %1.</source>
+        <translation>Die Toleranz von %1 ist eingehalten.</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>Es wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>Its times, largest feed and spindle</source>
+        <translation>Ihre Zeiten, ihr größter Vorschub und ihre Spindel</translation>
+    </message>
+    <message>
+        <source>Its tool must have a ball end</source>
+        <translation>Ihr Werkzeug muss ein Kugelende haben</translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation>Winkel beibehalten</translation>
+    </message>
+    <message>
+        <source>Keep the step down</source>
+        <translation>Zustelltiefe beibehalten</translation>
+    </message>
+    <message>
+        <source>Largest cutting force that tool and clamping stand</source>
+        <translation>Größte Schnittkraft, die Werkzeug und Spannung aushalten</translation>
+    </message>
+    <message>
+        <source>Largest power; the machine&apos;s own holds besides</source>
+        <translation>Größte Leistung; die der Maschine gilt außerdem</translation>
+    </message>
+    <message>
+        <source>Largest torque; the machine&apos;s own holds besides</source>
+        <translation>Größtes Drehmoment; das der Maschine gilt außerdem</translation>
+    </message>
+    <message>
+        <source>Lead radius</source>
+        <translation>Ein-/Ausfahrradius</translation>
+    </message>
+    <message>
+        <source>Least speed</source>
+        <translation>Kleinstes Tempo</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Ebenen</translation>
+    </message>
+    <message>
+        <source>Limits of a tool</source>
+        <translation>Grenzen eines Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Make Operation</source>
+        <translation>Operation erstellen</translation>
+    </message>
+    <message>
+        <source>Makes an operation EvenLoad Finishing of the chosen strategy</source>
+        <translation>Erstellt eine Operation EvenLoad Schlichten mit der gewählten Strategie</translation>
+    </message>
+    <message>
+        <source>Mean cusp</source>
+        <translation>Mittlere Rille</translation>
+    </message>
+    <message>
+        <source>Mean thickness</source>
+        <translation>Mittlere Dicke</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Gemessen</translation>
+    </message>
+    <message>
+        <source>Measured; an operation tells the height of its cusps, the least that it can be</source>
+        <translation>Gemessen; eine Operation nennt die Höhe ihrer Rillen, das Kleinste, was möglich ist</translation>
+    </message>
+    <message>
+        <source>New operations begin with</source>
+        <translation>Neue Operationen beginnen mit</translation>
+    </message>
+    <message>
+        <source>No candidate is within the limits: %1 refuses most, %2 of %3, as in: %4</source>
+        <translation>Kein Kandidat hält die Grenzen ein: %1 verhindert die meisten, %2 von %3, etwa so: %4</translation>
+    </message>
+    <message>
+        <source>No chip: earlier passes left no stock where the tool stands.</source>
+        <translation>Kein Span: frühere Bahnen ließen kein Aufmaß, wo das Werkzeug steht.</translation>
+    </message>
+    <message>
+        <source>No level is deeper</source>
+        <translation>Keine Ebene ist tiefer</translation>
+    </message>
+    <message>
+        <source>None of the faces is a cylinder: the prediction is for the one that is told here.</source>
+        <translation>Keine der Flächen ist ein Zylinder: die Vorhersage gilt für den hier angegebenen.</translation>
+    </message>
+    <message>
+        <source>None, as aligned</source>
+        <translation>Keine, wie ausgerichtet</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Jetzt</translation>
+    </message>
+    <message>
+        <source>Numbers of levels</source>
+        <translation>Anzahlen von Ebenen</translation>
+    </message>
+    <message>
+        <source>Of a level face; sets the stepover</source>
+        <translation>Einer ebenen Fläche; setzt den Bahnabstand</translation>
+    </message>
+    <message>
+        <source>Of an operation, or of your own</source>
+        <translation>Einer Operation, oder eigene</translation>
+    </message>
+    <message>
+        <source>Of neighbouring passes, seen from above</source>
+        <translation>Benachbarter Bahnen, von oben gesehen</translation>
+    </message>
+    <message>
+        <source>Of the chips: mean of h_m on the way</source>
+        <translation>Der Späne: Mittel von h_m auf dem Weg</translation>
+    </message>
+    <message>
+        <source>Of the cutting force over the time of the cuts</source>
+        <translation>Der Schnittkraft über die Zeit der Schnitte</translation>
+    </message>
+    <message>
+        <source>Of the cylinder</source>
+        <translation>Des Zylinders</translation>
+    </message>
+    <message>
+        <source>Of the passes, seen from above, to the cylinder&apos;s axis</source>
+        <translation>Der Bahnen, von oben gesehen, zur Zylinderachse</translation>
+    </message>
+    <message>
+        <source>Of the path at its own feeds</source>
+        <translation>Der Bahn mit ihren eigenen Vorschüben</translation>
+    </message>
+    <message>
+        <source>Of the tool</source>
+        <translation>Des Werkzeugs</translation>
+    </message>
+    <message>
+        <source>Only parallel passes follow a cusp height: leave it out.</source>
+        <translation>Nur parallele Bahnen folgen einer Rillenhöhe: sie weglassen.</translation>
+    </message>
+    <message>
+        <source>Outside of what the source measured, a guess: %1.</source>
+        <translation>Außerhalb dessen, was die Quelle gemessen hat, eine Schätzung: %1.</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Eigene</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
+        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them beside the faces: pick two edges, or two chains.</source>
+        <translation>Bahnen zwischen Leitkurven brauchen zwei davon neben den Flächen: zwei Kanten wählen, oder zwei Ketten.</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them beside the faces: pick two edges, or two chains. What is picked makes %1 lines.</source>
+        <translation>Bahnen zwischen Leitkurven brauchen zwei davon neben den Flächen: zwei Kanten wählen, oder zwei Ketten. Das Gewählte ergibt %1 Linien.</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them.</source>
+        <translation>Bahnen zwischen Leitkurven brauchen zwei davon.</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Wählen</translation>
+    </message>
+    <message>
+        <source>Pick the Hole</source>
+        <translation>Loch wählen</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>Power, W</source>
+        <translation>Leistung, W</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>Predicted %1: %2.</source>
+        <translation>Vorhersage, %1: %2.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
+        <translation>Radius der senkrechten Bögen, auf denen das Werkzeug aus der Luft in eine Bahn einfährt und sie verlässt; kleiner, wo das Teil im Weg ist; zunächst das 0.1-Fache des Werkzeugdurchmessers</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Bemerkung</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Streuung</translation>
+    </message>
+    <message>
+        <source>Select faces that do not stand upright; edges or sketches as guides.</source>
+        <translation>Flächen auswählen, die nicht senkrecht stehen; Kanten oder Skizzen als Leitkurven.</translation>
+    </message>
+    <message>
+        <source>Select the faces that are to be finished, or a finishing operation.</source>
+        <translation>Die zu schlichtenden Flächen auswählen, oder eine Schlichtoperation.</translation>
+    </message>
+    <message>
+        <source>Set Operation</source>
+        <translation>Operation setzen</translation>
+    </message>
+    <message>
+        <source>Sets engagement angle, step down, spindle speed and feeds as suggested</source>
+        <translation>Setzt Eingriffswinkel, Zustelltiefe, Spindeldrehzahl und Vorschübe wie vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Shift along x</source>
+        <translation>Entlang x verschieben</translation>
+    </message>
+    <message>
+        <source>Shift along y</source>
+        <translation>Entlang y verschieben</translation>
+    </message>
+    <message>
+        <source>Shift along z</source>
+        <translation>Entlang z verschieben</translation>
+    </message>
+    <message>
+        <source>Side step, %s</source>
+        <translation>Seitenzustellung, %s</translation>
+    </message>
+    <message>
+        <source>Spiral inwards</source>
+        <translation>Spirale nach innen</translation>
+    </message>
+    <message>
+        <source>Spiral outwards</source>
+        <translation>Spirale nach außen</translation>
+    </message>
+    <message>
+        <source>Standard deviation of h_m: the less, the evener</source>
+        <translation>Standardabweichung von h_m: je kleiner, desto gleichmäßiger</translation>
+    </message>
+    <message>
+        <source>Step down, %s</source>
+        <translation>Zustelltiefe, %s</translation>
+    </message>
+    <message>
+        <source>Steps on a patch are measured on the centre or on the surface, not in plan.</source>
+        <translation>Schritte auf einem Flächenstück werden an der Mitte oder auf der Fläche gemessen, nicht von oben.</translation>
+    </message>
+    <message>
+        <source>Stock on the faces</source>
+        <translation>Aufmaß auf den Flächen</translation>
+    </message>
+    <message>
+        <source>Stops it</source>
+        <translation>Bricht es ab</translation>
+    </message>
+    <message>
+        <source>Stops the comparison; what is known stays</source>
+        <translation>Bricht den Vergleich ab; was bekannt ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Vorschlagen</translation>
+    </message>
+    <message>
+        <source>Suggest looks for the quickest cut within these limits.</source>
+        <translation>„Vorschlagen“ sucht den schnellsten Schnitt innerhalb dieser Grenzen.</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Vorgeschlagen</translation>
+    </message>
+    <message>
+        <source>Suggest…</source>
+        <translation>Vorschlagen…</translation>
+    </message>
+    <message>
+        <source>Surface speed from</source>
+        <translation>Schnittgeschw. von</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Übernehmen</translation>
+    </message>
+    <message>
+        <source>Taken into the panel.</source>
+        <translation>In die Eingabemaske übernommen.</translation>
+    </message>
+    <message>
+        <source>Taken: Undo sets what was before.</source>
+        <translation>Übernommen: Rückgängig setzt, was vorher war.</translation>
+    </message>
+    <message>
+        <source>Takes the plane face or datum plane that is selected</source>
+        <translation>Nimmt die ausgewählte ebene Fläche oder Bezugsebene</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Zähne</translation>
+    </message>
+    <message>
+        <source>Tell Rz, or choose a finishing operation, whose cusps tell the least Rz.</source>
+        <translation>Rz angeben, oder eine Schlichtoperation wählen, deren Rillen das kleinste Rz nennen.</translation>
+    </message>
+    <message>
+        <source>That make the zone narrowest</source>
+        <translation>Die die Zone am schmalsten machen</translation>
+    </message>
+    <message>
+        <source>The %1 is %2, of %3 points, at a radius of %4.</source>
+        <translation>%1: %2, aus %3 Punkten, bei einem Radius von %4.</translation>
+    </message>
+    <message>
+        <source>The %1 is %2, of %3 points.</source>
+        <translation>%1: %2, aus %3 Punkten.</translation>
+    </message>
+    <message>
+        <source>The allowance must not be negative.</source>
+        <translation>Das Flächenaufmaß darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The axial depth, the stock&apos;s allowance, must lie above 0 mm and below the tool&apos;s radius.</source>
+        <translation>Die axiale Tiefe, das Aufmaß, muss über 0 mm und unter dem Werkzeugradius liegen.</translation>
+    </message>
+    <message>
+        <source>The ball does not fit into the concave surface: take a tool whose radius is smaller.</source>
+        <translation>Die Kugel passt nicht in die konkave Fläche: ein Werkzeug mit kleinerem Radius nehmen.</translation>
+    </message>
+    <message>
+        <source>The chip reaches beyond the lower half of the ball: the surface is too steep for a ball-end tool along its axis.</source>
+        <translation>Der Span reicht über die untere Hälfte der Kugel hinaus: die Fläche ist zu steil für einen Kugelfräser entlang seiner Achse.</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled.</source>
+        <translation>Der Vergleich wurde abgebrochen.</translation>
+    </message>
+    <message>
+        <source>The corner&apos;s radius must lie between 0 and the tool&apos;s radius.</source>
+        <translation>Der Eckenradius muss zwischen 0 und dem Werkzeugradius liegen.</translation>
+    </message>
+    <message>
+        <source>The cusp height must be no more than the radius of the tool&apos;s ball or corner.</source>
+        <translation>Die Rillenhöhe darf nicht größer sein als der Radius von Kugel oder Ecke des Werkzeugs.</translation>
+    </message>
+    <message>
+        <source>The cusp height must not be negative.</source>
+        <translation>Die Rillenhöhe darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The datum is no longer there: choose another one.</source>
+        <translation>Den Bezug gibt es nicht mehr: einen anderen wählen.</translation>
+    </message>
+    <message>
+        <source>The datum is one plane: select a plane face or a datum plane.</source>
+        <translation>Der Bezug ist eine Ebene: eine ebene Fläche oder eine Bezugsebene auswählen.</translation>
+    </message>
+    <message>
+        <source>The feed direction is 0 to 90 degrees from the cylinder&apos;s axis.</source>
+        <translation>Die Vorschubrichtung liegt 0 bis 90 Grad zur Zylinderachse.</translation>
+    </message>
+    <message>
+        <source>The feed direction must be a number of degrees.</source>
+        <translation>Die Vorschubrichtung muss eine Zahl von Grad sein.</translation>
+    </message>
+    <message>
+        <source>The feed per tooth is too large beside the stepover: the tooth before does not bound the chip, which has no mean thickness by its face.</source>
+        <translation>Der Vorschub je Zahn ist zu groß neben dem Bahnabstand: der Zahn davor begrenzt den Span nicht, der so keine mittlere Dicke nach seiner Fläche hat.</translation>
+    </message>
+    <message>
+        <source>The feed per tooth must lie above 0 mm and below the tool&apos;s radius.</source>
+        <translation>Der Vorschub je Zahn muss über 0 mm und unter dem Werkzeugradius liegen.</translation>
+    </message>
+    <message>
+        <source>The file has points to measure, but no measured ones, FA(name)=FEAT/POINT,CART: open the file of results that the program writes.</source>
+        <translation>Die Datei hat zu messende Punkte, aber keine gemessenen, FA(name)=FEAT/POINT,CART: die Ergebnisdatei öffnen, die das Programm schreibt.</translation>
+    </message>
+    <message>
+        <source>The floors of &apos;%1&apos; lie at several depths: make an operation for each depth, and optimise one by one.</source>
+        <translation>Die Böden von „%1“ liegen in mehreren Tiefen: für jede Tiefe eine Operation erstellen, und einzeln optimieren.</translation>
+    </message>
+    <message>
+        <source>The guides cross each other: pick two that lie side by side.</source>
+        <translation>Die Leitkurven kreuzen sich: zwei wählen, die nebeneinander liegen.</translation>
+    </message>
+    <message>
+        <source>The highest of what stands between two passes</source>
+        <translation>Das Höchste, was zwischen zwei Bahnen stehen bleibt</translation>
+    </message>
+    <message>
+        <source>The job &apos;%1&apos; has no model with a shape: give it one.</source>
+        <translation>Der Auftrag „%1“ hat kein Modell mit einer Form: ihm eines geben.</translation>
+    </message>
+    <message>
+        <source>The largest of the tool in this material</source>
+        <translation>Die größte des Werkzeugs in diesem Werkstoff</translation>
+    </message>
+    <message>
+        <source>The largest share of a chip that is cut at less than a fifth of the tool&apos;s diameter</source>
+        <translation>Der größte Anteil eines Spans, der bei weniger als einem Fünftel des Werkzeugdurchmessers geschnitten wird</translation>
+    </message>
+    <message>
+        <source>The largest that its edges stand</source>
+        <translation>Die größte, die seine Schneiden aushalten</translation>
+    </message>
+    <message>
+        <source>The largest thickness of all chips</source>
+        <translation>Die größte Dicke aller Späne</translation>
+    </message>
+    <message>
+        <source>The lead radius must not be negative.</source>
+        <translation>Der Ein-/Ausfahrradius darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The least cutting speed of the working edge</source>
+        <translation>Die kleinste Schnittgeschwindigkeit der arbeitenden Schneide</translation>
+    </message>
+    <message>
+        <source>The least of the tool in this material</source>
+        <translation>Die kleinste des Werkzeugs in diesem Werkstoff</translation>
+    </message>
+    <message>
+        <source>The path of the tool of %1 mm touches no material: check the region and the hole.</source>
+        <translation>Die Bahn des Werkzeugs von %1 mm berührt kein Material: Bereich und Loch prüfen.</translation>
+    </message>
+    <message>
+        <source>The path of this strategy cuts nothing.</source>
+        <translation>Die Bahn dieser Strategie schneidet nichts.</translation>
+    </message>
+    <message>
+        <source>The plane in which the points were aligned</source>
+        <translation>Die Ebene, in der die Punkte ausgerichtet wurden</translation>
+    </message>
+    <message>
+        <source>The point %1 does not have six numbers after CART.</source>
+        <translation>Der Punkt %1 hat keine sechs Zahlen nach CART.</translation>
+    </message>
+    <message>
+        <source>The point %1 does not have six numbers, a normal among them.</source>
+        <translation>Der Punkt %1 hat keine sechs Zahlen, darunter eine Normale.</translation>
+    </message>
+    <message>
+        <source>The point %1 is told in polar coordinates: have the program write CART.</source>
+        <translation>Der Punkt %1 steht in Polarkoordinaten: das Programm CART schreiben lassen.</translation>
+    </message>
+    <message>
+        <source>The safe height must not lie below the top, nor the clearance height below it.</source>
+        <translation>Die Sicherheitshöhe darf nicht unter der Oberseite liegen, noch die Freifahrhöhe unter ihr.</translation>
+    </message>
+    <message>
+        <source>The spindle speed of &apos;%s&apos; is 0: set it, for the feed per tooth.</source>
+        <translation>Die Spindeldrehzahl von „%s“ ist 0: sie setzen, für den Vorschub je Zahn.</translation>
+    </message>
+    <message>
+        <source>The stepover makes too many passes: raise it.</source>
+        <translation>Der Bahnabstand ergibt zu viele Bahnen: erhöhen.</translation>
+    </message>
+    <message>
+        <source>The stepover must be positive and no more than the tool&apos;s diameter.</source>
+        <translation>Der Bahnabstand muss positiv und nicht größer als der Werkzeugdurchmesser sein.</translation>
+    </message>
+    <message>
+        <source>The stepover must lie above 0 mm and below the tool&apos;s diameter.</source>
+        <translation>Der Bahnabstand muss über 0 mm und unter dem Werkzeugdurchmesser liegen.</translation>
+    </message>
+    <message>
+        <source>The stock on the faces is %1 mm, and the ball&apos;s radius %2 mm: more than the ball can take; rough the part first.</source>
+        <translation>Das Aufmaß auf den Flächen ist %1 mm, und der Kugelradius %2 mm: mehr, als die Kugel nehmen kann; das Teil zuerst schruppen.</translation>
+    </message>
+    <message>
+        <source>The stock on the faces is %1 mm: it must be more than 0.</source>
+        <translation>Das Aufmaß auf den Flächen ist %1 mm: muss größer als 0 sein.</translation>
+    </message>
+    <message>
+        <source>The surface speeds must rise.</source>
+        <translation>Die Schnittgeschwindigkeiten müssen steigen.</translation>
+    </message>
+    <message>
+        <source>The tolerance must be positive.</source>
+        <translation>Die Toleranz muss positiv sein.</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%1&apos; has no ball end, and the advisor&apos;s chips are those of a ball: choose a ball end mill.</source>
+        <translation>Das Werkzeug „%1“ hat kein Kugelende, und die Späne des Beraters sind die einer Kugel: einen Kugelfräser wählen.</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%s&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
+        <translation>Das Werkzeug „%s“ nennt seine Zähnezahl nicht: 1 Zahn wird angenommen.</translation>
+    </message>
+    <message>
+        <source>The tool controller &apos;%1&apos; has no spindle speed, and without it there is no feed per tooth: set it.</source>
+        <translation>Die Werkzeugsteuerung „%1“ hat keine Spindeldrehzahl, und ohne sie gibt es keinen Vorschub je Zahn: sie setzen.</translation>
+    </message>
+    <message>
+        <source>The tool controller has no spindle speed now.</source>
+        <translation>Die Werkzeugsteuerung hat jetzt keine Spindeldrehzahl.</translation>
+    </message>
+    <message>
+        <source>The tool touches none of the picked faces: take a smaller one, or lower FinalDepth.</source>
+        <translation>Das Werkzeug berührt keine der gewählten Flächen: ein kleineres nehmen, oder [FinalDepth] senken.</translation>
+    </message>
+    <message>
+        <source>The tool touches the faces nowhere but at edges.</source>
+        <translation>Das Werkzeug berührt die Flächen nur an Kanten.</translation>
+    </message>
+    <message>
+        <source>The tool touches the faces nowhere but at their borders.</source>
+        <translation>Das Werkzeug berührt die Flächen nur an ihren Rändern.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s diameter must be above 0 mm.</source>
+        <translation>Der Werkzeugdurchmesser muss über 0 mm liegen.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s radius must be positive.</source>
+        <translation>Der Werkzeugradius muss positiv sein.</translation>
+    </message>
+    <message>
+        <source>Their strategy</source>
+        <translation>Ihre Strategie</translation>
+    </message>
+    <message>
+        <source>There is no edge on %1: pick the geometry anew.</source>
+        <translation>Auf %1 gibt es keine Kante: die Geometrie neu wählen.</translation>
+    </message>
+    <message>
+        <source>Thickest</source>
+        <translation>Größte Dicke</translation>
+    </message>
+    <message>
+        <source>Times are within its limits, too</source>
+        <translation>Zeiten gelten auch innerhalb ihrer Grenzen</translation>
+    </message>
+    <message>
+        <source>Tip share</source>
+        <translation>Anteil Spitze</translation>
+    </message>
+    <message>
+        <source>To try</source>
+        <translation>Zu versuchen</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Tool radius</source>
+        <translation>Werkzeugradius</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>Torque, N m</source>
+        <translation>Drehmoment, N m</translation>
+    </message>
+    <message>
+        <source>Turn about x</source>
+        <translation>Um x drehen</translation>
+    </message>
+    <message>
+        <source>Turn about y</source>
+        <translation>Um y drehen</translation>
+    </message>
+    <message>
+        <source>Turn about z</source>
+        <translation>Um z drehen</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Violet to yellow</source>
+        <translation>Violett bis Gelb</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Was verglichen wird</translation>
+    </message>
+    <message>
+        <source>What is taken off the face</source>
+        <translation>Was von der Fläche abgenommen wird</translation>
+    </message>
+    <message>
+        <source>What measured points say</source>
+        <translation>Was gemessene Punkte sagen</translation>
+    </message>
+    <message>
+        <source>What the cut before has left, across them</source>
+        <translation>Was der Schnitt davor übrig ließ, quer zu ihnen</translation>
+    </message>
+    <message>
+        <source>What to expect of a finishing</source>
+        <translation>Was von einem Schlichten zu erwarten ist</translation>
+    </message>
+    <message>
+        <source>What tool and machine allow, beside what is set now</source>
+        <translation>Was Werkzeug und Maschine erlauben, neben dem jetzt Gesetzten</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Wo</translation>
+    </message>
+    <message>
+        <source>Whether the tolerance of %1 is kept is not decided: measure more points.</source>
+        <translation>Ob die Toleranz von %1 eingehalten ist, ist nicht entschieden: mehr Punkte messen.</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Fenster</translation>
+    </message>
+    <message>
+        <source>Windows that tell times begin with it</source>
+        <translation>Fenster, die Zeiten nennen, beginnen mit ihr</translation>
+    </message>
+    <message>
+        <source>Within the limits of the machine</source>
+        <translation>Innerhalb der Grenzen der Maschine</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>Rattern</translation>
+    </message>
+    <message>
+        <source>chip thickness</source>
+        <translation>Spandicke</translation>
+    </message>
+    <message>
+        <source>depth %1, not %2 %3</source>
+        <translation>Tiefe %1, nicht %2 %3</translation>
+    </message>
+    <message>
+        <source>face radius %1, not %2 %3</source>
+        <translation>Flächenradius %1, nicht %2 %3</translation>
+    </message>
+    <message>
+        <source>feed per tooth %1, not %2 %3</source>
+        <translation>Vorschub je Zahn %1, nicht %2 %3</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nicht angegeben</translation>
+    </message>
+    <message>
+        <source>passes %1, not %2</source>
+        <translation>Bahnen %1, nicht %2</translation>
+    </message>
+    <message>
+        <source>profile of a surface in the datum</source>
+        <translation>Profil einer Fläche zum Bezug</translation>
+    </message>
+    <message>
+        <source>profile of the round face in the datum</source>
+        <translation>Profil der runden Fläche zum Bezug</translation>
+    </message>
+    <message>
+        <source>spindle speed %1 rev/min, not %2</source>
+        <translation>Spindeldrehzahl %1 U/min, nicht %2</translation>
+    </message>
+    <message>
+        <source>stepover %1, not %2 %3</source>
+        <translation>Bahnabstand %1, nicht %2 %3</translation>
+    </message>
+    <message>
+        <source>the area left</source>
+        <translation>die Restfläche</translation>
+    </message>
+    <message>
+        <source>the force</source>
+        <translation>die Kraft</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s feed</source>
+        <translation>der Maschinenvorschub</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>die Leistung</translation>
+    </message>
+    <message>
+        <source>the spindle speed</source>
+        <translation>die Spindeldrehzahl</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter</source>
+        <translation>der Werkzeugdurchmesser</translation>
+    </message>
+    <message>
+        <source>the tools&apos; chip thickness</source>
+        <translation>die Spandicke</translation>
+    </message>
+    <message>
+        <source>the tools&apos; cutting length</source>
+        <translation>die Schneidenlänge</translation>
+    </message>
+    <message>
+        <source>the torque</source>
+        <translation>das Drehmoment</translation>
+    </message>
+    <message>
+        <source>tool radius %1, not %2 %3</source>
+        <translation>Werkzeugradius %1, nicht %2 %3</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>Kraft</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>Leistung</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>Drehmoment</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Fläche</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
@@ -3480,6 +4420,17 @@ cm³/min</translation>
     </message>
 </context>
 <context>
+    <name>EvenLoad_FinishingAdvisor</name>
+    <message>
+        <source>Compares ten strategies for the selected faces or finishing operation by time, chips, cusps, tip and force, and makes an operation of one</source>
+        <translation>Vergleicht zehn Strategien für die ausgewählten Flächen oder Schlichtoperation nach Zeit, Spänen, Rillen, Spitze und Kraft, und erstellt eine Operation daraus</translation>
+    </message>
+    <message>
+        <source>EvenLoad Finishing Advisor</source>
+        <translation>EvenLoad Schlichtberater</translation>
+    </message>
+</context>
+<context>
     <name>EvenLoad_Inspect</name>
     <message>
         <source>EvenLoad Inspect</source>
@@ -3499,6 +4450,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Lamé Spiral</source>
         <translation>EvenLoad Lamé-Spirale</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_Optimise</name>
+    <message>
+        <source>EvenLoad Optimise</source>
+        <translation>EvenLoad Optimieren</translation>
+    </message>
+    <message>
+        <source>Suggests engagement angle, step down, spindle speed and feeds within what tool and machine stand, beside what is set now</source>
+        <translation>Schlägt Eingriffswinkel, Zustelltiefe, Spindeldrehzahl und Vorschübe vor, die Werkzeug und Maschine aushalten, neben dem jetzt Gesetzten</translation>
     </message>
 </context>
 <context>

@@ -140,10 +140,6 @@
         <translation>Az első féltengelyé az X tengelyhez; illesztett, amíg nincs megadva</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; or passes along the outline of the faces, from the outside or from the inside on</source>
-        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; vagy sorok a felületek körvonala mentén, kívülről vagy belülről kezdve</translation>
-    </message>
-    <message>
         <source>Passes that were steered to find the shape of that trochoid; 0 for circles and cycloids, and where none was repeated</source>
         <translation>A trochoid alakjának megtalálásához vezérelt fogások; 0 köröknél és cikloisoknál, és ahol nem ismétlődött</translation>
     </message>
@@ -266,6 +262,14 @@
     <message>
         <source>Wished smallest radius of the path; at first 0.15 of the tool&apos;s diameter</source>
         <translation>A pálya kívánt legkisebb sugara; kezdetben a szerszámátmérő 0.15-szorosa</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
+        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba</translation>
+    </message>
+    <message>
+        <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
+        <translation>A függőleges ívek sugara, amelyeken a szerszám a levegőből a sorra áll, és elhagyja azt; kisebb, ahol a darab útban van; kezdetben a szerszámátmérő 0.1-szerese</translation>
     </message>
 </context>
 <context>
@@ -1423,14 +1427,6 @@
         <translation>%1. sziget</translation>
     </message>
     <message>
-        <source>It exceeds the tolerance of %1 mm.</source>
-        <translation>A(z) %1 mm tűrést túllépi.</translation>
-    </message>
-    <message>
-        <source>It keeps the tolerance of %1 mm.</source>
-        <translation>A(z) %1 mm tűrést betartja.</translation>
-    </message>
-    <message>
         <source>Its force coefficients</source>
         <translation>Az anyag forgácsolóerő-együtthatói</translation>
     </message>
@@ -1545,10 +1541,6 @@
     <message>
         <source>MaximumFeed is %1 mm/min: it must not be below the tool controller&apos;s horizontal feed of %2 mm/min.</source>
         <translation>[MaximumFeed]: %1 mm/min: ne legyen a szerszámvezérlő vízszintes előtolása, %2 mm/min alatt.</translation>
-    </message>
-    <message>
-        <source>Measured points</source>
-        <translation>Mért pontok</translation>
     </message>
     <message>
         <source>Minimum radius</source>
@@ -1747,10 +1739,6 @@
         <translation>Sorrend</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; or passes along the outline of the faces, from the outside or from the inside on</source>
-        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; vagy sorok a felületek körvonala mentén, kívülről vagy belülről kezdve</translation>
-    </message>
-    <message>
         <source>Passes</source>
         <translation>Sorok</translation>
     </message>
@@ -1837,14 +1825,6 @@
     <message>
         <source>Process damping</source>
         <translation>Folyamatcsillapítás</translation>
-    </message>
-    <message>
-        <source>Profile, as aligned</source>
-        <translation>Profil, beállítás szerint</translation>
-    </message>
-    <message>
-        <source>Profile, best fit</source>
-        <translation>Profil, illesztve</translation>
     </message>
     <message>
         <source>Python %1 and OpenCASCADE %2</source>
@@ -1987,10 +1967,6 @@ cm³/min</translation>
     <message>
         <source>Segments must lie between 3 and 12.</source>
         <translation>[Segments]: 3 és 12 közé essen.</translation>
-    </message>
-    <message>
-        <source>Select faces that do not stand upright.</source>
-        <translation>Nem függőleges felületeket válasszon ki.</translation>
     </message>
     <message>
         <source>Select level faces, closed edges or sketches.</source>
@@ -2203,14 +2179,6 @@ cm³/min</translation>
     <message>
         <source>The %1 feed of the tool controller &apos;%2&apos; is 0: set its %3.</source>
         <translation>A(z) „%2” szerszámvezérlő előtolása (%1) 0: állítsa be: %3.</translation>
-    </message>
-    <message>
-        <source>The %1 is %2 mm, of %3 points, at a radius of %4 mm.</source>
-        <translation>Alakhiba (%1): %2 mm, %3 pontból, %4 mm sugárnál.</translation>
-    </message>
-    <message>
-        <source>The %1 is %2 mm, of %3 points.</source>
-        <translation>Alakhiba (%1): %2 mm, %3 pontból.</translation>
     </message>
     <message>
         <source>The %1 must be above 0, not %2.</source>
@@ -2479,10 +2447,6 @@ cm³/min</translation>
     <message>
         <source>The pocket %1 was skipped. The tool of %2 mm does not fit into the pocket: %3</source>
         <translation>A zseb %1 kimaradt. A(z) %2 mm-es szerszám nem fér a zsebbe: %3</translation>
-    </message>
-    <message>
-        <source>The point %1 does not have six numbers.</source>
-        <translation>A(z) %1 pontnak nincs hat száma.</translation>
     </message>
     <message>
         <source>The point %1 is told twice: leave one out.</source>
@@ -2907,10 +2871,6 @@ cm³/min</translation>
     <message>
         <source>Whether the cut is stable is not known: %1</source>
         <translation>Nem ismert, hogy a fogás stabil-e: %1</translation>
-    </message>
-    <message>
-        <source>Whether the tolerance of %1 mm is kept is not decided: measure more points.</source>
-        <translation>Nem dönthető el, hogy a(z) %1 mm tűrést betartja-e: mérjen több pontot.</translation>
     </message>
     <message>
         <source>Which way the cutting edges meet the material, whichever way the spindle turns</source>
@@ -3456,6 +3416,986 @@ cm³/min</translation>
         <source>The region near (%1, %2): %3</source>
         <translation>A terület itt: (%1, %2): %3</translation>
     </message>
+    <message>
+        <source>%1 chatters %2 mm deep at %3 rev/min and %4°, where the feed is at %5° to X.</source>
+        <translation>%1 berezeg %2 mm mélyen, %3 ford/perc és %4° mellett, ahol az előtolás iránya %5° az X-hez.</translation>
+    </message>
+    <message>
+        <source>%1 mm is deeper than the cutting length of %2, %3 mm.</source>
+        <translation>%1 mm mélyebb, mint a vágóhossz (%2): %3 mm.</translation>
+    </message>
+    <message>
+        <source>%1 nearly chatters %2 mm deep at %3 rev/min and %4°, where the feed is at %5° to X.</source>
+        <translation>%1 majdnem berezeg %2 mm mélyen, %3 ford/perc és %4° mellett, ahol az előtolás iránya %5° az X-hez.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 places along the path are not counted: the tool is at an edge or border there, or takes no chip that is known.</source>
+        <translation>A pálya %2 helyéből %1 nem számít: a szerszám ott élen vagy peremen van, vagy nem vesz le ismert forgácsot.</translation>
+    </message>
+    <message>
+        <source>%1 of the tool controller &apos;%2&apos; cannot be read: empty it.</source>
+        <translation>A(z) „%2” szerszámvezérlőben ez nem olvasható: %1: ürítse ki.</translation>
+    </message>
+    <message>
+        <source>%1 rev/min is outside of what %2 and the machine can do, %3 to %4 rev/min.</source>
+        <translation>%1 ford/perc kívül esik azon, amire a szerszám (%2) és a gép képes, %3 és %4 ford/perc között.</translation>
+    </message>
+    <message>
+        <source>%s cuts by %s.</source>
+        <translation>%s marási módja: %s.</translation>
+    </message>
+    <message>
+        <source>A click on the rim or the wall of a hole in the 3D view takes its centre and diameter, one elsewhere the place alone</source>
+        <translation>Kattintás egy furat peremére vagy falára a 3D nézetben a közepét és átmérőjét veszi át, máshová csak a helyet</translation>
+    </message>
+    <message>
+        <source>A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.</source>
+        <translation>A lapos végű maró lépcsőket hagy, nem barázdákat: adjon meg sortávot, vagy vegyen gömbvégű marót.</translation>
+    </message>
+    <message>
+        <source>A guide has no length: pick another edge.</source>
+        <translation>Egy vezetővonalnak nincs hossza: válasszon másik élt.</translation>
+    </message>
+    <message>
+        <source>A number for finishing is not finite.</source>
+        <translation>A simítás egyik száma nem véges.</translation>
+    </message>
+    <message>
+        <source>A patch needs two curvatures in 1/mm, a slope from 0 to below 90 degrees and the direction in which it leans.</source>
+        <translation>Egy felületdarabhoz két görbület kell 1/mm-ben, 0 és 90 fok közötti lejtés, és a lejtés iránya.</translation>
+    </message>
+    <message>
+        <source>Alignment</source>
+        <translation>Igazítás</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Mind</translation>
+    </message>
+    <message>
+        <source>All figures are at a constant feed, for a constant force does not scale.</source>
+        <translation>Minden szám állandó előtolásra vonatkozik, mert az állandó erő nem számítható át.</translation>
+    </message>
+    <message>
+        <source>All figures are of whole floors, as if nothing had been cut before.</source>
+        <translation>Minden szám teljes fenékre vonatkozik, mintha előtte semmi sem lett volna kimarva.</translation>
+    </message>
+    <message>
+        <source>All figures are those of EvenLoad Adaptive on the same floors.</source>
+        <translation>Minden szám az EvenLoad adaptív műveleté ugyanezen a fenéken.</translation>
+    </message>
+    <message>
+        <source>All figures are without the stock to leave at the walls.</source>
+        <translation>Minden szám a falak ráhagyása nélkül értendő.</translation>
+    </message>
+    <message>
+        <source>Angle, °</source>
+        <translation>Szög, °</translation>
+    </message>
+    <message>
+        <source>Angles are numbers between 0 and 180, as 45; 60; 75.</source>
+        <translation>A szögek 0 és 180 közötti számok, például 45; 60; 75.</translation>
+    </message>
+    <message>
+        <source>Angles, °</source>
+        <translation>Szögek, °</translation>
+    </message>
+    <message>
+        <source>At its end</source>
+        <translation>A végénél</translation>
+    </message>
+    <message>
+        <source>At the least chip of %1 mm %2 of the tool of %3 mm at %4°, %5 mm deep, is above %6.</source>
+        <translation>A legkisebb, %1 mm-es forgácsnál ez: %2 nagyobb, mint %6 (%3 mm-es szerszám %4° mellett, %5 mm mélyen).</translation>
+    </message>
+    <message>
+        <source>Between guides</source>
+        <translation>Vezetővonalak között</translation>
+    </message>
+    <message>
+        <source>Blue to white</source>
+        <translation>Kéktől fehérig</translation>
+    </message>
+    <message>
+        <source>Chatter is not looked at: the tool has no modes of it.</source>
+        <translation>A berezgést nem vizsgáljuk: a szerszámnak nincsenek hozzá módusai.</translation>
+    </message>
+    <message>
+        <source>Chip, %s</source>
+        <translation>Forgács, %s</translation>
+    </message>
+    <message>
+        <source>Chosen…</source>
+        <translation>Választott…</translation>
+    </message>
+    <message>
+        <source>Colours of values</source>
+        <translation>Értékek színei</translation>
+    </message>
+    <message>
+        <source>Concave</source>
+        <translation>Homorú</translation>
+    </message>
+    <message>
+        <source>Convex</source>
+        <translation>Domború</translation>
+    </message>
+    <message>
+        <source>Cutting length</source>
+        <translation>Vágóhossz</translation>
+    </message>
+    <message>
+        <source>Datum</source>
+        <translation>Bázis</translation>
+    </message>
+    <message>
+        <source>Distance of neighbouring passes</source>
+        <translation>Szomszédos sorok távolsága</translation>
+    </message>
+    <message>
+        <source>Engagement angles in degrees</source>
+        <translation>Átfogási szögek fokban</translation>
+    </message>
+    <message>
+        <source>EvenLoad Finishing Advisor</source>
+        <translation>EvenLoad simítási tanácsadó</translation>
+    </message>
+    <message>
+        <source>EvenLoad Optimise</source>
+        <translation>EvenLoad optimalizálás</translation>
+    </message>
+    <message>
+        <source>EvenLoad Optimise: %s</source>
+        <translation>EvenLoad optimalizálás: %s</translation>
+    </message>
+    <message>
+        <source>Face radius</source>
+        <translation>Felület sugara</translation>
+    </message>
+    <message>
+        <source>Feed direction</source>
+        <translation>Előtolás iránya</translation>
+    </message>
+    <message>
+        <source>Feed direction and Rz must be numbers, and Rz not below 0.</source>
+        <translation>Az előtolás iránya és az Rz szám legyen, és az Rz ne legyen 0 alatt.</translation>
+    </message>
+    <message>
+        <source>Feed per tooth</source>
+        <translation>Fogankénti előtolás</translation>
+    </message>
+    <message>
+        <source>Feed, %s/min</source>
+        <translation>Előtolás, %s/min</translation>
+    </message>
+    <message>
+        <source>Feeds must be positive.</source>
+        <translation>Az előtolás legyen pozitív.</translation>
+    </message>
+    <message>
+        <source>Fewer paths are computed, which is quicker</source>
+        <translation>Kevesebb pályát számít, ez gyorsabb</translation>
+    </message>
+    <message>
+        <source>Finds the quickest cut that keeps these limits</source>
+        <translation>Megkeresi a leggyorsabb fogást e határokon belül</translation>
+    </message>
+    <message>
+        <source>Finishing</source>
+        <translation>Simítás</translation>
+    </message>
+    <message>
+        <source>Free motions</source>
+        <translation>Szabad mozgások</translation>
+    </message>
+    <message>
+        <source>From the least value to the largest</source>
+        <translation>A legkisebb értéktől a legnagyobbig</translation>
+    </message>
+    <message>
+        <source>General</source>
+        <translation>Általános</translation>
+    </message>
+    <message>
+        <source>Gives the operation the chosen strategy</source>
+        <translation>A kiválasztott stratégiát állítja be a műveletben</translation>
+    </message>
+    <message>
+        <source>Height of what stands between two passes</source>
+        <translation>Ami két sor között megmarad, annak magassága</translation>
+    </message>
+    <message>
+        <source>Held down by</source>
+        <translation>Ami korlátozza</translation>
+    </message>
+    <message>
+        <source>Highest cusp</source>
+        <translation>Legmagasabb barázda</translation>
+    </message>
+    <message>
+        <source>How it is bent</source>
+        <translation>Hogyan görbül</translation>
+    </message>
+    <message>
+        <source>How many cutting edges it has around</source>
+        <translation>Hány éle van a kerületén</translation>
+    </message>
+    <message>
+        <source>How many numbers of levels, from the fewest possible on</source>
+        <translation>Hányféle szintszám, a lehető legkisebbtől kezdve</translation>
+    </message>
+    <message>
+        <source>Impulse</source>
+        <translation>Erőimpulzus</translation>
+    </message>
+    <message>
+        <source>In the window; the setup sheet of a job comes first. Macros and job files begin with the same values for everyone</source>
+        <translation>Az ablakban; a munka beállítólapja elsőbbséget élvez. A makrók és munkafájlok mindenkinél ugyanazokkal az értékekkel kezdenek</translation>
+    </message>
+    <message>
+        <source>It exceeds the tolerance of %1.</source>
+        <translation>A(z) %1 tűrést túllépi.</translation>
+    </message>
+    <message>
+        <source>It keeps the tolerance of %1.</source>
+        <translation>A(z) %1 tűrést betartja.</translation>
+    </message>
+    <message>
+        <source>It was cancelled.</source>
+        <translation>A számítás megszakadt.</translation>
+    </message>
+    <message>
+        <source>Its times, largest feed and spindle</source>
+        <translation>A gép idői, legnagyobb előtolása és orsója</translation>
+    </message>
+    <message>
+        <source>Its tool must have a ball end</source>
+        <translation>A szerszámának gömbvégűnek kell lennie</translation>
+    </message>
+    <message>
+        <source>Keep the angle</source>
+        <translation>A szög marad</translation>
+    </message>
+    <message>
+        <source>Keep the step down</source>
+        <translation>A fogásmélység marad</translation>
+    </message>
+    <message>
+        <source>Largest cutting force that tool and clamping stand</source>
+        <translation>A legnagyobb forgácsolóerő, amelyet szerszám és befogás elvisel</translation>
+    </message>
+    <message>
+        <source>Largest power; the machine&apos;s own holds besides</source>
+        <translation>Legnagyobb teljesítmény; emellett a gépé is érvényes</translation>
+    </message>
+    <message>
+        <source>Largest torque; the machine&apos;s own holds besides</source>
+        <translation>Legnagyobb nyomaték; emellett a gépé is érvényes</translation>
+    </message>
+    <message>
+        <source>Lead radius</source>
+        <translation>Rá-/lefutási sugár</translation>
+    </message>
+    <message>
+        <source>Least speed</source>
+        <translation>Legkisebb sebesség</translation>
+    </message>
+    <message>
+        <source>Levels</source>
+        <translation>Szintek</translation>
+    </message>
+    <message>
+        <source>Limits of a tool</source>
+        <translation>Egy szerszám határai</translation>
+    </message>
+    <message>
+        <source>Make Operation</source>
+        <translation>Művelet létrehozása</translation>
+    </message>
+    <message>
+        <source>Makes an operation EvenLoad Finishing of the chosen strategy</source>
+        <translation>EvenLoad simítás műveletet hoz létre a kiválasztott stratégiával</translation>
+    </message>
+    <message>
+        <source>Mean cusp</source>
+        <translation>Átlagos barázda</translation>
+    </message>
+    <message>
+        <source>Mean thickness</source>
+        <translation>Átlagos vastagság</translation>
+    </message>
+    <message>
+        <source>Measured</source>
+        <translation>Mért</translation>
+    </message>
+    <message>
+        <source>Measured; an operation tells the height of its cusps, the least that it can be</source>
+        <translation>Mért; a művelet a barázdái magasságát adja meg, a lehető legkisebbet</translation>
+    </message>
+    <message>
+        <source>New operations begin with</source>
+        <translation>Az új műveletek kezdőértékei</translation>
+    </message>
+    <message>
+        <source>No candidate is within the limits: %1 refuses most, %2 of %3, as in: %4</source>
+        <translation>Egyik jelölt sem fér a határok közé: leginkább ez zár ki: %1, %3 közül %2 jelöltet, például: %4</translation>
+    </message>
+    <message>
+        <source>No chip: earlier passes left no stock where the tool stands.</source>
+        <translation>Nincs forgács: a korábbi sorok nem hagytak anyagot a szerszám helyén.</translation>
+    </message>
+    <message>
+        <source>No level is deeper</source>
+        <translation>Egy szint sem mélyebb</translation>
+    </message>
+    <message>
+        <source>None of the faces is a cylinder: the prediction is for the one that is told here.</source>
+        <translation>Egyik felület sem henger: az előrejelzés az itt megadottra vonatkozik.</translation>
+    </message>
+    <message>
+        <source>None, as aligned</source>
+        <translation>Nincs, ahogy igazítva</translation>
+    </message>
+    <message>
+        <source>Now</source>
+        <translation>Most</translation>
+    </message>
+    <message>
+        <source>Numbers of levels</source>
+        <translation>Szintszámok</translation>
+    </message>
+    <message>
+        <source>Of a level face; sets the stepover</source>
+        <translation>Vízszintes felületé; ez állítja a sortávot</translation>
+    </message>
+    <message>
+        <source>Of an operation, or of your own</source>
+        <translation>Egy műveleté, vagy saját</translation>
+    </message>
+    <message>
+        <source>Of neighbouring passes, seen from above</source>
+        <translation>Szomszédos soroké, felülnézetben</translation>
+    </message>
+    <message>
+        <source>Of the chips: mean of h_m on the way</source>
+        <translation>A forgácsoké: h_m átlaga az úton</translation>
+    </message>
+    <message>
+        <source>Of the cutting force over the time of the cuts</source>
+        <translation>A forgácsolóerőé a fogások ideje alatt</translation>
+    </message>
+    <message>
+        <source>Of the cylinder</source>
+        <translation>A hengeré</translation>
+    </message>
+    <message>
+        <source>Of the passes, seen from above, to the cylinder&apos;s axis</source>
+        <translation>A soroké felülnézetben, a henger tengelyéhez képest</translation>
+    </message>
+    <message>
+        <source>Of the path at its own feeds</source>
+        <translation>A pályáé a saját előtolásaival</translation>
+    </message>
+    <message>
+        <source>Of the tool</source>
+        <translation>A szerszámé</translation>
+    </message>
+    <message>
+        <source>Only parallel passes follow a cusp height: leave it out.</source>
+        <translation>Csak a párhuzamos sorok követnek barázdamagasságot: hagyja el.</translation>
+    </message>
+    <message>
+        <source>Outside of what the source measured, a guess: %1.</source>
+        <translation>Kívül esik azon, amit a forrás mért, becslés: %1.</translation>
+    </message>
+    <message>
+        <source>Own</source>
+        <translation>Saját</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
+        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them beside the faces: pick two edges, or two chains.</source>
+        <translation>A vezetővonalak közötti sorokhoz a felületek mellett két vezetővonal kell: válasszon két élt vagy két láncot.</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them beside the faces: pick two edges, or two chains. What is picked makes %1 lines.</source>
+        <translation>A vezetővonalak közötti sorokhoz a felületek mellett két vezetővonal kell: válasszon két élt vagy két láncot. A kiválasztás %1 vonalat ad.</translation>
+    </message>
+    <message>
+        <source>Passes between guides need two of them.</source>
+        <translation>A vezetővonalak közötti sorokhoz két vezetővonal kell.</translation>
+    </message>
+    <message>
+        <source>Pick</source>
+        <translation>Kijelölt</translation>
+    </message>
+    <message>
+        <source>Pick the Hole</source>
+        <translation>Furat kiválasztása</translation>
+    </message>
+    <message>
+        <source>Power</source>
+        <translation>Teljesítmény</translation>
+    </message>
+    <message>
+        <source>Power, W</source>
+        <translation>Teljesítmény, W</translation>
+    </message>
+    <message>
+        <source>Predicted</source>
+        <translation>Becslés</translation>
+    </message>
+    <message>
+        <source>Predicted %1: %2.</source>
+        <translation>Becslés, %1: %2.</translation>
+    </message>
+    <message>
+        <source>Profile</source>
+        <translation>Profil</translation>
+    </message>
+    <message>
+        <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
+        <translation>A függőleges ívek sugara, amelyeken a szerszám a levegőből a sorra áll, és elhagyja azt; kisebb, ahol a darab útban van; kezdetben a szerszámátmérő 0.1-szerese</translation>
+    </message>
+    <message>
+        <source>Remark</source>
+        <translation>Megjegyzés</translation>
+    </message>
+    <message>
+        <source>Scatter</source>
+        <translation>Szórás</translation>
+    </message>
+    <message>
+        <source>Select faces that do not stand upright; edges or sketches as guides.</source>
+        <translation>Nem függőleges felületeket válasszon ki; éleket vagy vázlatokat vezetővonalnak.</translation>
+    </message>
+    <message>
+        <source>Select the faces that are to be finished, or a finishing operation.</source>
+        <translation>Válassza ki a simítandó felületeket, vagy egy simító műveletet.</translation>
+    </message>
+    <message>
+        <source>Set Operation</source>
+        <translation>Művelet beállítása</translation>
+    </message>
+    <message>
+        <source>Sets engagement angle, step down, spindle speed and feeds as suggested</source>
+        <translation>A javasolt átfogási szöget, fogásmélységet, fordulatszámot és előtolásokat állítja be</translation>
+    </message>
+    <message>
+        <source>Shift along x</source>
+        <translation>Eltolás x mentén</translation>
+    </message>
+    <message>
+        <source>Shift along y</source>
+        <translation>Eltolás y mentén</translation>
+    </message>
+    <message>
+        <source>Shift along z</source>
+        <translation>Eltolás z mentén</translation>
+    </message>
+    <message>
+        <source>Side step, %s</source>
+        <translation>Oldallépés, %s</translation>
+    </message>
+    <message>
+        <source>Spiral inwards</source>
+        <translation>Spirál befelé</translation>
+    </message>
+    <message>
+        <source>Spiral outwards</source>
+        <translation>Spirál kifelé</translation>
+    </message>
+    <message>
+        <source>Standard deviation of h_m: the less, the evener</source>
+        <translation>h_m szórása: minél kisebb, annál egyenletesebb</translation>
+    </message>
+    <message>
+        <source>Step down, %s</source>
+        <translation>Fogásmélység, %s</translation>
+    </message>
+    <message>
+        <source>Steps on a patch are measured on the centre or on the surface, not in plan.</source>
+        <translation>A felületdarab lépéseit a középen vagy a felületen mérjük, nem felülnézetben.</translation>
+    </message>
+    <message>
+        <source>Stock on the faces</source>
+        <translation>Ráhagyás a felületeken</translation>
+    </message>
+    <message>
+        <source>Stops it</source>
+        <translation>Leállítja a számítást</translation>
+    </message>
+    <message>
+        <source>Stops the comparison; what is known stays</source>
+        <translation>Leállítja az összehasonlítást; ami ismert, megmarad</translation>
+    </message>
+    <message>
+        <source>Suggest</source>
+        <translation>Javaslat</translation>
+    </message>
+    <message>
+        <source>Suggest looks for the quickest cut within these limits.</source>
+        <translation>A „Javaslat” a leggyorsabb fogást keresi e határokon belül.</translation>
+    </message>
+    <message>
+        <source>Suggested</source>
+        <translation>Javasolt</translation>
+    </message>
+    <message>
+        <source>Suggest…</source>
+        <translation>Javaslat…</translation>
+    </message>
+    <message>
+        <source>Surface speed from</source>
+        <translation>Forgácsolási seb. ettől</translation>
+    </message>
+    <message>
+        <source>Take</source>
+        <translation>Átvétel</translation>
+    </message>
+    <message>
+        <source>Taken into the panel.</source>
+        <translation>Átkerült a panelbe.</translation>
+    </message>
+    <message>
+        <source>Taken: Undo sets what was before.</source>
+        <translation>Átvéve: a Visszavonás az előzőt állítja vissza.</translation>
+    </message>
+    <message>
+        <source>Takes the plane face or datum plane that is selected</source>
+        <translation>A kijelölt sík felületet vagy bázissíkot veszi át</translation>
+    </message>
+    <message>
+        <source>Teeth</source>
+        <translation>Fogak</translation>
+    </message>
+    <message>
+        <source>Tell Rz, or choose a finishing operation, whose cusps tell the least Rz.</source>
+        <translation>Adja meg az Rz értékét, vagy válasszon simító műveletet, amelynek barázdái a legkisebb Rz-t adják.</translation>
+    </message>
+    <message>
+        <source>That make the zone narrowest</source>
+        <translation>Amelyekkel a zóna a legkeskenyebb</translation>
+    </message>
+    <message>
+        <source>The %1 is %2, of %3 points, at a radius of %4.</source>
+        <translation>Alakhiba (%1): %2, %3 pontból, %4 sugárnál.</translation>
+    </message>
+    <message>
+        <source>The %1 is %2, of %3 points.</source>
+        <translation>Alakhiba (%1): %2, %3 pontból.</translation>
+    </message>
+    <message>
+        <source>The allowance must not be negative.</source>
+        <translation>A felületi ráhagyás ne legyen negatív.</translation>
+    </message>
+    <message>
+        <source>The axial depth, the stock&apos;s allowance, must lie above 0 mm and below the tool&apos;s radius.</source>
+        <translation>A tengelyirányú mélység, a ráhagyás, 0 mm felett és a szerszámsugár alatt legyen.</translation>
+    </message>
+    <message>
+        <source>The ball does not fit into the concave surface: take a tool whose radius is smaller.</source>
+        <translation>A gömb nem fér a homorú felületbe: vegyen kisebb sugarú szerszámot.</translation>
+    </message>
+    <message>
+        <source>The chip reaches beyond the lower half of the ball: the surface is too steep for a ball-end tool along its axis.</source>
+        <translation>A forgács túlér a gömb alsó felén: a felület túl meredek a tengelye mentén álló gömbvégű szerszámhoz.</translation>
+    </message>
+    <message>
+        <source>The comparison was cancelled.</source>
+        <translation>Az összehasonlítás megszakadt.</translation>
+    </message>
+    <message>
+        <source>The corner&apos;s radius must lie between 0 and the tool&apos;s radius.</source>
+        <translation>A saroksugár 0 és a szerszámsugár között legyen.</translation>
+    </message>
+    <message>
+        <source>The cusp height must be no more than the radius of the tool&apos;s ball or corner.</source>
+        <translation>A barázdamagasság ne legyen nagyobb, mint a szerszám gömbjének vagy sarkának sugara.</translation>
+    </message>
+    <message>
+        <source>The cusp height must not be negative.</source>
+        <translation>A barázdamagasság ne legyen negatív.</translation>
+    </message>
+    <message>
+        <source>The datum is no longer there: choose another one.</source>
+        <translation>A bázis már nincs meg: válasszon másikat.</translation>
+    </message>
+    <message>
+        <source>The datum is one plane: select a plane face or a datum plane.</source>
+        <translation>A bázis egyetlen sík: jelöljön ki egy sík felületet vagy bázissíkot.</translation>
+    </message>
+    <message>
+        <source>The feed direction is 0 to 90 degrees from the cylinder&apos;s axis.</source>
+        <translation>Az előtolás iránya 0 és 90 fok között van a henger tengelyéhez képest.</translation>
+    </message>
+    <message>
+        <source>The feed direction must be a number of degrees.</source>
+        <translation>Az előtolás iránya fokban megadott szám legyen.</translation>
+    </message>
+    <message>
+        <source>The feed per tooth is too large beside the stepover: the tooth before does not bound the chip, which has no mean thickness by its face.</source>
+        <translation>A fogankénti előtolás túl nagy a sortávhoz képest: az előző fog nem határolja a forgácsot, amelynek így nincs átlagos vastagsága a felülete szerint.</translation>
+    </message>
+    <message>
+        <source>The feed per tooth must lie above 0 mm and below the tool&apos;s radius.</source>
+        <translation>A fogankénti előtolás 0 mm felett és a szerszámsugár alatt legyen.</translation>
+    </message>
+    <message>
+        <source>The file has points to measure, but no measured ones, FA(name)=FEAT/POINT,CART: open the file of results that the program writes.</source>
+        <translation>A fájlban mérendő pontok vannak, de mértek nincsenek, FA(name)=FEAT/POINT,CART: nyissa meg az eredményfájlt, amelyet a program ír.</translation>
+    </message>
+    <message>
+        <source>The floors of &apos;%1&apos; lie at several depths: make an operation for each depth, and optimise one by one.</source>
+        <translation>„%1” fenekei több mélységben vannak: hozzon létre mélységenként egy műveletet, és egyenként optimalizálja őket.</translation>
+    </message>
+    <message>
+        <source>The guides cross each other: pick two that lie side by side.</source>
+        <translation>A vezetővonalak keresztezik egymást: válasszon két egymás mellettit.</translation>
+    </message>
+    <message>
+        <source>The highest of what stands between two passes</source>
+        <translation>A legmagasabb, ami két sor között megmarad</translation>
+    </message>
+    <message>
+        <source>The job &apos;%1&apos; has no model with a shape: give it one.</source>
+        <translation>A(z) „%1” munkának nincs alakkal bíró modellje: adjon hozzá egyet.</translation>
+    </message>
+    <message>
+        <source>The largest of the tool in this material</source>
+        <translation>A szerszám legnagyobb sebessége ebben az anyagban</translation>
+    </message>
+    <message>
+        <source>The largest share of a chip that is cut at less than a fifth of the tool&apos;s diameter</source>
+        <translation>A forgács legnagyobb része, amelyet a szerszámátmérő ötödénél kisebb átmérő vág</translation>
+    </message>
+    <message>
+        <source>The largest that its edges stand</source>
+        <translation>A legnagyobb, amelyet az élei elviselnek</translation>
+    </message>
+    <message>
+        <source>The largest thickness of all chips</source>
+        <translation>Az összes forgács legnagyobb vastagsága</translation>
+    </message>
+    <message>
+        <source>The lead radius must not be negative.</source>
+        <translation>A rá-/lefutási sugár ne legyen negatív.</translation>
+    </message>
+    <message>
+        <source>The least cutting speed of the working edge</source>
+        <translation>A dolgozó él legkisebb forgácsolási sebessége</translation>
+    </message>
+    <message>
+        <source>The least of the tool in this material</source>
+        <translation>A szerszám legkisebb sebessége ebben az anyagban</translation>
+    </message>
+    <message>
+        <source>The path of the tool of %1 mm touches no material: check the region and the hole.</source>
+        <translation>A(z) %1 mm-es szerszám pályája nem ér anyagot: ellenőrizze a területet és a furatot.</translation>
+    </message>
+    <message>
+        <source>The path of this strategy cuts nothing.</source>
+        <translation>Ennek a stratégiának a pályája semmit sem vág.</translation>
+    </message>
+    <message>
+        <source>The plane in which the points were aligned</source>
+        <translation>A sík, amelyben a pontokat igazították</translation>
+    </message>
+    <message>
+        <source>The point %1 does not have six numbers after CART.</source>
+        <translation>A(z) %1 pontnak nincs hat száma a CART után.</translation>
+    </message>
+    <message>
+        <source>The point %1 does not have six numbers, a normal among them.</source>
+        <translation>A(z) %1 pontnak nincs hat száma, köztük normális.</translation>
+    </message>
+    <message>
+        <source>The point %1 is told in polar coordinates: have the program write CART.</source>
+        <translation>A(z) %1 pont polárkoordinátás: írasson a programmal CART-ot.</translation>
+    </message>
+    <message>
+        <source>The safe height must not lie below the top, nor the clearance height below it.</source>
+        <translation>A biztonsági magasság ne legyen a felső sík alatt, sem az elhaladási magasság alatta.</translation>
+    </message>
+    <message>
+        <source>The spindle speed of &apos;%s&apos; is 0: set it, for the feed per tooth.</source>
+        <translation>„%s” fordulatszáma 0: állítsa be a fogankénti előtoláshoz.</translation>
+    </message>
+    <message>
+        <source>The stepover makes too many passes: raise it.</source>
+        <translation>A sortáv túl sok sort ad: növelje.</translation>
+    </message>
+    <message>
+        <source>The stepover must be positive and no more than the tool&apos;s diameter.</source>
+        <translation>A sortáv legyen pozitív, és legfeljebb a szerszámátmérő.</translation>
+    </message>
+    <message>
+        <source>The stepover must lie above 0 mm and below the tool&apos;s diameter.</source>
+        <translation>A sortáv 0 mm felett és a szerszámátmérő alatt legyen.</translation>
+    </message>
+    <message>
+        <source>The stock on the faces is %1 mm, and the ball&apos;s radius %2 mm: more than the ball can take; rough the part first.</source>
+        <translation>A felületek ráhagyása %1 mm, a gömb sugara %2 mm: több, mint amit a gömb le tud venni; előbb nagyolja a darabot.</translation>
+    </message>
+    <message>
+        <source>The stock on the faces is %1 mm: it must be more than 0.</source>
+        <translation>A felületek ráhagyása %1 mm: legyen nagyobb 0-nál.</translation>
+    </message>
+    <message>
+        <source>The surface speeds must rise.</source>
+        <translation>A forgácsolási sebességek növekedjenek.</translation>
+    </message>
+    <message>
+        <source>The tolerance must be positive.</source>
+        <translation>A tűrés legyen pozitív.</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%1&apos; has no ball end, and the advisor&apos;s chips are those of a ball: choose a ball end mill.</source>
+        <translation>A(z) „%1” szerszám nem gömbvégű, a tanácsadó forgácsai pedig gömbé: válasszon gömbvégű marót.</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%s&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
+        <translation>A(z) „%s” szerszám nem adja meg a fogszámát: 1 fogat veszünk.</translation>
+    </message>
+    <message>
+        <source>The tool controller &apos;%1&apos; has no spindle speed, and without it there is no feed per tooth: set it.</source>
+        <translation>A(z) „%1” szerszámvezérlőnek nincs fordulatszáma, e nélkül pedig nincs fogankénti előtolás: állítsa be.</translation>
+    </message>
+    <message>
+        <source>The tool controller has no spindle speed now.</source>
+        <translation>A szerszámvezérlőnek most nincs fordulatszáma.</translation>
+    </message>
+    <message>
+        <source>The tool touches none of the picked faces: take a smaller one, or lower FinalDepth.</source>
+        <translation>A szerszám egyik kiválasztott felületet sem éri: vegyen kisebbet, vagy csökkentse: [FinalDepth].</translation>
+    </message>
+    <message>
+        <source>The tool touches the faces nowhere but at edges.</source>
+        <translation>A szerszám csak éleken érinti a felületeket.</translation>
+    </message>
+    <message>
+        <source>The tool touches the faces nowhere but at their borders.</source>
+        <translation>A szerszám csak a peremükön érinti a felületeket.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s diameter must be above 0 mm.</source>
+        <translation>A szerszámátmérő 0 mm felett legyen.</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s radius must be positive.</source>
+        <translation>A szerszámsugár legyen pozitív.</translation>
+    </message>
+    <message>
+        <source>Their strategy</source>
+        <translation>A stratégiájuk</translation>
+    </message>
+    <message>
+        <source>There is no edge on %1: pick the geometry anew.</source>
+        <translation>Nincs él itt: %1: válassza ki újra a geometriát.</translation>
+    </message>
+    <message>
+        <source>Thickest</source>
+        <translation>Legnagyobb vastagság</translation>
+    </message>
+    <message>
+        <source>Times are within its limits, too</source>
+        <translation>Az idők a gép határaival is</translation>
+    </message>
+    <message>
+        <source>Tip share</source>
+        <translation>Csúcs aránya</translation>
+    </message>
+    <message>
+        <source>To try</source>
+        <translation>Kipróbálandó</translation>
+    </message>
+    <message>
+        <source>Tool</source>
+        <translation>Szerszám</translation>
+    </message>
+    <message>
+        <source>Tool radius</source>
+        <translation>Szerszámsugár</translation>
+    </message>
+    <message>
+        <source>Torque</source>
+        <translation>Nyomaték</translation>
+    </message>
+    <message>
+        <source>Torque, N m</source>
+        <translation>Nyomaték, N m</translation>
+    </message>
+    <message>
+        <source>Turn about x</source>
+        <translation>Forgatás x körül</translation>
+    </message>
+    <message>
+        <source>Turn about y</source>
+        <translation>Forgatás y körül</translation>
+    </message>
+    <message>
+        <source>Turn about z</source>
+        <translation>Forgatás z körül</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Értékek</translation>
+    </message>
+    <message>
+        <source>Violet to yellow</source>
+        <translation>Lilától sárgáig</translation>
+    </message>
+    <message>
+        <source>What is compared</source>
+        <translation>Amit összehasonlítunk</translation>
+    </message>
+    <message>
+        <source>What is taken off the face</source>
+        <translation>Amit a felületről levesz</translation>
+    </message>
+    <message>
+        <source>What measured points say</source>
+        <translation>Amit a mért pontok mondanak</translation>
+    </message>
+    <message>
+        <source>What the cut before has left, across them</source>
+        <translation>Amit az előző marás rajtuk hagyott, rájuk merőlegesen</translation>
+    </message>
+    <message>
+        <source>What to expect of a finishing</source>
+        <translation>Ami egy simítástól várható</translation>
+    </message>
+    <message>
+        <source>What tool and machine allow, beside what is set now</source>
+        <translation>Amit szerszám és gép megenged, a mostani beállítás mellett</translation>
+    </message>
+    <message>
+        <source>Where</source>
+        <translation>Hol</translation>
+    </message>
+    <message>
+        <source>Whether the tolerance of %1 is kept is not decided: measure more points.</source>
+        <translation>Nem dönthető el, hogy a(z) %1 tűrést betartja-e: mérjen több pontot.</translation>
+    </message>
+    <message>
+        <source>Windows</source>
+        <translation>Ablakok</translation>
+    </message>
+    <message>
+        <source>Windows that tell times begin with it</source>
+        <translation>Az időket mutató ablakok ezzel indulnak</translation>
+    </message>
+    <message>
+        <source>Within the limits of the machine</source>
+        <translation>A gép határain belül</translation>
+    </message>
+    <message>
+        <source>chatter</source>
+        <translation>berezgés</translation>
+    </message>
+    <message>
+        <source>chip thickness</source>
+        <translation>forgácsvastagság</translation>
+    </message>
+    <message>
+        <source>depth %1, not %2 %3</source>
+        <translation>mélység %1, nem %2 %3</translation>
+    </message>
+    <message>
+        <source>face radius %1, not %2 %3</source>
+        <translation>felület sugara %1, nem %2 %3</translation>
+    </message>
+    <message>
+        <source>feed per tooth %1, not %2 %3</source>
+        <translation>fogankénti előtolás %1, nem %2 %3</translation>
+    </message>
+    <message>
+        <source>not told</source>
+        <translation>nincs megadva</translation>
+    </message>
+    <message>
+        <source>passes %1, not %2</source>
+        <translation>sorok: %1, nem %2</translation>
+    </message>
+    <message>
+        <source>profile of a surface in the datum</source>
+        <translation>felület profilja a bázishoz</translation>
+    </message>
+    <message>
+        <source>profile of the round face in the datum</source>
+        <translation>a hengeres felület profilja a bázishoz</translation>
+    </message>
+    <message>
+        <source>spindle speed %1 rev/min, not %2</source>
+        <translation>fordulatszám %1 ford/perc, nem %2</translation>
+    </message>
+    <message>
+        <source>stepover %1, not %2 %3</source>
+        <translation>sortáv %1, nem %2 %3</translation>
+    </message>
+    <message>
+        <source>the area left</source>
+        <translation>a maradék terület</translation>
+    </message>
+    <message>
+        <source>the force</source>
+        <translation>az erő</translation>
+    </message>
+    <message>
+        <source>the machine&apos;s feed</source>
+        <translation>a gép előtolása</translation>
+    </message>
+    <message>
+        <source>the power</source>
+        <translation>a teljesítmény</translation>
+    </message>
+    <message>
+        <source>the spindle speed</source>
+        <translation>a fordulatszám</translation>
+    </message>
+    <message>
+        <source>the tool&apos;s diameter</source>
+        <translation>a szerszámátmérő</translation>
+    </message>
+    <message>
+        <source>the tools&apos; chip thickness</source>
+        <translation>a forgácsvastagság</translation>
+    </message>
+    <message>
+        <source>the tools&apos; cutting length</source>
+        <translation>a vágóhossz</translation>
+    </message>
+    <message>
+        <source>the torque</source>
+        <translation>a nyomaték</translation>
+    </message>
+    <message>
+        <source>tool radius %1, not %2 %3</source>
+        <translation>szerszámsugár %1, nem %2 %3</translation>
+    </message>
+    <message>
+        <source>force</source>
+        <translation>erő</translation>
+    </message>
+    <message>
+        <source>power</source>
+        <translation>teljesítmény</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>eddig</translation>
+    </message>
+    <message>
+        <source>torque</source>
+        <translation>nyomaték</translation>
+    </message>
+    <message>
+        <source>Face</source>
+        <translation>Felület</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
@@ -3480,6 +4420,17 @@ cm³/min</translation>
     </message>
 </context>
 <context>
+    <name>EvenLoad_FinishingAdvisor</name>
+    <message>
+        <source>Compares ten strategies for the selected faces or finishing operation by time, chips, cusps, tip and force, and makes an operation of one</source>
+        <translation>Tíz stratégiát hasonlít össze a kijelölt felületekre vagy simító műveletre idő, forgács, barázda, csúcs és erő szerint, és műveletet készít az egyikből</translation>
+    </message>
+    <message>
+        <source>EvenLoad Finishing Advisor</source>
+        <translation>EvenLoad simítási tanácsadó</translation>
+    </message>
+</context>
+<context>
     <name>EvenLoad_Inspect</name>
     <message>
         <source>EvenLoad Inspect</source>
@@ -3499,6 +4450,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Lamé Spiral</source>
         <translation>EvenLoad Lamé-spirál</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_Optimise</name>
+    <message>
+        <source>EvenLoad Optimise</source>
+        <translation>EvenLoad optimalizálás</translation>
+    </message>
+    <message>
+        <source>Suggests engagement angle, step down, spindle speed and feeds within what tool and machine stand, beside what is set now</source>
+        <translation>Átfogási szöget, fogásmélységet, fordulatszámot és előtolásokat javasol a szerszám és a gép határain belül, a mostani beállítás mellett</translation>
     </message>
 </context>
 <context>

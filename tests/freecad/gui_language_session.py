@@ -4,7 +4,7 @@ import os
 import sys
 
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_fit import resize_dock  # noqa: E402
@@ -44,7 +44,8 @@ def texts_in(widget):
         elif isinstance(each, QtGui.QComboBox):
             found += [each.itemText(number) for number in range(each.count())]
         elif isinstance(each, QtGui.QTabWidget):
-            found += [each.tabText(number) for number in range(each.count())]
+            numbers = range(each.count())
+            found += [say(number) for say in (each.tabText, each.tabToolTip) for number in numbers]
         elif isinstance(each, QtGui.QAbstractSpinBox):
             found += [each.property("specialValueText") or "", each.property("suffix") or ""]
         elif isinstance(each, QtGui.QLineEdit):
@@ -52,11 +53,22 @@ def texts_in(widget):
         elif isinstance(each, QtGui.QTableWidget):
             heads = [each.horizontalHeaderItem(n) for n in range(each.columnCount())]
             found += [text for head in heads for text in (head.text(), head.toolTip())]
+        elif isinstance(each, QtGui.QTableView):
+            found += in_table(each.model())
     plain = []
     for text in filter(None, found):
         document.setHtml(text) if "<" in text else document.setPlainText(text)
         plain += document.toPlainText().splitlines()
     return sorted({line.strip() for line in plain if line.strip()})
+
+
+def in_table(model):
+    """The texts of a table's columns: titles, tooltips and cells."""
+    columns, roles = range(model.columnCount()), (QtCore.Qt.DisplayRole, QtCore.Qt.ToolTipRole)
+    heads = [model.headerData(n, QtCore.Qt.Horizontal, role) for role in roles for n in columns]
+    cells = [model.index(row, n).data() for row in range(model.rowCount()) for n in columns]
+    # A title is told in several lines, of which each may be a word of another text.
+    return [text.replace("\n", " ") for text in (*heads, *cells) if text]
 
 
 def choices_of(page):
@@ -149,19 +161,76 @@ def stability_of(op):
 
 
 def inspection_of(doc, model, floor):
-    """The texts of the dock Inspect."""
-    from evenload.gui import inspection
+    """The texts of the dock Inspect, with a prediction for what the source has not measured."""
+    from evenload.gui import inspection, inspection_dock
 
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
     FreeCADGui.runCommand("EvenLoad_Inspect")
     later(500)
     view = inspection._shown[-1]
+    view.dock.tabs.setCurrentIndex(inspection_dock.PREDICTED)
+    view.dock.cutting.show_values(passes="One way")
+    view.dock.cutting.stepover.set_mm(0.5)
+    view.dock.cutting.roughness.set_mm(0.003)
+    view.predict()
     picture("inspection")
     seen = texts_in(view.dock) + [view.dock.windowTitle()]
     inspection.close()
     later()
     return seen
+
+
+def advice_on(doc, model, floor):
+    """The texts of the dock Finishing Advisor, with its refusal of a tool without a ball."""
+    from evenload.gui import advisor
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(doc.Name, model.Name, floor)
+    FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
+    later(500)
+    view = advisor._shown[-1]
+    picture("advisor")
+    seen = [*texts_in(view.dock), view.dock.windowTitle()]
+    assert view.dock.told.text() in seen
+    advisor.close()
+    later()
+    return seen
+
+
+def suggested_for(op):
+    """The texts of the dock Optimise with a suggestion, and with one that cannot be."""
+    from evenload.gui import optimise
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    FreeCADGui.runCommand("EvenLoad_Optimise")
+    later(500)
+    view, seen = optimise._shown[-1], []
+    view.dock.to_try.angles.setText("50; 70")
+    view.dock.to_try.levels.setValue(1)
+    for most in (0.0, 1.0):  # N, of which the first is no limit
+        view.dock.limits.max_force.setValue(most)
+        view.suggest()
+        for _ in range(400):
+            later(50)
+            if not view.task.is_busy:
+                break
+        picture("optimise_%d" % most)
+        seen += texts_in(view.dock)
+    seen.append(view.dock.windowTitle())
+    optimise.close()
+    later()
+    return seen
+
+
+def preferences_page():
+    """The texts of our page of FreeCAD's preferences."""
+    from evenload.gui import PreferencesPage
+
+    page = PreferencesPage()
+    page.loadSettings()
+    return [*texts_in(page.form), page.form.windowTitle()]
 
 
 def look_at_panels(doc, job, model, floor):
@@ -188,6 +257,9 @@ def look_at_docks(doc, job, model, floor):
         "simulation": simulation_of(op),
         "stability": stability_of(op),
         "inspection": inspection_of(doc, model, floor),
+        "advisor": advice_on(doc, model, floor),
+        "optimise": suggested_for(op),
+        "preferences": preferences_page(),
     }
 
 

@@ -16,7 +16,10 @@ sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
 from languages import FILES, translations  # noqa: E402
 
 NAMES = {"de": "German", "hu": "Hungarian"}  # as FreeCAD has them
-COMMANDS = "Adaptive Trochoid LameSpiral Finishing ShowLoad Simulation StabilityChart Inspect"
+COMMANDS = (
+    *("Adaptive", "Trochoid", "LameSpiral", "Finishing", "ShowLoad", "Simulation"),
+    *("StabilityChart", "Optimise", "Inspect", "FinishingAdvisor"),
+)
 CONTEXT = "EvenLoad"
 ENGLISH = re.compile(r"\b(the|of|and|with|from|which|shows?|its)\b")
 # With FreeCAD set to a language, as its preferences keep it.
@@ -75,7 +78,7 @@ def _in_english(texts, known):
 @pytest.mark.parametrize("kind", ["panels", "docks"])
 def test_commands_have_their_names_in_the_language(kind, known, request):
     seen = request.getfixturevalue(kind)["toolbar"]
-    names = ["EvenLoad_" + name for name in COMMANDS.split()]
+    names = ["EvenLoad_" + name for name in COMMANDS]
     for name in names:
         assert any(told in seen for (context, _), told in known.items() if context == name), name
     assert len(seen) == len(names)
@@ -97,6 +100,7 @@ def test_panels_have_no_english_texts(panels, known):
 
 
 def test_docks_have_no_english_texts(docks, known):
+    assert len(docks["docks"]) == 7
     for name, texts in docks["docks"].items():
         assert len(texts) > 10 and _in_english(texts, known) == [], name
 

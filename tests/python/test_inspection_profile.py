@@ -237,7 +237,7 @@ def test_a_prediction_tells_all_errors_of_the_source_s_parts():
         ("tool_radius", 3.0, "tool radius 3, not 5 mm."),
         ("face_radius", 8.0, "face radius 8, not 45 mm."),
         ("spindle_speed", 8000.0, "spindle speed 8000 rev/min, not 5100."),
-        ("passes", "One way", "passes one way, not zig-zag."),
+        ("passes", "One way", "passes One way, not Zig-zag."),
     ],
 )
 def test_a_prediction_warns_of_each_value_beyond_the_source_s(name, value, words):

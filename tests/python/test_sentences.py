@@ -123,6 +123,33 @@ CASES = [
         "2.000): bis zu 3 mm von der Fläche wird ausgeräumt, und was weiter außen liegt, bleibt "
         "stehen.",
     ),
+    (
+        "Outside of what the source measured, a guess: stepover 0.2, not 0.15 mm; spindle speed "
+        "8000 rev/min, not 5100; passes One way, not Zig-zag.",
+        "Außerhalb dessen, was die Quelle gemessen hat, eine Schätzung: Bahnabstand 0.2, nicht "
+        "0.15 mm; Spindeldrehzahl 8000 U/min, nicht 5100; Bahnen Eine Richtung, nicht Zickzack.",
+    ),
+    (
+        "No candidate is within the limits: the tools' cutting length refuses most, 20 of 25, as "
+        "in: 12 mm is deeper than the cutting length of T; 1, 9 mm.",
+        "Kein Kandidat hält die Grenzen ein: die Schneidenlänge verhindert die meisten, 20 von "
+        "25, etwa so: 12 mm ist tiefer als die Schneidenlänge von T; 1, 9 mm.",
+    ),
+    (
+        "No candidate is within the limits: the force refuses most, 5 of 5, as in: At the least "
+        "chip of 0.012 mm the force of the tool of 10 mm at 90°, 5 mm deep, is above 20 N.",
+        "Kein Kandidat hält die Grenzen ein: die Kraft verhindert die meisten, 5 von 5, etwa so: "
+        "Bei der kleinsten Spandicke von 0.012 mm liegt die Kraft über 20 N (Werkzeug von 10 mm "
+        "bei 90°, 5 mm tief).",
+    ),
+    (
+        "The profile of a surface is 0.0123 mm, of 49 points.",
+        "Profil einer Fläche: 0.0123 mm, aus 49 Punkten.",
+    ),
+    (
+        "The cylindricity is 0.000484 in, of 49 points, at a radius of 0.3937 in.",
+        "Zylindrizität: 0.000484 in, aus 49 Punkten, bei einem Radius von 0.3937 in.",
+    ),
     # Nothing of ours, and several lines.
     ("Somebody else's sentence of 3 words and more.", "Somebody else's sentence of 3 words and "),
     ("Checked against the model.\nCancelled before everything was cut.", "Gegen das Modell "),

@@ -166,6 +166,7 @@ def test_what_follows_the_tool_follows_from_diameter_and_feeds():
         "RollRadius": pytest.approx(0.9),
         "MinimumRadius": pytest.approx(0.9),
         "Stepover": pytest.approx(0.3),
+        "LeadRadius": pytest.approx(0.6),
     }
 
 

@@ -7,6 +7,7 @@ from evenload import host
 from evenload.gui.advisor_view import AdvisorView
 from evenload.gui.inspection_selection import selected_faces
 from evenload.operations.finishing import Finishing
+from evenload.settings.sentences import shown
 
 _shown = []  # the AdvisorView that is there
 
@@ -25,7 +26,7 @@ def show():
     try:
         _shown.append(AdvisorView(job, faces, operation, close))
     except ValueError as error:
-        FreeCAD.Console.PrintError("%s\n" % error)
+        FreeCAD.Console.PrintError(shown(str(error)) + "\n")
         return None
     return _shown[-1]
 

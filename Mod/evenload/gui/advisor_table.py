@@ -6,6 +6,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.gui import colours
+from evenload.settings.sentences import shown
 from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
@@ -60,7 +61,7 @@ class AdviceModel(QtCore.QAbstractTableModel):
 
     def __init__(self, parent):
         super().__init__(parent)
-        self.rows, self._units = [], {}
+        self.rows, self._remarks, self._units = [], [], {}
         self._bold = QtGui.QFont(parent.font())
         self._bold.setBold(True)
         self._good = QtGui.QBrush(QtGui.QColor(colours.shade(colours.GOOD, parent)))
@@ -68,6 +69,7 @@ class AdviceModel(QtCore.QAbstractTableModel):
     def show_rows(self, rows):
         self.beginResetModel()
         self.rows = list(rows)
+        self._remarks = [_remark(row) for row in rows]  # once: translating takes its time
         self._units = {column: _unit_of(column, self._known(column)) for column in COLUMNS}
         self.endResetModel()
 
@@ -94,10 +96,11 @@ class AdviceModel(QtCore.QAbstractTableModel):
 
     def data(self, index, role=QtCore.Qt.DisplayRole):
         row, section = self.rows[index.row()], index.column()
+        remark = self._remarks[index.row()]
         if role == QtCore.Qt.ToolTipRole:
-            return _remark(row) or None
+            return remark or None
         if section in (STRATEGY, REMARK):
-            text = name_of(row.strategy) if section == STRATEGY else _remark(row)
+            text = name_of(row.strategy) if section == STRATEGY else remark
             return text if role in (QtCore.Qt.DisplayRole, QtCore.Qt.UserRole) else None
         column = COLUMNS[section - 1]
         value = getattr(row, column.name)
@@ -171,7 +174,8 @@ def _rounded(value):
 
 
 def _remark(row):
-    return " ".join((row.refusal, *row.notes) if row.refusal else row.notes)
+    sentences = (row.refusal, *row.notes) if row.refusal else row.notes
+    return " ".join(map(shown, sentences))
 
 
 def _unit_of(column, values):

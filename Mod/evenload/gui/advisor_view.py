@@ -15,6 +15,7 @@ from evenload.gui.slots import slot, telling_slot
 from evenload.operations import finishing
 from evenload.operations.base import SENTENCES
 from evenload.settings.labels import told
+from evenload.settings.sentences import shown, shown_name
 from evenload.settings.table import EVEN_CUSPS, PARALLEL
 from evenload.words import name_of as name_of_faces
 
@@ -95,7 +96,8 @@ class AdvisorView:
                 self.dock.asked.show_values(controller=balls[0].Name)
             stepover = SHARE * tools.diameter(self.controller())
             lengths = {"Stepover": stepover, "CuspHeight": self._cusp_height(stepover)}
-            name = name_of_faces((obj.Label, each) for obj, names in self.faces for each in names)
+            faces = [(obj.Label, each) for obj, names in self.faces for each in names]
+            name = shown_name(name_of_faces(faces))
         self.dock.faces.setText(name)
         self.dock.show_lengths(stock=advisor.STOCK, **lengths)
         title, tip = (
@@ -161,7 +163,7 @@ class AdvisorView:
             )
         except ValueError as error:
             self.task.cancel()
-            self._refuse(told(str(error)))
+            self._refuse(str(error))
             return
         finally:
             QtGui.QApplication.restoreOverrideCursor()
@@ -179,7 +181,7 @@ class AdvisorView:
         self._show([*self.rows, row])
 
     def _refuse(self, sentence):
-        self.dock.tell(sentence, colours.BAD)
+        self.dock.tell(shown(told(sentence)), colours.BAD)
 
     def _show(self, rows):
         self.rows = rows
@@ -199,14 +201,14 @@ class AdvisorView:
         chosen, document = self.dock.chosen(), self.job.Document
         if chosen is None:
             return
-        document.openTransaction("EvenLoad Finishing Advisor")
+        document.openTransaction(_translate("EvenLoad", "EvenLoad Finishing Advisor"))
         try:
             operation = self.operation or self._created()
             self._set(operation, chosen.strategy)
             document.recompute()
         except SENTENCES as error:
             document.abortTransaction()
-            self._refuse(told(str(error)))
+            self._refuse(str(error))
             return
         except Exception:  # a bug, which keeps its traceback
             document.abortTransaction()

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 from evenload.gui import view3d
 from evenload.gui.picking import Clicks
 from evenload.gui.slots import slot, telling_slot
+from evenload.settings.sentences import shown
 
 NEAR = 0.05  # of its diameter: how far a hole may be from the foremost place that was clicked on
 SAME = 1e-6  # mm between two vertices that are one
@@ -108,7 +109,7 @@ class HolePick:
         try:
             self._view = view3d.view_of(FreeCAD.ActiveDocument)
         except ValueError as error:
-            FreeCAD.Console.PrintError("%s\n" % error)
+            FreeCAD.Console.PrintError(shown(str(error)) + "\n")
             self.end()
             return
         # Before all else in the scene: what FreeCAD selects by this click keeps it from the rest.

@@ -19,7 +19,8 @@ def unit():
 
 
 def in_users_unit(text):
-    """A sentence that tells lengths in mm, in the user's unit."""
+    """A sentence in English that tells lengths in mm, in the user's language and unit."""
+    text = shown(text)  # first: its patterns have mm
     if unit() == "mm":
         return text
     name = SHOWN["inch"][0]

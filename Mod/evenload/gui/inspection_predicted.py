@@ -26,11 +26,14 @@ def cut_of(operation):
     tool, data = tools.read(controller, takes_balls=True)
     if not data.spindle_speed > 0:
         raise ValueError(
-            "The spindle speed of '%s' is 0: set it, for the feed per tooth." % controller.Label
+            _translate(
+                "EvenLoad", "The spindle speed of '%s' is 0: set it, for the feed per tooth."
+            )
+            % controller.Label
         )
     assumed = []
     if "number of teeth" in tool.assumed:
-        assumed.append(ONE_TOOTH % tool.name)
+        assumed.append(_translate("EvenLoad", ONE_TOOTH) % tool.name)
     values = {
         "stepover": operation.Stepover.Value,
         "feed": data.feed / (tool.teeth * data.spindle_speed),

@@ -1,9 +1,13 @@
 """What is selected for the dock Inspect, and what planes are called in it."""
 
+import FreeCAD
 import FreeCADGui
 
 from evenload.face_inspection.datum import is_plane
+from evenload.settings.sentences import shown_name
 from evenload.words import name_of
+
+_translate = FreeCAD.Qt.translate
 
 
 def selected_faces(document):
@@ -25,7 +29,9 @@ def selected_plane(document):
         if is_plane(selected.Object):
             found.append((selected.Object, ""))
     if len(found) != 1:
-        raise ValueError("The datum is one plane: select a plane face or a datum plane.")
+        raise ValueError(
+            _translate("EvenLoad", "The datum is one plane: select a plane face or a datum plane.")
+        )
     return found[0]
 
 
@@ -41,10 +47,12 @@ def plane_at(document, key):
     name, element = key.split(".", 1)
     obj = document.getObject(name)
     if obj is None:
-        raise ValueError("The datum is no longer there: choose another one.")
+        raise ValueError(
+            _translate("EvenLoad", "The datum is no longer there: choose another one.")
+        )
     return obj, element
 
 
 def told(obj, element):
     """Such as 'Face7 of Model', or 'Plane'."""
-    return name_of([(obj.Label, element)])
+    return shown_name(name_of([(obj.Label, element)]))

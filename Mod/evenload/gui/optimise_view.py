@@ -15,6 +15,7 @@ from evenload.gui.simulation_task import Simulating
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations.base import SENTENCES
 from evenload.settings.labels import told
+from evenload.settings.sentences import shown
 from evenload.stability import taking
 from evenload.suggestion import cut as cuts
 from evenload.suggestion import kept, search
@@ -136,7 +137,7 @@ class OptimiseView:
         controller, limits = self.operation.ToolController, asking.tool_of(self.dock.tool)
         if not kept.changed(controller, self.cut, limits):
             return
-        with self._step("Limits of a tool"):
+        with self._step(_translate("EvenLoad", "Limits of a tool")):
             kept.keep(controller, self.cut, limits)
 
     def _step(self, name):
@@ -152,7 +153,7 @@ class OptimiseView:
 
     def _refuse(self, sentence):
         self._forget()
-        self.dock.tell(told(sentence), colours.BAD)
+        self.dock.tell(shown(told(sentence)), colours.BAD)
 
     def _take_results(self, results):
         self.now, self.found = results
@@ -176,7 +177,7 @@ class OptimiseView:
         if others:
             shared = _translate("EvenLoad", "%s: the same tool controller.") % ", ".join(others)
             notes.append(shared)
-        self.dock.tell("\n".join(notes))
+        self.dock.tell(shown("\n".join(notes)))
 
     def _notes(self):
         notes = [*self.cut.notes, *(self.found.notes if self.found else ())]
@@ -202,7 +203,7 @@ class OptimiseView:
             "feed": search.feed_of(chosen),
         }
         page, controller = page_of(self.operation), self.operation.ToolController
-        with self._step("EvenLoad Optimise"):
+        with self._step(_translate("EvenLoad", "EvenLoad Optimise")):
             limits = asking.tool_of(self.dock.tool)
             kept.keep(controller, self.cut, limits, always=kept.SPEEDS)
             taking.take_open(self.operation, **numbers)

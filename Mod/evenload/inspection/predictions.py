@@ -82,7 +82,7 @@ class Cut:
             speeds = self.spindle_speed, SOURCE.spindle_speed
             told.append("spindle speed %.0f rev/min, not %.0f" % speeds)
         if self.passes != ZIG_ZAG:
-            told.append("passes %s, not zig-zag" % self.passes.lower())
+            told.append("passes %s, not %s" % (self.passes, ZIG_ZAG))
         return told
 
 

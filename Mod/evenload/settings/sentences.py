@@ -23,6 +23,7 @@ PROPERTY = re.compile(r"\[(%s)\]" % "|".join(sorted(NAMES, key=len, reverse=True
 
 LEAST = 10  # letters of a pattern of its own: what has fewer is taken for part of a sentence only
 ALWAYS = "Checked against the model."  # a sentence that each translation has
+LIST = "; "  # between parts that a sentence tells one after the other
 _QUOTED = "'"  # round what has a name of its own
 _CHOICES = {choice for row in ALL if row.type == CHOICE for choice in row.value}
 _NAMES = re.compile(r"\b(?:%s)\b" % "|".join(name for name in NAMES if in_text(name)))
@@ -105,7 +106,8 @@ def _part(text, is_quoted):
         return text
     if text in _properties():
         return "[%s]" % _properties()[text]
-    return marked(text, least=1) or text
+    several = [marked(each, least=1) for each in text.split(LIST)]
+    return LIST.join(several) if all(several) else marked(text, least=1) or text
 
 
 @functools.lru_cache(maxsize=None)
