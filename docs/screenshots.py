@@ -19,11 +19,12 @@ from models import case_model, corpus_case, floors_of  # noqa: E402
 LANGUAGE = os.environ.get("EVENLOAD_LANGUAGE", "English")
 WINDOW = 1360, 1000  # pixels
 DIALOG = 900, 700
+STAR, AT = 48, 0.35  # mm of height of the star's pocket; the tool's place along the path
 DOCKS = {"left": 330, "right": 300}  # pixels of width
 
 
-def window(name):
-    """A picture of the whole window."""
+def window(name, height=None):
+    """A picture of the whole window. height: mm that the 3D view shows; None: all there is."""
     main = FreeCADGui.getMainWindow()
     for dock in widgets(QtGui.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
@@ -35,6 +36,8 @@ def window(name):
         main.resizeDocks(docks, [width] * len(docks), QtCore.Qt.Horizontal)
     later(500)
     FreeCADGui.SendMsgToActiveView("ViewFit")
+    if height is not None:
+        FreeCADGui.activeDocument().activeView().getCameraNode().height = height
     later(500)
     picture = main.grab()
     _draw_view(picture)
@@ -83,7 +86,7 @@ def dome():
     from evenload import host
     from evenload.operations import finishing
 
-    doc = FreeCAD.newDocument("Finishing")
+    doc = FreeCAD.newDocument("Part")
     body = doc.addObject("Part::Feature", "Dome")
     body.Shape = part(True)
     doc.recompute()
@@ -125,12 +128,14 @@ def session():
     FreeCADGui.setLocale(LANGUAGE)
     preferences()
     op = star(doc)
-    load_view.show(op)
-    window("load")
+    shown = load_view.show(op)
+    shown.slider.setValue(int(AT * shown.slider.maximum()))
+    window("load", STAR)
     load_view.close()
     view = simulation.show(op)
     simulated(view)
-    window("simulation")
+    view.dock.slider.setValue(int(AT * view.dock.slider.maximum()))
+    window("simulation", STAR)
     simulation.close()
     op.ViewObject.Document.setEdit(op.ViewObject, 0)
     window("panel")
