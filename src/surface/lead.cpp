@@ -28,9 +28,12 @@ std::vector<SpacePoint> arc_of(const Ground& ground, SpacePoint start, SpacePoin
   const PlanLine line{plan(start), (1 / level) * Vec2{away.x, away.y}};
   SpacePoint before = start;
   for (const SpacePoint& corner : corners) {
-    const double from = norm(plan(before - start)), to = norm(plan(corner - start));
-    if (to - from > kShortest)
-      for (const DropSample& sample : samples_along(ground, line, from, to, tolerance)) {
+    // Where the pass falls steeply from here the arc comes back over it.
+    const double from = dot(plan(before - start), line.along);
+    const double to = dot(plan(corner - start), line.along);
+    if (std::abs(to - from) > kShortest)
+      for (const DropSample& sample :
+           samples_along(ground, line, std::min(from, to), std::max(from, to), tolerance)) {
         const double share = (sample.s - from) / (to - from);
         if (before.z + share * (corner.z - before.z) < sample.z - kBite * tolerance) return {};
       }

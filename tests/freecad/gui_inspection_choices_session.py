@@ -216,6 +216,7 @@ def session():
     from evenload.gui import inspection as command
 
     FreeCAD.closeDocument(begun(1300, 1400).Name)
+    result["provoked"].append("The datum of the inspection is no longer there")
     part, view = opened()
     view.dock.tabs.setCurrentIndex(1)
     feet, normals = inspection.test_part("CX").at(*grid())

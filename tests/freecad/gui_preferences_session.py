@@ -89,6 +89,7 @@ def session():
     in_inches = new_page()
     fields = in_inches._widgets.defaults
     result["texts"] = [fields[n].property("text") for n in ("EngagementAngle", "StockToLeave")]
+    in_inches.saveSettings()  # rounded to inches as it is shown
     FreeCAD.Units.setSchema(6)
     page.saveSettings()
     result["kept_at_first"] = FreeCAD.ParamGet(KEPT_IN + "/Defaults").GetContents() or []
@@ -148,6 +149,8 @@ def session():
     result["spoiled"] += [broken["CutMode"], broken["EngagementAngle"]]
     page = new_page()
     own = {row.name: preferences.own_default(row) for row in preferences.ROWS}
+    edit(page, PREFERRED)
+    page.saveSettings()
     edit(page, own)
     page.saveSettings()
     result["cleared"] = group.GetContents() or []

@@ -75,10 +75,11 @@ class HolePick:
     (x, y, diameter or None) and not kept alive.
     """
 
-    def __init__(self, taken):
-        self._taken = telling_slot(taken)
+    def __init__(self, document, taken):
+        """document: in whose 3D view a hole is picked."""
+        self._document, self._taken = document, telling_slot(taken)
         self._clicks = Clicks(telling_slot(self._clicked))
-        self._view = None  # while picking
+        self._view = self._scene = None  # while picking
         self._pixel = None  # that was clicked on
         self.button = QtGui.QPushButton(_translate("EvenLoad", "Pick the Hole"))
         self.button.setCheckable(True)
@@ -97,9 +98,9 @@ class HolePick:
 
     def end(self):
         """Picks no longer."""
-        if self._view is not None:
-            self._view.getSceneGraph().removeChild(self._clicks.root)
-            self._view = None
+        scene, self._view, self._scene = self._scene, None, None
+        if scene is not None:
+            scene.removeChild(self._clicks.root)
         self.button.setChecked(False)
 
     def _toggled(self, is_on):
@@ -107,13 +108,14 @@ class HolePick:
             self.end()
             return
         try:
-            self._view = view3d.view_of(FreeCAD.ActiveDocument)
+            self._view = view3d.view_of(self._document)
         except ValueError as error:
             FreeCAD.Console.PrintError(shown(str(error)) + "\n")
             self.end()
             return
         # Before all else in the scene: what FreeCAD selects by this click keeps it from the rest.
-        self._view.getSceneGraph().insertChild(self._clicks.root, 0)
+        self._scene = self._view.getSceneGraph()
+        self._scene.insertChild(self._clicks.root, 0)
 
     def _clicked(self, pixel, size):
         self._pixel = tuple(map(int, pixel))

@@ -42,8 +42,8 @@ class Alignment(Rows):
         self.layout().setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         # Before those who evaluate: with a datum nothing is free, as in Python and in job files.
         self.datum.chosen.connect(slot(self._datum_chosen))
-        self.free.currentIndexChanged.connect(slot(self._show_motions))
-        self._show_motions()
+        self.free.currentIndexChanged.connect(slot(self.show_motions))
+        self.show_motions()
 
     def value(self):
         """(names of the free motions, name of the datum or NO_DATUM)."""
@@ -56,9 +56,10 @@ class Alignment(Rows):
     def _datum_chosen(self):
         if self.datum.name() != NO_DATUM:
             self.show_values(free=NONE)
-        self._show_motions()
+        self.show_motions()
 
-    def _show_motions(self):
+    def show_motions(self):
+        """Shows which motions may be free with the datum that is chosen."""
         self.motions.setVisible(self.free.currentData() == CHOSEN)
         self.motions.allow(IN_DATUM if self.datum.name() != NO_DATUM else MOTIONS)
 

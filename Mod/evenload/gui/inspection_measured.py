@@ -23,6 +23,8 @@ ALL_POINT_FILES = "*.csv " + " ".join("*" + each for each in DMIS)
 SHADES = {IN: colours.GOOD, OUT: colours.BAD, OPEN: colours.CAUTION}
 PROPERTIES = ("Shape", "Placement")  # of what a datum is picked from: what changes it
 
+ENDED = "The datum of the inspection is no longer there: it goes on without one."
+
 
 class Measuring:
     """What an InspectionView does with measured points. It has `document`, `base`, `faces`, `dock`,
@@ -43,7 +45,12 @@ class Measuring:
         if self._picked is not None and self._picked not in planes:
             planes.append(self._picked)
         listed = [(selection.told(*each), selection.key_of(*each)) for each in planes]
-        self.dock.alignment.datum.offer(listed)
+        datum = self.dock.alignment.datum
+        before = datum.name()
+        datum.offer(listed)
+        if datum.name() != before:
+            self.dock.alignment.show_motions()
+            FreeCAD.Console.PrintWarning(_translate("EvenLoad", ENDED) + "\n")
 
     def pick_datum(self):
         """Takes the plane that is selected for the datum."""

@@ -89,16 +89,20 @@ class Predicting:
         its, they are the user's own.
         """
         chosen, before = cutting.source.currentData(), self._source
-        self._source = chosen
+        self._source = OWN  # unless all of it can be read
         if chosen == OWN:
             self._assumed = []
             return
         if chosen == before:
             if {name: _values(cutting)[name] for name in self._filled} != self._filled:
                 cutting.show_values(source=OWN)
-                self._source, self._assumed = OWN, []
+                self._assumed = []
+            else:
+                self._source = chosen
             return
         operation = self.document.getObject(chosen)
+        if operation is None:
+            raise ValueError("The operation is no longer there: choose another one.")
         values, self._assumed = cut_of(operation)
         bent = face_inspection.round_face(self.faces)
         if bent is not None and operation.Strategy in PARALLEL:
@@ -107,6 +111,7 @@ class Predicting:
         if roughness not in (0, self._filled.get("roughness")):
             del values["roughness"]  # the user's own
         _show(cutting, values)
+        self._source = chosen
         self._filled = {name: _values(cutting)[name] for name in values}
 
     def _tell_prediction(self):

@@ -130,7 +130,7 @@ class FormPage(_gui.op.TaskPanelPage):
                 )
                 rows.addRow(self.again)
             elif title == HOLE_IN:
-                self.hole = HolePick(self.take_hole)
+                self.hole = HolePick(self.obj.Document, self.take_hole)
                 rows.addRow(self.hole.button)
         layout.addStretch(1)
         return content

@@ -20,6 +20,7 @@ class PageWidgets:
         self.form = QtGui.QWidget()
         # FreeCAD's dialog shows this as the page's name.
         self.form.setWindowTitle(_translate("EvenLoad", "General"))
+        self._shown = {}  # values of settings as they were shown, rounded
         self.defaults = {row.name: fields.widget_of(row) for row in preferences.ROWS}
         self.live = QtGui.QCheckBox(_translate("EvenLoad", "Live preview"))
         self.live.setToolTip(
@@ -41,14 +42,18 @@ class PageWidgets:
         for row in preferences.ROWS:
             kept = preferences.default_of(row)
             self._show(row, preferences.own_default(row) if kept is None else kept)
+            self._shown[row.name] = self._value(row)
         self.live.setChecked(preferences.live_preview())
         self.scale.setCurrentIndex(self.scale.findData(preferences.scale()))
         self.machine.show_machine(preferences.machine())
 
     def keep(self):
-        """Keeps what is shown."""
+        """Keeps what was changed since it was shown: what is shown may be rounded."""
         for row in preferences.ROWS:
-            preferences.keep_default(row, self._value(row))
+            value = self._value(row)
+            if value != self._shown[row.name]:
+                preferences.keep_default(row, value)
+                self._shown[row.name] = value
         preferences.keep_live_preview(self.live.isChecked())
         preferences.keep_scale(self.scale.itemData(self.scale.currentIndex()))
         preferences.keep_machine(self.machine.machine())

@@ -20,7 +20,8 @@ def forget_the_dead():
     """
     if _shiboken is None:
         return
-    wrappers = [each for each in gc.get_objects() if isinstance(each, QtCore.QObject)]
+    # By the type: an object of others may be asked for its class, and fail.
+    wrappers = [each for each in gc.get_objects() if issubclass(type(each), QtCore.QObject)]
     for wrapper in wrappers:
         if not _shiboken.isValid(wrapper):
             _shiboken.invalidate(wrapper)
