@@ -306,6 +306,17 @@ def test_nothing_in_the_document_is_changed(job_of):
     assert not any(obj.State and "Touched" in obj.State for obj in b.doc.Objects)
 
 
+def test_once_read_no_document_is_needed(job_of):
+    """Another thread computes while the user goes on, or closes the document."""
+    b = job_of(Part.makeBox(20, 10, 10))
+    question = advisor.read(b.job, faces_of(b), Stepover=2.0)
+    (before,) = advisor.answers(question, advisor.STRATEGIES[:1])
+    b.controller.Tool.Diameter = 3
+    b.doc.removeObject(b.controller.Name)
+    assert list(advisor.answers(question, advisor.STRATEGIES[:1])) == [before]
+    assert before.seconds > 0
+
+
 @pytest.mark.parametrize("share", [0.05, 0.55, 0.96])
 def test_it_is_stopped_wherever_it_is(job_of, share):
     b = job_of(part(True))

@@ -219,7 +219,7 @@ def check(obj, tool):
         )
     if not _wants_even_cusps(obj):
         return
-    corner = _end_radius(obj)
+    corner = tool.end_radius
     if not corner > 0:
         raise ValueError(
             "Spacing is '%s', but the tool '%s' has a flat end, which leaves steps: take a ball "
@@ -252,7 +252,7 @@ def arguments_of(obj, tool, data, found):
     arguments = {
         **parameters.of(obj, FINISHING),
         "tool_diameter": tool.diameter,
-        "corner_radius": _end_radius(obj),
+        "corner_radius": tool.end_radius,
         "tolerance": obj.Tolerance.Value - found.deflection,
         "deflection": found.deflection,
         "floor": obj.FinalDepth.Value,
