@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import begun, click, later, picture, result, run, toolbar_texts  # noqa: E402
+from gui_tools import begun, click, later, panel_of_another, picture, press  # noqa: E402
+from gui_tools import result, run, toolbar_texts  # noqa: E402
 
 
 def is_enabled():
@@ -95,6 +96,23 @@ def operations(job):
     return [op.Name for op in job.Operations.Group]
 
 
+def in_panel(view, op):
+    """What is set while the operation's own panel is open, and after its Cancel."""
+    found = {"before": [op.Strategy, op.Document.UndoCount]}
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later(300)
+    choose(view.dock, "Contours outwards")
+    click(view.dock.make)
+    later(100)
+    found["told"] = view.dock.told.text()
+    page = op.ViewObject.Proxy.panel.featurePages[-1]
+    found["set"] = [op.Strategy, page.widgets["Strategy"].currentText()]
+    press(QtGui.QDialogButtonBox.Cancel)
+    later(300)
+    found["after"] = [op.Strategy, op.Document.UndoCount]
+    return found
+
+
 def session():
     from evenload import host
     from evenload.gui import advisor as command
@@ -168,6 +186,10 @@ def session():
 
     # One click makes the operation, one undo takes it back.
     chosen = dock.chosen()
+    with panel_of_another():
+        click(dock.make)
+        later(100)
+        result["other_panel"] = [operations(job), dock.told.text()]
     click(dock.make)
     later(300)
     (name,) = operations(job)
@@ -204,6 +226,8 @@ def session():
     wait(view)
     result["inches"] = [headers(dock), dock.asked.Stepover.text()]
     picture("inches")
+    result["own_panel"] = in_panel(view, op)
+    wait(view)
     choose(dock, "Contours inwards")
     click(dock.make)
     later(300)

@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import begun, later, ours_and_theirs, picture  # noqa: E402
+from gui_tools import begun, later, ours_and_theirs, panel_of_another, picture  # noqa: E402
 from gui_tools import press, result, run, toolbar_texts, unfold_all, widgets  # noqa: E402
 
 NAME = "EvenLoad_Optimise"
@@ -228,6 +228,11 @@ def session():
     later(50)
     result["clicked"] = view.chosen is view.dock.model.rows[2]
     result["compared_after"] = view.dock.compared.text()
+    with panel_of_another():
+        before = [state(ours), doc.UndoCount]
+        view.dock.take.click()
+        later(100)
+        result["other_panel"] = [before, [state(ours), doc.UndoCount], view.dock.told.text()]
     result["taken"] = taken(view, ours)
     # Limits that refuse all, a machine, inches, what cannot be, Cancel.
     limits = view.dock.limits

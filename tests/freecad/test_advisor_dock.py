@@ -89,6 +89,14 @@ def test_the_selected_operation_is_compared_and_set(session):
     assert session["set_undone"] == "Zig-zag"
 
 
+def test_beside_an_open_panel_only_its_own_operation_is_set(session):
+    """FreeCAD would close the panel's transaction, and Cancel could not restore."""
+    assert session["other_panel"] == [[], "Close the open panel first."]
+    own = session["own_panel"]
+    assert own["set"] == ["Contours outwards"] * 2 and own["told"] == "Taken into the panel."
+    assert own["after"] == own["before"]
+
+
 def test_units_are_those_that_freecad_prefers(session):
     headers, stepover = session["inches"]
     assert stepover.endswith(" in")

@@ -72,6 +72,12 @@ def test_take_sets_what_was_told_in_one_step_to_undo(session):
     assert taken["cleared"] == 0 and taken["asks"].startswith("Suggest")
 
 
+def test_beside_another_s_open_panel_nothing_is_taken(session):
+    """FreeCAD would close the panel's transaction, and Cancel could not restore."""
+    before, after, told = session["other_panel"]
+    assert after == before and told == "Close the open panel first."
+
+
 def test_limits_that_refuse_all_are_told(session):
     told, can_be_taken, rows = session["refused"]
     assert told.startswith("No candidate is within the limits: the force refuses most")

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload import advisor
 from evenload import tool as tools
-from evenload.gui import colours, preferences
+from evenload.gui import colours, preferences, steps
 from evenload.gui.advisor_dock import AdvisorDock
 from evenload.gui.advisor_table import name_of
 from evenload.gui.advisor_task import Advising
@@ -196,25 +196,30 @@ class AdvisorView:
 
     def make(self):
         """Makes an operation of the chosen row, or sets the one that is compared; one undoable
-        step.
+        step, or in that one's open panel a part of its edit.
         """
         chosen, document = self.dock.chosen(), self.job.Document
         if chosen is None:
             return
-        document.openTransaction(_translate("EvenLoad", "EvenLoad Finishing Advisor"))
+        refusal = steps.refusal(self.operation)
+        if refusal:
+            self.dock.tell(refusal, colours.BAD)
+            return
+        page = steps.page_of(self.operation)
+        name = _translate("EvenLoad", "EvenLoad Finishing Advisor")
         try:
-            operation = self.operation or self._created()
-            self._set(operation, chosen.strategy)
-            document.recompute()
+            with steps.step(document, self.operation, name):
+                operation = self.operation or self._created()
+                self._set(operation, chosen.strategy)
+                if page is None:
+                    document.recompute()
         except SENTENCES as error:
-            document.abortTransaction()
             self._refuse(str(error))
             return
-        except Exception:  # a bug, which keeps its traceback
-            document.abortTransaction()
-            raise
-        document.commitTransaction()
-        if operation.isValid():
+        if page is not None:
+            page.show_taken()
+            self.dock.tell(_translate("EvenLoad", "Taken into the panel."), colours.GOOD)
+        elif operation.isValid():
             done = _translate("EvenLoad", "%s cuts by %s.")
             self.dock.tell(done % (operation.Label, name_of(chosen.strategy)), colours.GOOD)
         else:

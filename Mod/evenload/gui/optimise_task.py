@@ -23,12 +23,6 @@ class Edited(Observer):
         return {obj.Name for obj in objects if obj is not None} == self._names
 
 
-def page_of(operation):
-    """The page of an operation's settings in its panel; None where that is not open."""
-    panel = getattr(operation.ViewObject.Proxy, "panel", None)
-    return panel.featurePages[-1] if panel is not None else None
-
-
 def computed(cut, asked, done):
     """The task for the thread: yields the Candidate of what is set now, or None, and the
     Optimisation. done: called with the share that is done.

@@ -1,16 +1,14 @@
 """The dock Optimise: what is set now beside what tool and machine allow, of one operation."""
 
-import contextlib
-
 import FreeCAD
 from PySide import QtCore
 
 from evenload import host
-from evenload.gui import colours, preferences
+from evenload.gui import colours, preferences, steps
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.optimise_dock import OptimiseDock
-from evenload.gui.optimise_task import Edited, computed, page_of
+from evenload.gui.optimise_task import Edited, computed
 from evenload.gui.simulation_task import Simulating
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations.base import SENTENCES
@@ -131,20 +129,17 @@ class OptimiseView:
         )
 
     def _keep(self):
-        """Keeps what was asked for the next time; of the tool in the document."""
+        """Keeps what was asked for the next time; of the tool in the document, unless a panel is
+        open: then it is kept when it is taken.
+        """
         asking.keep_limits(self.dock.limits)
         self.dock.to_try.keep()
         controller, limits = self.operation.ToolController, asking.tool_of(self.dock.tool)
-        if not kept.changed(controller, self.cut, limits):
+        if not kept.changed(controller, self.cut, limits) or steps.refusal(self.operation):
             return
-        with self._step(_translate("EvenLoad", "Limits of a tool")):
+        name = _translate("EvenLoad", "Limits of a tool")
+        with steps.step(self.operation.Document, self.operation, name):
             kept.keep(controller, self.cut, limits)
-
-    def _step(self, name):
-        """One step to undo; while the operation's panel is open all is a part of the panel's."""
-        if page_of(self.operation) is not None:
-            return contextlib.nullcontext()
-        return taking.undoable(self.operation.Document, name)
 
     def cancel(self):
         """Stops what is under way."""
@@ -196,14 +191,19 @@ class OptimiseView:
         what was edited there, else as one step, and computes the path.
         """
         chosen, asked = self.chosen, self.asked
+        refusal = steps.refusal(self.operation)
+        if refusal:
+            self.dock.tell(refusal, colours.BAD)
+            return
         numbers = {
             "speed": chosen.spindle_speed,
             "depth": None if asked.keeps_depth else chosen.axial_depth,
             "engagement_deg": None if asked.keeps_angle else chosen.engagement_deg,
             "feed": search.feed_of(chosen),
         }
-        page, controller = page_of(self.operation), self.operation.ToolController
-        with self._step(_translate("EvenLoad", "EvenLoad Optimise")):
+        page, controller = steps.page_of(self.operation), self.operation.ToolController
+        name = _translate("EvenLoad", "EvenLoad Optimise")
+        with steps.step(self.operation.Document, self.operation, name):
             limits = asking.tool_of(self.dock.tool)
             kept.keep(controller, self.cut, limits, always=kept.SPEEDS)
             taking.take_open(self.operation, **numbers)
