@@ -133,6 +133,33 @@ def taken(view, op):
     return seen
 
 
+def followed(view, op):
+    """How many rows there are before and after changes to operation, tool bit, machine and part."""
+    bit, part = op.ToolController.Tool, op.Base[0][0]
+    machine = view.dock.limits.machine
+    changes = (
+        lambda: setattr(op, "HoleDiameter", 8),
+        lambda: setattr(op, "StockToLeave", 0.2),
+        lambda: setattr(bit, "Diameter", 5.8),
+        lambda: setattr(bit, "Flutes", 3),
+        machine.taken.emit,
+        lambda: setattr(part, "Shape", part.Shape.scaled(0.9)),
+    )
+    op.EntryPoint = (12, 11, 0)
+    before = op.HoleDiameter, op.StockToLeave, bit.Diameter, bit.Flutes, part.Shape.copy()
+    found = []
+    for change in changes:
+        suggested(view)
+        found.append([view.dock.told.text(), len(cells(view))])
+        change()
+        later(500)
+        found[-1].append(len(cells(view)))
+    op.HoleDiameter, op.StockToLeave, bit.Diameter, bit.Flutes, part.Shape = before
+    op.Document.recompute()
+    later(500)
+    return found
+
+
 def without_path(job):
     """Of an operation that has no path, nor base geometry: whether the command is active, and what
     the dock tells where the panel opens it.
@@ -278,6 +305,7 @@ def session():
     ours.EngagementAngle = 44
     later(500)
     result["changed"] = [cells(view), view.dock.told.text()]
+    result["followed"] = followed(view, ours)
     ours.ToolController.Tool.Diameter = 0
     view.dock.suggest.click()
     later(100)

@@ -15,12 +15,14 @@ class Edited(Observer):
         if prop in self._properties and self._is_one(obj):
             self._changed(False)
 
+    def slotDeletedObject(self, obj):
+        super().slotDeletedObject(obj)
+        if self._is_stale:
+            self._is_stale = False
+            self._changed(False)
+
     def slotRecomputedDocument(self, doc):
         """Changes are told already."""
-
-    def is_of(self, *objects):
-        """Whether it is these objects that it tells of."""
-        return {obj.Name for obj in objects if obj is not None} == self._names
 
 
 def computed(cut, asked, done):
