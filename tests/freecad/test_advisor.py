@@ -233,6 +233,21 @@ def test_a_trough_bends_the_other_way_and_less_below_an_allowance():
         assert abs(bends.directions[0] @ (0, 1, 0)) == pytest.approx(1)
 
 
+def test_guides_beside_the_faces_are_left_aside(job_of):
+    b = job_of(Part.makeBox(40, 30, 10))
+    op = finishing.Create("Finish", parentJob=b.job, toolController=b.controller)
+    edges = [name for name in ("Edge%d" % n for n in range(1, 13)) if is_upper(b, name)][:2]
+    op.Base = [*faces_of(b), (b.model, tuple(edges))]
+    b.set(op, Strategy="Between guides", Stepover=2.0)
+    (row,) = advisor.advice(op, strategies=advisor.STRATEGIES[:1])
+    b.set(op, **row.strategy.settings)
+    assert b.done(op).CuttingTime == pytest.approx(row.seconds, rel=1e-9)
+
+
+def is_upper(b, name):
+    return b.model.Shape.getElement(name).BoundBox.ZMin > 9.9
+
+
 # ---- what is told where it cannot be ----
 
 

@@ -59,7 +59,7 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
         found = _defaults(job, controller)
     _set(found, settings, tool.diameter / 2)
     finishing.check(found, tool)
-    base = finishing.of_models(job, faces)
+    base = finishing.faces_of(finishing.of_models(job, faces))
     triangles = facets.of(base, job.Model.Group, found.Tolerance.Value)
     picked = face_inspection.picked(base)
     row = materials.load(materials.names()[0] if material is None else material)
