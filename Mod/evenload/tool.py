@@ -50,6 +50,7 @@ class Tool:
     bull_nosed: bool = False  # whether the corner between floor and side is rounded
     helix_angle: float = HELIX_ANGLE_DEG  # degrees, of the flutes
     assumed: dict = field(default_factory=dict)  # {what the tool bit does not say: what is taken}
+    end_radius: float = 0.0  # of its ball or rounded corner
 
 
 @dataclass(frozen=True)
@@ -92,6 +93,7 @@ def read(controller, takes_balls=False):
         "bullnose" in _shapes(bit),
         helix_angle,
         assumed,
+        end_radius(controller),
     )
     data = CuttingData(
         60 * controller.HorizFeed.Value,

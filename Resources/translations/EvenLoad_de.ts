@@ -3625,10 +3625,6 @@ cm³/min</translation>
         <translation>Höhe dessen, was zwischen zwei Bahnen stehen bleibt</translation>
     </message>
     <message>
-        <source>Held down by</source>
-        <translation>Begrenzt durch</translation>
-    </message>
-    <message>
         <source>Highest cusp</source>
         <translation>Höchste Rille</translation>
     </message>
@@ -3659,10 +3655,6 @@ cm³/min</translation>
     <message>
         <source>It keeps the tolerance of %1.</source>
         <translation>Die Toleranz von %1 ist eingehalten.</translation>
-    </message>
-    <message>
-        <source>It was cancelled.</source>
-        <translation>Es wurde abgebrochen.</translation>
     </message>
     <message>
         <source>Its times, largest feed and spindle</source>
@@ -4395,6 +4387,18 @@ cm³/min</translation>
     <message>
         <source>Face</source>
         <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Close the open panel first.</source>
+        <translation>Zuerst die offene Eingabemaske schließen.</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Begrenzt durch</translation>
+    </message>
+    <message>
+        <source>The suggestion was cancelled.</source>
+        <translation>Die Suche nach einem Vorschlag wurde abgebrochen.</translation>
     </message>
 </context>
 <context>

@@ -3625,10 +3625,6 @@ cm³/min</translation>
         <translation>Ami két sor között megmarad, annak magassága</translation>
     </message>
     <message>
-        <source>Held down by</source>
-        <translation>Ami korlátozza</translation>
-    </message>
-    <message>
         <source>Highest cusp</source>
         <translation>Legmagasabb barázda</translation>
     </message>
@@ -3659,10 +3655,6 @@ cm³/min</translation>
     <message>
         <source>It keeps the tolerance of %1.</source>
         <translation>A(z) %1 tűrést betartja.</translation>
-    </message>
-    <message>
-        <source>It was cancelled.</source>
-        <translation>A számítás megszakadt.</translation>
     </message>
     <message>
         <source>Its times, largest feed and spindle</source>
@@ -4395,6 +4387,18 @@ cm³/min</translation>
     <message>
         <source>Face</source>
         <translation>Felület</translation>
+    </message>
+    <message>
+        <source>Close the open panel first.</source>
+        <translation>Először zárja be a nyitott panelt.</translation>
+    </message>
+    <message>
+        <source>Limited by</source>
+        <translation>Ami korlátozza</translation>
+    </message>
+    <message>
+        <source>The suggestion was cancelled.</source>
+        <translation>A javaslat keresése megszakadt.</translation>
     </message>
 </context>
 <context>

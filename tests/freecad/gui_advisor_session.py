@@ -11,7 +11,8 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import begun, click, later, picture, result, run, toolbar_texts  # noqa: E402
+from gui_tools import begun, click, later, panel_of_another, picture, press  # noqa: E402
+from gui_tools import result, run, toolbar_texts  # noqa: E402
 
 
 def is_enabled():
@@ -95,6 +96,43 @@ def operations(job):
     return [op.Name for op in job.Operations.Group]
 
 
+def prefer(tolerance):
+    """Has new operations begin with a tolerance in mm; None: with their own."""
+    from evenload.gui import preferences
+
+    (row,) = (row for row in preferences.ROWS if row.name == "Tolerance")
+    preferences.keep_default(row, tolerance or preferences.own_default(row))
+
+
+def follows(view, *changes):
+    """Whether it compares anew after each of some changes."""
+    found = []
+    for change in changes:
+        view.task.cancel()
+        change()
+        view.job.Document.recompute()
+        later(100)
+        found.append(view.task.is_busy)
+    return found
+
+
+def in_panel(view, op):
+    """What is set while the operation's own panel is open, and after its Cancel."""
+    found = {"before": [op.Strategy, op.Document.UndoCount]}
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later(300)
+    choose(view.dock, "Contours outwards")
+    click(view.dock.make)
+    later(100)
+    found["told"] = view.dock.told.text()
+    page = op.ViewObject.Proxy.panel.featurePages[-1]
+    found["set"] = [op.Strategy, page.widgets["Strategy"].currentText()]
+    press(QtGui.QDialogButtonBox.Cancel)
+    later(300)
+    found["after"] = [op.Strategy, op.Document.UndoCount]
+    return found
+
+
 def session():
     from evenload import host
     from evenload.gui import advisor as command
@@ -127,7 +165,8 @@ def session():
     select(model, *upper(model.Shape))
     result["enabled"].append(is_enabled())
 
-    # Cancelled under way, then in whole.
+    # Cancelled under way, then in whole. New operations begin with a tolerance that is preferred.
+    prefer(0.02)
     FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
     view = shown()[0]
     dock = view.dock
@@ -168,6 +207,10 @@ def session():
 
     # One click makes the operation, one undo takes it back.
     chosen = dock.chosen()
+    with panel_of_another():
+        click(dock.make)
+        later(100)
+        result["other_panel"] = [operations(job), dock.told.text()]
     click(dock.make)
     later(300)
     (name,) = operations(job)
@@ -176,10 +219,12 @@ def session():
         "settings": [op.Strategy, op.PassAngle.Value, op.Spacing, op.Stepover.Value],
         "valid": op.isValid(),
         "seconds": [op.CuttingTime, chosen.seconds],
+        "tolerance": op.Tolerance.Value,
         "faces": [list(names) for _, names in op.Base],
         "told": dock.told.text(),
         "still": [len(view.rows), view.task.is_busy],
     }
+    prefer(None)
     doc.undo()
     later(100)
     result["undone"] = operations(job)
@@ -190,6 +235,7 @@ def session():
     # A tool without a ball; another schema.
     dock.asked.controller.setCurrentIndex(1)
     later(200)
+    result["flat_cusp"] = dock.lengths()["CuspHeight"]
     result["flat"] = [dock.told.text(), len(view.rows), view.task.is_busy, dock.make.isEnabled()]
     picture("flat")
     command.close()
@@ -204,6 +250,8 @@ def session():
     wait(view)
     result["inches"] = [headers(dock), dock.asked.Stepover.text()]
     picture("inches")
+    result["own_panel"] = in_panel(view, op)
+    wait(view)
     choose(dock, "Contours inwards")
     click(dock.make)
     later(300)
@@ -229,10 +277,25 @@ def session():
     result["refused"]["can_make"] = dock.make.isEnabled()
 
     # What changes meanwhile; the end.
-    controller.SpindleSpeed = 4000
+    bit = controller.Tool
+    result["again"] = follows(
+        view,
+        lambda: setattr(controller, "SpindleSpeed", 4000),
+        lambda: setattr(op, "Tolerance", 0.03),
+        lambda: setattr(op, "FinalDepth", op.FinalDepth.Value + 0.5),
+        lambda: setattr(bit, "Flutes", 3),
+        lambda: setattr(bit, "Diameter", 8),
+        lambda: setattr(op, "Stepover", 1.5),
+    )
+    result["lengths"] = [view.dock.lengths(), op.Stepover.Value, op.CuspHeight.Value]
+    view.task.cancel()
+    dock.asked.Stepover.setValue(1.0)
+    later(100)
+    view.task.cancel()
+    op.Strategy = "One way"  # each row has its own
     doc.recompute()
     later(100)
-    result["again"] = view.task.is_busy
+    result["not_again"] = [view.task.is_busy, dock.lengths()["Stepover"]]
     dock.close()
     later(100)
     result["closed"] = len(shown())

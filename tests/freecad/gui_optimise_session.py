@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import begun, later, ours_and_theirs, picture  # noqa: E402
+from gui_tools import begun, later, ours_and_theirs, panel_of_another, picture  # noqa: E402
 from gui_tools import press, result, run, toolbar_texts, unfold_all, widgets  # noqa: E402
 
 NAME = "EvenLoad_Optimise"
@@ -133,6 +133,33 @@ def taken(view, op):
     return seen
 
 
+def followed(view, op):
+    """How many rows there are before and after changes to operation, tool bit, machine and part."""
+    bit, part = op.ToolController.Tool, op.Base[0][0]
+    machine = view.dock.limits.machine
+    changes = (
+        lambda: setattr(op, "HoleDiameter", 8),
+        lambda: setattr(op, "StockToLeave", 0.2),
+        lambda: setattr(bit, "Diameter", 5.8),
+        lambda: setattr(bit, "Flutes", 3),
+        machine.taken.emit,
+        lambda: setattr(part, "Shape", part.Shape.scaled(0.9)),
+    )
+    op.EntryPoint = (12, 11, 0)
+    before = op.HoleDiameter, op.StockToLeave, bit.Diameter, bit.Flutes, part.Shape.copy()
+    found = []
+    for change in changes:
+        suggested(view)
+        found.append([view.dock.told.text(), len(cells(view))])
+        change()
+        later(500)
+        found[-1].append(len(cells(view)))
+    op.HoleDiameter, op.StockToLeave, bit.Diameter, bit.Flutes, part.Shape = before
+    op.Document.recompute()
+    later(500)
+    return found
+
+
 def without_path(job):
     """Of an operation that has no path, nor base geometry: whether the command is active, and what
     the dock tells where the panel opens it.
@@ -228,6 +255,11 @@ def session():
     later(50)
     result["clicked"] = view.chosen is view.dock.model.rows[2]
     result["compared_after"] = view.dock.compared.text()
+    with panel_of_another():
+        before = [state(ours), doc.UndoCount]
+        view.dock.take.click()
+        later(100)
+        result["other_panel"] = [before, [state(ours), doc.UndoCount], view.dock.told.text()]
     result["taken"] = taken(view, ours)
     # Limits that refuse all, a machine, inches, what cannot be, Cancel.
     limits = view.dock.limits
@@ -273,6 +305,7 @@ def session():
     ours.EngagementAngle = 44
     later(500)
     result["changed"] = [cells(view), view.dock.told.text()]
+    result["followed"] = followed(view, ours)
     ours.ToolController.Tool.Diameter = 0
     view.dock.suggest.click()
     later(100)

@@ -23,6 +23,23 @@ faulthandler.enable(_last_words)
 faulthandler.dump_traceback_later(240, file=_last_words, exit=True)
 
 
+@contextlib.contextmanager
+def panel_of_another():
+    """While this lasts, a panel is open that is no operation's of ours."""
+    FreeCADGui.Control.showDialog(_Panel())
+    later(50)
+    try:
+        yield
+    finally:
+        FreeCADGui.Control.closeDialog()
+        later(50)
+
+
+class _Panel:
+    def __init__(self):
+        self.form = QtGui.QWidget()
+
+
 def later(milliseconds=300):
     """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
     makes a widget in the place of one that is gone, Python may else take it for that one.

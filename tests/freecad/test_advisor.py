@@ -233,6 +233,21 @@ def test_a_trough_bends_the_other_way_and_less_below_an_allowance():
         assert abs(bends.directions[0] @ (0, 1, 0)) == pytest.approx(1)
 
 
+def test_guides_beside_the_faces_are_left_aside(job_of):
+    b = job_of(Part.makeBox(40, 30, 10))
+    op = finishing.Create("Finish", parentJob=b.job, toolController=b.controller)
+    edges = [name for name in ("Edge%d" % n for n in range(1, 13)) if is_upper(b, name)][:2]
+    op.Base = [*faces_of(b), (b.model, tuple(edges))]
+    b.set(op, Strategy="Between guides", Stepover=2.0)
+    (row,) = advisor.advice(op, strategies=advisor.STRATEGIES[:1])
+    b.set(op, **row.strategy.settings)
+    assert b.done(op).CuttingTime == pytest.approx(row.seconds, rel=1e-9)
+
+
+def is_upper(b, name):
+    return b.model.Shape.getElement(name).BoundBox.ZMin > 9.9
+
+
 # ---- what is told where it cannot be ----
 
 
@@ -304,6 +319,17 @@ def test_nothing_in_the_document_is_changed(job_of):
     advisor.advice(b.job, faces_of(b), advisor.STRATEGIES[:1], Stepover=3.0)
     assert [obj.Name for obj in b.doc.Objects] == before
     assert not any(obj.State and "Touched" in obj.State for obj in b.doc.Objects)
+
+
+def test_once_read_no_document_is_needed(job_of):
+    """Another thread computes while the user goes on, or closes the document."""
+    b = job_of(Part.makeBox(20, 10, 10))
+    question = advisor.read(b.job, faces_of(b), Stepover=2.0)
+    (before,) = advisor.answers(question, advisor.STRATEGIES[:1])
+    b.controller.Tool.Diameter = 3
+    b.doc.removeObject(b.controller.Name)
+    assert list(advisor.answers(question, advisor.STRATEGIES[:1])) == [before]
+    assert before.seconds > 0
 
 
 @pytest.mark.parametrize("share", [0.05, 0.55, 0.96])

@@ -73,12 +73,14 @@ def test_one_click_makes_the_operation_in_one_undoable_step(session):
     assert made["valid"] and len(made["faces"][0]) == 5
     assert made["seconds"][0] == pytest.approx(made["seconds"][1], rel=1e-6)
     assert "Zig-zag 67.5°" in made["told"] and made["still"] == [10, False]
+    assert made["tolerance"] == pytest.approx(0.02), "as new operations are preferred"
     assert session["undone"] == [] and len(session["redone"]) == 1
 
 
 def test_a_tool_without_a_ball_is_refused_in_the_dock(session):
     told, rows, is_busy, can_make = session["flat"]
     assert "has no ball end" in told and rows == 0 and not is_busy and not can_make
+    assert session["flat_cusp"] == 0
 
 
 def test_the_selected_operation_is_compared_and_set(session):
@@ -87,6 +89,14 @@ def test_the_selected_operation_is_compared_and_set(session):
     strategy, is_valid, count = session["set"]
     assert (strategy, is_valid, count) == ("Contours inwards", True, 1)
     assert session["set_undone"] == "Zig-zag"
+
+
+def test_beside_an_open_panel_only_its_own_operation_is_set(session):
+    """FreeCAD would close the panel's transaction, and Cancel could not restore."""
+    assert session["other_panel"] == [[], "Close the open panel first."]
+    own = session["own_panel"]
+    assert own["set"] == ["Contours outwards"] * 2 and own["told"] == "Taken into the panel."
+    assert own["after"] == own["before"]
 
 
 def test_units_are_those_that_freecad_prefers(session):
@@ -99,6 +109,10 @@ def test_units_are_those_that_freecad_prefers(session):
     assert stepover.endswith(" mm") and {"Scatter\nmm", "Scatter\nµm"} & set(headers)
 
 
-def test_it_follows_its_tool_controller_and_ends_with_its_dock_and_document(session):
-    assert session["again"] is True
+def test_it_follows_what_is_compared_and_ends_with_its_dock_and_document(session):
+    assert session["again"] == [True] * 6
+    lengths, stepover, cusp_height = session["lengths"]
+    assert lengths["Stepover"] == pytest.approx(stepover) == 1.5
+    assert lengths["CuspHeight"] == pytest.approx(cusp_height, abs=5e-5)
+    assert session["not_again"] == [False, 1.0]
     assert [session[key] for key in ("closed", "opened", "gone")] == [0, 1, 0]

@@ -51,7 +51,7 @@ def test_candidates_are_listed_and_sorted_by_their_numbers(session):
     assert session["titles"][0] == "Angle, °"
     assert "On the machine" not in session["titles"]
     assert len(session["cells"]) == 10
-    bound = session["titles"].index("Held down by")
+    bound = session["titles"].index("Limited by")
     assert {row[bound] for row in session["cells"]} == {"chip thickness"}
     up, down = session["force"]
     assert up == sorted(up) and down == up[::-1] and len(set(up)) > 1
@@ -70,6 +70,12 @@ def test_take_sets_what_was_told_in_one_step_to_undo(session):
     assert [taken["undone"][key] for key in settings] == [taken["before"][key] for key in settings]
     assert [taken["redone"][key] for key in settings] == [taken["after"][key] for key in settings]
     assert taken["cleared"] == 0 and taken["asks"].startswith("Suggest")
+
+
+def test_beside_another_s_open_panel_nothing_is_taken(session):
+    """FreeCAD would close the panel's transaction, and Cancel could not restore."""
+    before, after, told = session["other_panel"]
+    assert after == before and told == "Close the open panel first."
 
 
 def test_limits_that_refuse_all_are_told(session):
@@ -108,7 +114,7 @@ def test_without_a_path_the_command_is_grey_and_the_dock_tells_what_is_missing(s
 
 def test_cancel_stops_it(session):
     assert session["busy"] == [True, True]
-    assert session["cancelled"] == [False, "It was cancelled.", False]
+    assert session["cancelled"] == [False, "The suggestion was cancelled.", False]
 
 
 def test_what_was_asked_is_kept(session):
@@ -119,6 +125,13 @@ def test_what_was_asked_is_kept(session):
 def test_a_suggestion_goes_with_what_it_was_made_for(session):
     rows, told = session["changed"]
     assert rows == [] and told.startswith("Suggest")
+
+
+def test_a_suggestion_goes_with_all_that_it_came_from(session):
+    """Settings, the tool bit, the machine's file, the base geometry."""
+    assert len(session["followed"]) == 6
+    for told, before, after in session["followed"]:
+        assert before > 0 and after == 0, told
 
 
 def test_what_is_taken_in_an_open_panel_is_a_part_of_its_edit(session):

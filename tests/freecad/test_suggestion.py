@@ -132,6 +132,13 @@ def test_what_the_user_changes_is_kept_with_the_tool(square, op):
     assert kept.of(controller, again)["most_speed"] == 180 and "3" in controller.CuttingLimits
 
 
+def test_keeping_limits_puts_no_operation_out_of_date(square, op):
+    found = cuts.read(op)
+    for teeth in (2, 3):
+        kept.keep(square.controller, found, {**kept.suggested(found), "teeth": teeth})
+        assert not any("Touched" in each.State for each in (op, square.controller))
+
+
 def test_speeds_that_were_suggested_by_what_was_set_can_be_kept(square, op):
     controller, found = square.controller, cuts.read(op)
     limits = kept.suggested(found)
@@ -263,6 +270,12 @@ def test_what_is_taken_is_what_was_told(op):
     for name in ("time_s", "force_peak_n", "power_w", "h_max_mm"):
         assert getattr(now, name) == pytest.approx(getattr(best, name), rel=0.01), name
     assert now.time_s == pytest.approx(op.CuttingTime, rel=0.02)
+
+
+def test_an_operation_without_a_controller_takes_a_depth(square, op):
+    op.ToolController = None
+    taking.take(op, depth=0.5 * DEPTH)
+    assert op.StepDown.Value == pytest.approx(0.5 * DEPTH)
 
 
 def test_a_feed_that_cannot_be_is_refused_and_changes_nothing(op):

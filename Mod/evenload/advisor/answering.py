@@ -91,12 +91,12 @@ def advice_on(question, strategy, watch=None):
     task = finishing.Task(question.facets, settings, question.tool, question.data, arguments, [])
     made = task.run(watch and (lambda share: watch(PATH_SHARE * share)))
     with waiting.asking(watch and (lambda share: watch(PATH_SHARE + (1 - PATH_SHARE) * share))):
-        felt, length, counted = _loads(question, arguments, made)
-    return _told(question, strategy, made, felt, length, counted)
+        felt, length = _loads(question, arguments, made)
+    return _told(question, strategy, made, felt, length)
 
 
 def _loads(question, arguments, made):
-    """(Loads, mm of cuts, how many of PLACES lie on the faces) along a Computation's path."""
+    """(Loads at those of PLACES that lie on the faces, mm of cuts) along a Computation's path."""
     stepover = max(made.finish.largest_stepover, arguments["stepover"])
     found = places.places_along(made.toolpath.moves, PLACES, stepover)
     allowance = arguments["allowance"]
@@ -115,10 +115,10 @@ def _loads(question, arguments, made):
     if not is_face.any():
         raise ValueError("The tool touches the faces nowhere but at edges.")
     found, bends = found.only(is_face), bends.only(is_face)
-    return loads.loads_at(found, bends, question.cutting), found.length, int(is_face.sum())
+    return loads.loads_at(found, bends, question.cutting), found.length
 
 
-def _told(question, strategy, made, felt, length, counted):
+def _told(question, strategy, made, felt, length):
     """The Advice of what was felt; places are as far from each other along the path, so that each
     weighs the same. The force impulse is the integral of the force over the time of the cuts
     [Varga 2023, 7, formula 10].

@@ -49,7 +49,7 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
     job = host.parent_job(owner) if is_operation else owner
     controller = controller or (owner.ToolController if is_operation else _first_controller(job))
     tool, data = tools.read(controller, takes_balls=True)
-    _check_ball(controller, tool, stock)
+    _check_ball(tool, stock)
     _check_speed(controller, data)
     if is_operation:
         compute.refuse_turned_work_plane(owner)
@@ -57,10 +57,9 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
         faces = owner.Base
     else:
         found = _defaults(job, controller)
-    found.ToolController = controller
     _set(found, settings, tool.diameter / 2)
     finishing.check(found, tool)
-    base = finishing.of_models(job, faces)
+    base = finishing.faces_of(finishing.of_models(job, faces))
     triangles = facets.of(base, job.Model.Group, found.Tolerance.Value)
     picked = face_inspection.picked(base)
     row = materials.load(materials.names()[0] if material is None else material)
@@ -79,8 +78,8 @@ def _first_controller(job):
     return next(iter(job.Tools.Group), None)
 
 
-def _check_ball(controller, tool, stock):
-    if tools.end_radius(controller) < tool.diameter / 2 - SAME:
+def _check_ball(tool, stock):
+    if tool.end_radius < tool.diameter / 2 - SAME:
         raise ValueError(
             "The tool '%s' has no ball end, and the advisor's chips are those of a ball: choose a "
             "ball end mill." % tool.name

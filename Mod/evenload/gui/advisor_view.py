@@ -5,12 +5,11 @@ from PySide import QtCore, QtGui
 
 from evenload import advisor
 from evenload import tool as tools
-from evenload.gui import colours, preferences
+from evenload.gui import colours, preferences, steps
 from evenload.gui.advisor_dock import AdvisorDock
 from evenload.gui.advisor_table import name_of
-from evenload.gui.advisor_task import Advising
+from evenload.gui.advisor_task import Advising, observer_of, preferred_settings
 from evenload.gui.length_box import UnitsWatch
-from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations import finishing
 from evenload.operations.base import SENTENCES
@@ -22,8 +21,6 @@ from evenload.words import name_of as name_of_faces
 _translate = FreeCAD.Qt.translate
 
 SHARE = 0.05  # of the tool's diameter: the stepover at first, as the operation has it
-# Of models, controllers and the operation: what changes what is compared.
-PROPERTIES = ("Shape", "Placement", "Base", "Tool", "HorizFeed", "VertFeed", "SpindleSpeed")
 
 
 class AdvisorView:
@@ -41,15 +38,14 @@ class AdvisorView:
             )
         self.job, self.faces, self.operation, self._closed = job, faces, operation, closed
         self.rows = []
+        self._shown = None  # of the operation
         self.dock = AdvisorDock(self)
         self.task = Advising(self.dock, self._progressed, self._take, self._refuse)
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)
         self._show_defaults()
         self._connect()
-        objects = [*job.Model.Group, *job.Tools.Group, *([operation] if operation else [])]
-        self._observer = Observer([job, *objects], PROPERTIES, telling_slot(self._changed))
-        FreeCAD.addDocumentObserver(self._observer)
+        self._observer = None
         self._units = UnitsWatch(self.dock, self.dock.follow_units)
         self.dock.show()
         self.compare()
@@ -58,6 +54,7 @@ class AdvisorView:
         asked = self.dock.asked
         asked.Stepover.valueChanged.connect(slot(self._stepover_set))
         asked.CuspHeight.valueChanged.connect(slot(self._cusp_height_set))
+        asked.controller.currentIndexChanged.connect(slot(self._stepover_set))
         asked.changed.connect(slot(self._compare_soon))
         asked.machine.taken.connect(slot(self._compare_soon))
         self._again.timeout.connect(slot(self.compare))
@@ -69,7 +66,7 @@ class AdvisorView:
         self.task.cancel()
         self._again.stop()
         self._units.end()
-        FreeCAD.removeDocumentObserver(self._observer)
+        self._stop_observing()
         self.dock.hide()
         self.dock.deleteLater()
 
@@ -81,15 +78,8 @@ class AdvisorView:
         self.dock.asked.machine.show_machine(preferences.machine())
         operation = self.operation
         if operation is not None:
-            lengths = {
-                "Stepover": operation.Stepover.Value,
-                "CuspHeight": operation.CuspHeight.Value,
-            }
-            self.dock.asked.show_values(
-                controller=operation.ToolController.Name if operation.ToolController else None,
-                Spacing=operation.Spacing,
-            )
-            name = operation.Label
+            self._show_operation()
+            name, lengths = operation.Label, {}
         else:
             balls = [each for each in self.job.Tools.Group if _has_ball(each)]
             if balls:
@@ -107,6 +97,18 @@ class AdvisorView:
         )
         self.dock.make.setText(_translate("EvenLoad", title))
         self.dock.make.setToolTip(_translate("EvenLoad", tip))
+
+    def _show_operation(self):
+        """Shows what the operation has, unless that is what it had before."""
+        operation = self.operation
+        controller = operation.ToolController and operation.ToolController.Name
+        lengths = operation.Stepover.Value, operation.CuspHeight.Value
+        values = controller, operation.Spacing, lengths
+        if values == self._shown:
+            return
+        self._shown = values
+        self.dock.asked.show_values(controller=controller, Spacing=operation.Spacing)
+        self.dock.show_lengths(Stepover=lengths[0], CuspHeight=lengths[1])
 
     def controller(self):
         """The tool controller that is chosen, None without any."""
@@ -148,6 +150,8 @@ class AdvisorView:
         asked = self.dock.asked
         if asked.machine.machine() == "":
             return  # it is being asked for
+        self._observe()
+        preferred = preferred_settings() if self.operation is None else {}
         self._show([])
         self.dock.tell("")
         QtGui.QApplication.setOverrideCursor(QtCore.Qt.WaitCursor)
@@ -159,7 +163,7 @@ class AdvisorView:
                 stock=self.dock.lengths()["stock"],
                 material=asked.material.currentData(),
                 machine=asked.machine.machine(),
-                **self._settings(),
+                **{**preferred, **self._settings()},
             )
         except ValueError as error:
             self.task.cancel()
@@ -196,25 +200,31 @@ class AdvisorView:
 
     def make(self):
         """Makes an operation of the chosen row, or sets the one that is compared; one undoable
-        step.
+        step, or in that one's open panel a part of its edit.
         """
         chosen, document = self.dock.chosen(), self.job.Document
         if chosen is None:
             return
-        document.openTransaction(_translate("EvenLoad", "EvenLoad Finishing Advisor"))
+        refusal = steps.refusal(self.operation)
+        if refusal:
+            self.dock.tell(refusal, colours.BAD)
+            return
+        page = steps.page_of(self.operation)
+        name = _translate("EvenLoad", "EvenLoad Finishing Advisor")
         try:
-            operation = self.operation or self._created()
-            self._set(operation, chosen.strategy)
-            document.recompute()
+            with steps.step(document, self.operation, name):
+                operation = self.operation or self._created()
+                self._set(operation, chosen.strategy)
+                if page is None:
+                    document.recompute()
+                    self._again.stop()  # what is compared is what it has now
         except SENTENCES as error:
-            document.abortTransaction()
             self._refuse(str(error))
             return
-        except Exception:  # a bug, which keeps its traceback
-            document.abortTransaction()
-            raise
-        document.commitTransaction()
-        if operation.isValid():
+        if page is not None:
+            page.show_taken()
+            self.dock.tell(_translate("EvenLoad", "Taken into the panel."), colours.GOOD)
+        elif operation.isValid():
             done = _translate("EvenLoad", "%s cuts by %s.")
             self.dock.tell(done % (operation.Label, name_of(chosen.strategy)), colours.GOOD)
         else:
@@ -225,6 +235,7 @@ class AdvisorView:
             finishing.NAME.replace(" ", ""), parentJob=self.job, toolController=self.controller()
         )
         operation.ViewObject.Visibility = True
+        preferences.set_defaults(operation)
         operation.Base = finishing.of_models(self.job, self.faces)
         return operation
 
@@ -239,11 +250,26 @@ class AdvisorView:
 
     # ---- what happens meanwhile ----
 
+    def _observe(self):
+        """Follows what is compared, with the tool bits that there are now."""
+        self._stop_observing()
+        self._observer = observer_of(self.job, self.operation, telling_slot(self._changed))
+        FreeCAD.addDocumentObserver(self._observer)
+
+    def _stop_observing(self):
+        if self._observer is not None:
+            FreeCAD.removeDocumentObserver(self._observer)
+            self._observer = None
+
     def _changed(self, is_gone):
         if is_gone:
             self._closed()
+            return
+        if self.operation is not None:
+            self._show_operation()
         else:
-            self._compare_soon()
+            self._stepover_set()  # the ball may be another
+        self._compare_soon()
 
     def _dock_shown(self, is_shown):
         """A dock that its user closes ends; one behind others does not."""

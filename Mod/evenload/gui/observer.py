@@ -1,20 +1,27 @@
 """What a view is told of the objects that it shows."""
 
+EVERY_ONES = ("", "Base")  # groups of the properties that all document objects have
+
 
 class Observer:
     """Tells of changes to objects of one document, after the recompute, and of their end."""
 
-    def __init__(self, objects, properties, changed):
+    def __init__(self, objects, properties, changed, used=()):
         """properties: names of those that count; changed: called with whether an object is no
-        longer there.
+        longer there. used: further objects, such as tool bits, whose end is only a change.
         """
         self._names = {obj.Name for obj in objects}
+        self._used = {obj.Name for obj in used}
         self._document = objects[0].Document.Name
         self._properties, self._changed = properties, changed
         self._is_stale = False
 
     def _is_one(self, obj):
-        return obj.Name in self._names and obj.Document.Name == self._document
+        return obj.Name in self._names | self._used and obj.Document.Name == self._document
+
+    def is_of(self, *objects):
+        """Whether it is these objects that it tells of, used ones among them."""
+        return {obj.Name for obj in objects if obj is not None} == self._names | self._used
 
     def slotChangedObject(self, obj, prop):
         if prop in self._properties and self._is_one(obj):
@@ -26,9 +33,28 @@ class Observer:
             self._changed(False)
 
     def slotDeletedObject(self, obj):
-        if self._is_one(obj):
+        if not self._is_one(obj):
+            return
+        if obj.Name in self._names:
             self._changed(True)
+        else:
+            self._is_stale = True
 
     def slotDeletedDocument(self, doc):
         if doc.Name == self._document:
             self._changed(True)
+
+
+def bits_of(controllers):
+    """The tool bits of tool controllers, of those that have one."""
+    return [each.Tool for each in controllers if each.Tool is not None]
+
+
+def own_properties(objects):
+    """The names of properties that not every document object has, such as a tool bit's lengths."""
+    return {
+        name
+        for obj in objects
+        for name in obj.PropertiesList
+        if obj.getGroupOfProperty(name) not in EVERY_ONES
+    }

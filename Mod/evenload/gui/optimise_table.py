@@ -53,7 +53,7 @@ def columns(with_machine):
             1 if inches else 0,
         ),
         Column(_translate("EvenLoad", "Time"), lambda c: c.time_s, lambda c: clock(c.time_s)),
-        Column(_translate("EvenLoad", "Held down by"), bound_of, bound_of),
+        Column(_translate("EvenLoad", "Limited by"), bound_of, bound_of),
         figure(_translate("EvenLoad", "Force, N"), "force_peak_n", "%.0f"),
         figure(_translate("EvenLoad", "Torque, N m"), "torque_peak_nm", "%.2f"),
         figure(_translate("EvenLoad", "Power, W"), "power_w", "%.0f"),

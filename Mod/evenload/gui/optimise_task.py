@@ -15,18 +15,14 @@ class Edited(Observer):
         if prop in self._properties and self._is_one(obj):
             self._changed(False)
 
+    def slotDeletedObject(self, obj):
+        super().slotDeletedObject(obj)
+        if self._is_stale:
+            self._is_stale = False
+            self._changed(False)
+
     def slotRecomputedDocument(self, doc):
         """Changes are told already."""
-
-    def is_of(self, *objects):
-        """Whether it is these objects that it tells of."""
-        return {obj.Name for obj in objects if obj is not None} == self._names
-
-
-def page_of(operation):
-    """The page of an operation's settings in its panel; None where that is not open."""
-    panel = getattr(operation.ViewObject.Proxy, "panel", None)
-    return panel.featurePages[-1] if panel is not None else None
 
 
 def computed(cut, asked, done):

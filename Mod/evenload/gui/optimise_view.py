@@ -1,19 +1,19 @@
 """The dock Optimise: what is set now beside what tool and machine allow, of one operation."""
 
-import contextlib
-
 import FreeCAD
 from PySide import QtCore
 
 from evenload import host
-from evenload.gui import colours, preferences
+from evenload.gui import colours, preferences, steps
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.length_box import UnitsWatch
+from evenload.gui.observer import bits_of, own_properties
 from evenload.gui.optimise_dock import OptimiseDock
-from evenload.gui.optimise_task import Edited, computed, page_of
+from evenload.gui.optimise_task import Edited, computed
 from evenload.gui.simulation_task import Simulating
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations.base import SENTENCES
+from evenload.operations.checks import DEPTHS
 from evenload.settings.labels import told
 from evenload.settings.sentences import shown
 from evenload.stability import taking
@@ -23,10 +23,9 @@ from evenload.suggestion import kept, search
 _translate = FreeCAD.Qt.translate
 
 DELAY = 200  # ms without a change until it is looked whether what is shown still holds
-FOLLOWED = (  # properties of operation and tool controller
-    *("EngagementAngle", "StepDown", "StartDepth", "FinalDepth", "Base", "ToolController"),
-    *("StockToLeaveAxial", "CutMode", "FeedControl", "MaximumFeed", "LinkFeed", "RollRadius"),
-    *("SpindleSpeed", "HorizFeed", "VertFeed", "Tool"),
+FOLLOWED = (  # besides settings and depths: of operation, tool controller and base geometry
+    *("Base", "ToolController", "ExpressionEngine", "Shape", "Placement"),
+    *("SpindleSpeed", "SpindleDir", "HorizFeed", "VertFeed", "HorizRapid", "Tool"),
 )
 
 
@@ -54,6 +53,7 @@ class OptimiseView:
         self._again.timeout.connect(slot(self._look_again))
         for box in (dock.limits, dock.tool, dock.to_try):
             box.changed.connect(slot(self._inputs_changed))
+        dock.limits.machine.taken.connect(slot(self._inputs_changed))
         dock.chosen.connect(telling_slot(self.choose))
         dock.visibilityChanged.connect(telling_slot(self._dock_shown))
 
@@ -62,7 +62,7 @@ class OptimiseView:
         self.task.cancel()
         self._again.stop()
         self._units.end()
-        self._observe([])
+        self._stop_observing()
         self.dock.hide()
         self.dock.deleteLater()
 
@@ -70,8 +70,7 @@ class OptimiseView:
 
     def show_operation(self):
         """Reads operation and tool, and shows what is known of the tool."""
-        controller = host.controller_of(self.operation)
-        self._observe([self.operation, *([controller] if controller is not None else [])])
+        self._observe(*self._sources())
         self._forget()
         if self._read():
             asking.show_tool(self.dock.tool, self._limits_known)
@@ -131,25 +130,22 @@ class OptimiseView:
         )
 
     def _keep(self):
-        """Keeps what was asked for the next time; of the tool in the document."""
+        """Keeps what was asked for the next time; of the tool in the document, unless a panel is
+        open: then it is kept when it is taken.
+        """
         asking.keep_limits(self.dock.limits)
         self.dock.to_try.keep()
         controller, limits = self.operation.ToolController, asking.tool_of(self.dock.tool)
-        if not kept.changed(controller, self.cut, limits):
+        if not kept.changed(controller, self.cut, limits) or steps.refusal(self.operation):
             return
-        with self._step(_translate("EvenLoad", "Limits of a tool")):
+        name = _translate("EvenLoad", "Limits of a tool")
+        with steps.step(self.operation.Document, self.operation, name):
             kept.keep(controller, self.cut, limits)
-
-    def _step(self, name):
-        """One step to undo; while the operation's panel is open all is a part of the panel's."""
-        if page_of(self.operation) is not None:
-            return contextlib.nullcontext()
-        return taking.undoable(self.operation.Document, name)
 
     def cancel(self):
         """Stops what is under way."""
         self._forget()
-        self.dock.tell(_translate("EvenLoad", "It was cancelled."), colours.CAUTION)
+        self.dock.tell(_translate("EvenLoad", "The suggestion was cancelled."), colours.CAUTION)
 
     def _refuse(self, sentence):
         self._forget()
@@ -196,21 +192,23 @@ class OptimiseView:
         what was edited there, else as one step, and computes the path.
         """
         chosen, asked = self.chosen, self.asked
+        refusal = steps.refusal(self.operation)
+        if refusal:
+            self.dock.tell(refusal, colours.BAD)
+            return
         numbers = {
             "speed": chosen.spindle_speed,
             "depth": None if asked.keeps_depth else chosen.axial_depth,
             "engagement_deg": None if asked.keeps_angle else chosen.engagement_deg,
             "feed": search.feed_of(chosen),
         }
-        page, controller = page_of(self.operation), self.operation.ToolController
-        with self._step(_translate("EvenLoad", "EvenLoad Optimise")):
-            limits = asking.tool_of(self.dock.tool)
-            kept.keep(controller, self.cut, limits, always=kept.SPEEDS)
-            taking.take_open(self.operation, **numbers)
-            if page is None:
-                self.operation.Document.recompute()
-            else:
-                page.show_taken()
+        page = steps.page_of(self.operation)
+        self._again.stop()
+        self._stop_observing()  # a long recompute lets the window go on, and what is taken is shown
+        try:
+            self._set(numbers, page)
+        finally:
+            self._observe(*self._sources())
         if page is None and not self.operation.isValid():
             self._refuse(self.operation.Report or self.operation.getStatusString())
             return
@@ -223,6 +221,17 @@ class OptimiseView:
             if page is not None
             else _translate("EvenLoad", "Taken: Undo sets what was before.")
         )
+
+    def _set(self, numbers, page):
+        controller, document = self.operation.ToolController, self.operation.Document
+        with steps.step(document, self.operation, _translate("EvenLoad", "EvenLoad Optimise")):
+            limits = asking.tool_of(self.dock.tool)
+            kept.keep(controller, self.cut, limits, always=kept.SPEEDS)
+            taking.take_open(self.operation, **numbers)
+            if page is None:
+                document.recompute()
+            else:
+                page.show_taken()
 
     def _inputs_changed(self):
         if self.found is not None or self.task.is_busy:
@@ -238,12 +247,27 @@ class OptimiseView:
 
     # ---- what happens meanwhile ----
 
-    def _observe(self, objects):
+    def _sources(self):
+        """(operation and tool controller, without which there is nothing to show; what else the
+        figures come from)
+        """
+        controller = host.controller_of(self.operation)
+        controllers = [controller] if controller is not None else []
+        bases = [obj for obj, _ in self.operation.Base]
+        return [self.operation, *controllers], [*bits_of(controllers), *bases]
+
+    def _observe(self, objects, used):
+        self._stop_observing()
+        settings = [row.name for row in self.operation.Proxy.settings]
+        bits = bits_of(objects[1:])
+        followed = {*FOLLOWED, *settings, *DEPTHS, *own_properties(bits)}
+        self._observer = Edited(objects, followed, telling_slot(self._changed), used)
+        FreeCAD.addDocumentObserver(self._observer)
+
+    def _stop_observing(self):
         if self._observer is not None:
             FreeCAD.removeDocumentObserver(self._observer)
-        self._observer = Edited(objects, FOLLOWED, telling_slot(self._changed)) if objects else None
-        if objects:
-            FreeCAD.addDocumentObserver(self._observer)
+            self._observer = None
 
     def _changed(self, is_gone):
         if is_gone:
@@ -253,7 +277,8 @@ class OptimiseView:
 
     def _look_again(self):
         """After a change: figures of what is no longer set are not shown."""
-        if not self._observer.is_of(self.operation, host.controller_of(self.operation)):
+        objects, used = self._sources()
+        if not self._observer.is_of(*objects, *used):
             self.show_operation()
             return
         before = self.cut.state() if self.cut is not None else None

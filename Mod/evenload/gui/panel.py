@@ -207,6 +207,9 @@ class OperationPage(PreviewPage):
     def show_taken(self):
         """Shows what was set in operation and tool controller while the panel is open."""
         self.obj.Proxy.follow_tool(self.obj)
+        controller = self.obj.ToolController
+        if controller is not None and self.form.toolController.currentText() != controller.Label:
+            self.setupToolController(self.obj, self.form.toolController)
         host.show_controller(self)
         self._show_new_tool()
         self.preview.restart()  # it does not follow the tool controller

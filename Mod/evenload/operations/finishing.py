@@ -151,7 +151,8 @@ class Finishing(base.Operation):
         compute.refuse_turned_work_plane(obj)
         self.check_settings(obj, tool, data)
         job = host.parent_job(op)
-        faces, lines = _sorted(of_models(job, obj.Base), obj.Strategy)
+        picked = of_models(job, obj.Base)
+        faces, lines = faces_of(picked), _lines(picked, obj.Strategy)
         try:
             found = facets.of(faces, job.Model.Group, obj.Tolerance.Value)
         except Stopped:
@@ -197,14 +198,20 @@ def of_models(job, picked):
     ]
 
 
-def _sorted(base, strategy):
-    """(the faces of base geometry, {"guides": the lines of the rest}) where the strategy has
-    guides; else all of it counts as faces.
+def faces_of(base):
+    """The faces of base geometry, which may have guides beside them; all of it where there is none,
+    to be refused.
+    """
+    return [(obj, names) for obj, names in base if names[0].startswith("Face")] or base
+
+
+def _lines(base, strategy):
+    """{"guides": the lines of what is no face} where the strategy has guides; others leave them
+    aside.
     """
     if strategy != BETWEEN_GUIDES:
-        return base, {}
-    faces = [(obj, names) for obj, names in base if names[0].startswith("Face")]
-    return faces, {"guides": guides.of([each for each in base if each not in faces])}
+        return {}
+    return {"guides": guides.of([each for each in base if not each[1][0].startswith("Face")])}
 
 
 def check(obj, tool):
@@ -219,7 +226,7 @@ def check(obj, tool):
         )
     if not _wants_even_cusps(obj):
         return
-    corner = _end_radius(obj)
+    corner = tool.end_radius
     if not corner > 0:
         raise ValueError(
             "Spacing is '%s', but the tool '%s' has a flat end, which leaves steps: take a ball "
@@ -252,7 +259,7 @@ def arguments_of(obj, tool, data, found):
     arguments = {
         **parameters.of(obj, FINISHING),
         "tool_diameter": tool.diameter,
-        "corner_radius": _end_radius(obj),
+        "corner_radius": tool.end_radius,
         "tolerance": obj.Tolerance.Value - found.deflection,
         "deflection": found.deflection,
         "floor": obj.FinalDepth.Value,

@@ -70,6 +70,8 @@ def sharers(operation):
 
 def _turn_at(controller, operation, speed, feed):
     """Feeds first, which the speed changes unless one is given."""
+    if speed is None and feed is None:
+        return
     before, now = float(controller.SpindleSpeed), 60 * controller.HorizFeed.Value
     share = 1.0
     if feed is not None and now > 0:

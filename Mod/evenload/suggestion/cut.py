@@ -48,7 +48,8 @@ class Cut:
             *(value for value in self.options.values() if not isinstance(value, str)),
         )
         words = [value for value in self.options.values() if isinstance(value, str)]
-        return [*("%.6g" % number for number in numbers), *words, self.hole]
+        rounded = ["%.6g" % number for number in numbers]
+        return [*rounded, *words, self.hole, self.tool, self.chip_load, self.notes]
 
 
 def read(operation):

@@ -9,6 +9,7 @@ from evenload import materials
 GROUP = "EvenLoad"
 PROPERTY = "CuttingLimits"
 DOC = "What the tool stands, for suggested feeds and speeds: JSON, see docs/optimisation.md"
+OUTPUT = 8  # FreeCAD's property attribute for what changes without putting operations out of date
 CHIP_SHARE = 0.006  # of the diameter: the largest chip thickness where nobody tells
 LENGTH_SHARE = 2.0  # of the diameter: the cutting length where the tool bit does not tell
 # m/min: of tools without a spindle speed; else from so much of what is set up to that.
@@ -55,7 +56,7 @@ def keep(controller, cut, limits, always=()):
     if not found:
         return
     if not hasattr(controller, PROPERTY):
-        controller.addProperty("App::PropertyString", PROPERTY, GROUP, DOC)
+        controller.addProperty("App::PropertyString", PROPERTY, GROUP, DOC, OUTPUT)
     setattr(controller, PROPERTY, json.dumps({**_read(controller), **found}))
 
 
