@@ -4400,6 +4400,14 @@ cm³/min</translation>
         <source>The suggestion was cancelled.</source>
         <translation>Die Suche nach einem Vorschlag wurde abgebrochen.</translation>
     </message>
+    <message>
+        <source>The datum of the inspection is no longer there: it goes on without one.</source>
+        <translation>Den Bezug der Prüfung gibt es nicht mehr: es geht ohne Bezug weiter.</translation>
+    </message>
+    <message>
+        <source>The operation is no longer there: choose another one.</source>
+        <translation>Die Operation gibt es nicht mehr: eine andere wählen.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

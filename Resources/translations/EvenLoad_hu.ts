@@ -4400,6 +4400,14 @@ cm³/min</translation>
         <source>The suggestion was cancelled.</source>
         <translation>A javaslat keresése megszakadt.</translation>
     </message>
+    <message>
+        <source>The datum of the inspection is no longer there: it goes on without one.</source>
+        <translation>A vizsgálat bázisa már nincs meg: bázis nélkül folytatódik.</translation>
+    </message>
+    <message>
+        <source>The operation is no longer there: choose another one.</source>
+        <translation>A művelet már nincs meg: válasszon másikat.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
