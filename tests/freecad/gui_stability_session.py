@@ -17,6 +17,7 @@ from gui_tools import (  # noqa: E402
     click,
     later,
     picture,
+    press,
     result,
     run,
     toolbar_texts,
@@ -302,6 +303,17 @@ def session():
     window = stability._Open.window
     settled(window)
     result["again"] = window.modes.table.rowCount()
+
+    # Beside an open panel, whose step to undo another one would close.
+    before = state(op)
+    window.cut.speed.setValue(before["speed"] + 500)
+    settled(window)
+    op.ViewObject.Document.setEdit(op.ViewObject, 0)
+    later(300)
+    window.apply()
+    result["beside_panel"] = [text_of(window), state(op) == before]
+    press(QtGui.QDialogButtonBox.Cancel)
+    later(300)
     window.cut.engagement.setValue(50)
     FreeCAD.closeDocument(doc.Name)
     later(500)

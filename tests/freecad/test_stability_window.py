@@ -50,6 +50,10 @@ def test_it_follows_quickly_and_the_window_stays_alive(session):
     assert session["cancel"][len(session["cancel"]) // 2] < 0.05
 
 
+def test_nothing_is_taken_beside_an_open_panel(session):
+    assert session["beside_panel"] == ["Close the open panel first.", True]
+
+
 def test_a_click_chooses_a_cut_and_changes_nothing_yet(session):
     speed, depth, wanted_speed, wanted_depth = session["clicked"]
     assert speed == pytest.approx(wanted_speed, rel=0.01)

@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
+from evenload.gui import steps
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
@@ -277,6 +278,10 @@ class StabilityWindow(QtGui.QDialog):
         if self._closed_if_gone():
             return
         if self.read is None:
+            return
+        refusal = steps.refusal(None)
+        if refusal:
+            self._tell(refusal, RED)
             return
         asked = self.asked()
         wanted = {
