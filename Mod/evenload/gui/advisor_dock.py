@@ -7,6 +7,7 @@ from PySide import QtCore, QtGui
 from evenload import materials
 from evenload.gui import colours, fields
 from evenload.gui.advisor_table import ON_MACHINE, REMARK, AdviceModel, table_of
+from evenload.gui.docks import add_below
 from evenload.gui.length_box import FineLengthBox, LengthBox
 from evenload.gui.machine_box import MachineBox
 from evenload.gui.stability_inputs import Rows, combo
@@ -56,8 +57,7 @@ class AdvisorDock(QtGui.QDockWidget):
         row.addWidget(scrolled(left, LEFT))
         row.addLayout(self._right(), 1)
         self.setWidget(content)
-        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self)
-        window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
+        add_below(window, self, HEIGHT)
 
     def _right(self):
         column = QtGui.QVBoxLayout()

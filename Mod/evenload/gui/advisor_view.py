@@ -8,8 +8,9 @@ from evenload import tool as tools
 from evenload.gui import colours, preferences, steps
 from evenload.gui.advisor_dock import AdvisorDock
 from evenload.gui.advisor_table import name_of
-from evenload.gui.advisor_task import Advising, observer_of, preferred_settings
+from evenload.gui.advisor_task import answers, observer_of, preferred_settings
 from evenload.gui.length_box import UnitsWatch
+from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations import finishing
 from evenload.operations.base import SENTENCES
@@ -40,7 +41,7 @@ class AdvisorView:
         self.rows = []
         self._shown = None  # of the operation
         self.dock = AdvisorDock(self)
-        self.task = Advising(self.dock, self._progressed, self._take, self._refuse)
+        self.task = Running(self.dock, self._progressed, self._refuse, found=self._take)
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)
         self._show_defaults()
@@ -171,7 +172,7 @@ class AdvisorView:
             return
         finally:
             QtGui.QApplication.restoreOverrideCursor()
-        self.task.start(question)
+        self.task.run(lambda: answers(question, self.task.done))
 
     def cancel(self):
         """Stops the comparison; the strategies that are known stay."""

@@ -8,6 +8,7 @@ from PySide import QtCore, QtGui
 
 from evenload.gui import colours
 from evenload.gui import optimise_inputs as asking
+from evenload.gui.docks import add_below
 from evenload.gui.optimise_table import CandidateModel, beside, columns
 from evenload.gui.slots import telling_slot
 from evenload.gui.stability_layout import button, scrolled
@@ -15,7 +16,6 @@ from evenload.gui.stability_layout import button, scrolled
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadOptimise"  # of the dock
-OTHERS = "Report view", "Python console"  # FreeCAD's docks below, in whose place it stands
 LEFT, TABLE, HEIGHT, SPACING = 300, 110, 470, 16  # pixels; table and dock are so high at least
 BAR = 1000  # steps of the progress bar
 
@@ -60,8 +60,7 @@ class OptimiseDock(QtGui.QDockWidget):
         row.addWidget(self._left())
         row.addLayout(self._right(), 1)
         self.setWidget(content)
-        _add_below(window, self)
-        window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
+        add_below(window, self, HEIGHT)
         self.show_nothing()
         self.show_progress(None)
 
@@ -146,18 +145,6 @@ class OptimiseDock(QtGui.QDockWidget):
     def _row_chosen(self, current, _):
         if current.isValid():
             self.chosen.emit(self.model.rows[current.row()])
-
-
-def _add_below(window, dock):
-    """Puts a dock below the 3D view, over all of the width: as a tab with FreeCAD's own there."""
-    window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, dock)
-    for name in OTHERS:
-        other = window.findChild(QtGui.QDockWidget, name)
-        if other is None or not other.isVisible() or other.isFloating():
-            continue
-        if window.dockWidgetArea(other) == QtCore.Qt.BottomDockWidgetArea:
-            window.tabifyDockWidget(other, dock)
-            QtCore.QTimer.singleShot(0, dock.raise_)
 
 
 def _label():

@@ -10,7 +10,7 @@ from evenload.gui.length_box import UnitsWatch
 from evenload.gui.observer import bits_of, own_properties
 from evenload.gui.optimise_dock import OptimiseDock
 from evenload.gui.optimise_task import Edited, computed
-from evenload.gui.simulation_task import Simulating
+from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
 from evenload.operations.base import SENTENCES
 from evenload.operations.checks import DEPTHS
@@ -36,7 +36,9 @@ class OptimiseView:
         self.operation, self._closed = operation, closed
         self.cut = self.asked = self.now = self.found = self.chosen = None
         self.dock = OptimiseDock(self)
-        self.task = Simulating(self.dock, self._take_results, self._refuse)
+        self.task = Running(
+            self.dock, self.dock.show_progress, self._refuse, completed=self._take_results
+        )
         self._observer = None
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)

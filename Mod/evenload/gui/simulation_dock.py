@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 from evenload import materials
 from evenload.gui import colours
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
+from evenload.gui.docks import add_below
 from evenload.gui.machine_box import MachineBox
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
@@ -55,8 +56,7 @@ class SimulationDock(QtGui.QDockWidget):
         row.addLayout(self._middle(), 1)
         row.addWidget(self._right())
         self.setWidget(content)
-        window.addDockWidget(QtCore.Qt.BottomDockWidgetArea, self)
-        window.resizeDocks([self], [HEIGHT], QtCore.Qt.Vertical)
+        add_below(window, self, HEIGHT)
 
     def list_operations(self, operations, chosen):
         """Lists operations to choose from, one of which is chosen; tells nobody."""

@@ -4,6 +4,7 @@ import FreeCAD
 
 from evenload import host, materials
 from evenload.gui import colours, files, simulation_task
+from evenload.gui.running import Running
 from evenload.pictures import html_page
 from evenload.pictures.job_report import Reported, report_of
 from evenload.simulation.limits import limits_of
@@ -17,7 +18,7 @@ class JobReport:
     def __init__(self, dock):
         self._dock = dock
         self._job = self._machine = self._material = self._path = self._reported = None
-        self.task = simulation_task.Simulating(dock, self._write, self._refuse)
+        self.task = Running(dock, dock.show_progress, self._refuse, completed=self._write)
 
     def start(self, job, material, machine, path):
         """Simulates the active operations of a job and writes the report into a file."""
@@ -28,7 +29,7 @@ class JobReport:
         for operation in host.operations(job):
             if host.is_active(operation):
                 setups += self._read(operation, material, machine)
-        self.task.start(setups)
+        self.task.run(lambda: simulation_task.simulated(setups, self.task.done))
 
     def _read(self, operation, material, machine):
         """[setup] of an operation, nothing where it cannot be simulated; notes what is known."""

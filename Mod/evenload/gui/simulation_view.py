@@ -18,6 +18,7 @@ from evenload.gui import (
     view3d,
 )
 from evenload.gui.observer import Observer
+from evenload.gui.running import Running
 from evenload.gui.simulation_dock import CM3, SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
 from evenload.gui.simulation_report import JobReport
@@ -45,7 +46,7 @@ class SimulationView:
         self._observer = None
         self.dock = SimulationDock(self)
         self.report = JobReport(self.dock)
-        self.task = simulation_task.Simulating(self.dock, self._take, self._refuse)
+        self.task = Running(self.dock, self.dock.show_progress, self._refuse, completed=self._take)
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)
         self._connect()
@@ -139,7 +140,7 @@ class SimulationView:
             self._refuse(str(error))
             return
         self.dock.tell("")
-        self.task.start(setups)
+        self.task.run(lambda: simulation_task.simulated(setups, self.task.done))
 
     def cancel(self):
         """Stops the simulation; what was there before stays."""
