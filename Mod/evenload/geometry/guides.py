@@ -29,11 +29,22 @@ def _edges(obj, name):
 
 
 def _points(chain):
-    """Places along edges that follow each other."""
-    points = []
-    for edge in chain:
-        along = edge.discretize(Deflection=CHORDS)
-        if edge.Orientation == "Reversed":
-            along.reverse()
-        points += [(p.x, p.y) for p in along[1 if points else 0 :]]
-    return points
+    """Places along edges that follow each other, whichever way each of them runs."""
+    pieces = [edge.discretize(Deflection=CHORDS) for edge in chain]
+    if len(pieces) > 1 and _is_nearer(pieces[1], pieces[0][0], pieces[0][-1]):
+        pieces[0].reverse()
+    points = pieces[0]
+    for piece in pieces[1:]:
+        if _is_nearer(points[-1:], piece[-1], piece[0]):
+            piece.reverse()
+        points += piece[1:]
+    return [(p.x, p.y) for p in points]
+
+
+def _is_nearer(piece, one, other):
+    """Whether an end of a piece is nearer to one place than to another."""
+
+    def off(place):
+        return min(place.distanceToPoint(end) for end in (piece[0], piece[-1]))
+
+    return off(one) < off(other)

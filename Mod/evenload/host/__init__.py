@@ -42,9 +42,9 @@ from evenload.host.window import (
     WORKBENCH,
     add_to_workbench,
     gui,
+    show_controller,
     show_field,
     show_job,
-    show_controller,
     show_value,
 )
 
@@ -89,9 +89,9 @@ __all__ = [
     "set_corner_radius",
     "set_rapid_feed",
     "set_stock_margin",
+    "show_controller",
     "show_field",
     "show_job",
-    "show_controller",
     "show_value",
     "surface_features",
     "text_of",
