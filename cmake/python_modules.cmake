@@ -73,4 +73,7 @@ target_compile_definitions(_occt PRIVATE EVENLOAD_OCCT_MODULE=${occt_module})
 # What FreeCAD loads, and nothing else.
 install(FILES package.xml Init.py InitGui.py LICENSE README.md DESTINATION .)
 install(DIRECTORY Mod Resources DESTINATION . PATTERN __pycache__ EXCLUDE PATTERN "*.so" EXCLUDE PATTERN "*.ts" EXCLUDE)
+# The documentation, which F1 and What's This open, as HTML.
+install(CODE "execute_process(COMMAND \"${Python3_EXECUTABLE}\" \"${CMAKE_SOURCE_DIR}/docs/html_pages.py\"
+  \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/docs\" COMMAND_ERROR_IS_FATAL ANY)")
 install(TARGETS _core _occt LIBRARY DESTINATION Mod/evenload)

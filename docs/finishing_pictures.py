@@ -5,6 +5,7 @@ import sys
 
 import numpy
 from dynamics_pictures import kept
+from evenload import planar
 from evenload.pictures.figure import new_figure
 from evenload.pictures.path_picture import draw_path
 from picture_parts import BLUE, DOCS, GREY, INK, ORANGE, STOCK
@@ -29,7 +30,7 @@ def draw_passes(core):
     lowest = min(move[3] for move in moves if move[0] == CUT)
     figure = new_figure(10, 4, layout="constrained")
     left, right = figure.subplots(1, 2, width_ratios=(1, 1.5))
-    samples = [(x, y, z - lowest, kind) for kind, x, y, z, *_ in moves]
+    samples = [(x, y, z - lowest, kind) for (x, y, z), kind in zip(*planar.drawn(moves))]
     draw_path(left, samples, [], None, "height of the tip above the flats, mm")
     y = numpy.linspace(-40, 40, 801)
     right.fill_between(y, cases.height(y, True), 30, color=STOCK)
@@ -99,4 +100,64 @@ def draw_lines(core):
     kept(figure, "finishing_lines.png")
 
 
-PICTURES = (draw_passes, draw_cusps, draw_lines)
+def draw_contours(core):
+    """Contours over CX at even cusps, and what stands between them at places of the part."""
+    moves = finished(
+        core, pattern="contours inwards", cusp_height=0.2, tolerance=5e-4
+    ).toolpath.moves
+    lowest = min(move[3] for move in moves if move[0] == CUT)
+    figure = new_figure(10, 4.6, layout="constrained")
+    left, right = figure.subplots(1, 2)
+    samples = [(x, y, z - lowest, kind) for (x, y, z), kind in zip(*planar.drawn(moves))]
+    draw_path(left, samples, [], None, "height of the tip above the flats, mm")
+    x, y = numpy.meshgrid(*[numpy.linspace(-40, 40, 321)] * 2)
+    centres = cases.places_along(moves, (CUT,), 0.1) + [0, 0, BALL]
+    stands = numpy.full(x.shape, numpy.inf)
+    # What each ball leaves in a square about it, the least of which counts.
+    span = numpy.arange(-16, 17)
+    column = numpy.rint((centres[:, 0] + 40) / 0.25).astype(int)
+    row = numpy.rint((centres[:, 1] + 40) / 0.25).astype(int)
+    part = cases.height(y, True)
+    for i in span:
+        for k in span:
+            r, c = row + i, column + k
+            inside = (r >= 0) & (r < 321) & (c >= 0) & (c < 321)
+            r, c, centre = r[inside], c[inside], centres[inside]
+            place = numpy.column_stack([x[r, c], y[r, c], part[r, c]])
+            off = numpy.linalg.norm(place - centre, axis=1) - BALL
+            numpy.minimum.at(stands, (r, c), off)
+    shown = right.imshow(
+        stands, origin="lower", extent=(-40, 40, -40, 40), cmap="turbo", vmin=0, vmax=0.22
+    )
+    figure.colorbar(shown, ax=right, label="what stands, mm, for a wish of 0.2")
+    right.set_xlabel("x, mm")
+    right.set_ylabel("y, mm")
+    kept(figure, "finishing_contours.png")
+
+
+def draw_extension(core):
+    """Contours that go on beyond CX, and a section of them through its middle."""
+    moves = finished(core, pattern="contours inwards", stepover=2.5, extension=5.0).toolpath.moves
+    lowest = min(move[3] for move in moves if move[0] == CUT)
+    figure = new_figure(10, 4, layout="constrained")
+    left, right = figure.subplots(1, 2, width_ratios=(1, 1.4))
+    samples = [(x, y, z - lowest, kind) for (x, y, z), kind in zip(*planar.drawn(moves))]
+    square = [(-40, -40), (40, -40), (40, 40), (-40, 40), (-40, -40)]
+    draw_path(left, samples, [square], None, "height of the tip above the flats, mm", walls="faces")
+    y = numpy.linspace(-40, 40, 801)
+    right.fill_between(y, cases.height(y, True), 30, color=STOCK)
+    right.plot(y, cases.height(y, True), color=INK, lw=1.2)
+    turn = numpy.linspace(0, 2 * math.pi, 60)
+    places = cases.places_along(moves, (CUT,), 0.5)
+    middle = places[numpy.abs(places[:, 0]) < 0.3]
+    for v, z in {round(p[1] / 2.5): (p[1], p[2]) for p in middle}.values():
+        right.plot(
+            v + BALL * numpy.cos(turn), z + BALL + BALL * numpy.sin(turn), color=BLUE, lw=0.7
+        )
+    right.set_aspect("equal")
+    right.set_xlabel("y, mm")
+    right.set_ylabel("z, mm")
+    kept(figure, "finishing_extension.png")
+
+
+PICTURES = (draw_passes, draw_cusps, draw_lines, draw_contours, draw_extension)

@@ -17,6 +17,7 @@ import optimisation_pictures
 import path_pictures
 import rest_pictures
 import stability_pictures
+import surface_pictures
 import trochoid_pictures
 from picture_parts import built_core
 
@@ -35,6 +36,7 @@ def main():
         ball_end_pictures,
         inspection_pictures,
         finishing_pictures,
+        surface_pictures,
     ):
         for draw in topic.PICTURES:
             draw(core)

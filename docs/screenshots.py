@@ -8,58 +8,19 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
-TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "tests", "freecad")
-sys.path.insert(0, TESTS)
+sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from screenshot_tools import OUT, WINDOW, done, later, select, window  # noqa: E402
+
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import OUT, answering, begun, later, press, run, widgets  # noqa: E402
+from gui_tools import answering, begun, press, run  # noqa: E402
 from models import case_model, corpus_case, floors_of  # noqa: E402
+from screenshot_windows import WIDE, cut_windows, first_pocket, panels_of_spirals  # noqa: E402
 
 LANGUAGE = os.environ.get("EVENLOAD_LANGUAGE", "English")
-WINDOW = 1360, 1000  # pixels
 DIALOG = 900, 700
 STAR, AT = 48, 0.35  # mm of height of the star's pocket; the tool's place along the path
-DOCKS = {"left": 330, "right": 300}  # pixels of width
-
-
-def window(name, height=None):
-    """A picture of the whole window. height: mm that the 3D view shows; None: all there is."""
-    main = FreeCADGui.getMainWindow()
-    for dock in widgets(QtGui.QDockWidget):
-        if dock.objectName() in ("Report view", "Python console"):
-            dock.hide()
-    areas = {"left": QtCore.Qt.LeftDockWidgetArea, "right": QtCore.Qt.RightDockWidgetArea}
-    for side, width in DOCKS.items():
-        docks = [d for d in widgets(QtGui.QDockWidget) if main.dockWidgetArea(d) == areas[side]]
-        docks = [d for d in docks if d.isVisible()]
-        main.resizeDocks(docks, [width] * len(docks), QtCore.Qt.Horizontal)
-    later(500)
-    FreeCADGui.SendMsgToActiveView("ViewFit")
-    if height is not None:
-        FreeCADGui.activeDocument().activeView().getCameraNode().height = height
-    later(500)
-    picture = main.grab()
-    _draw_view(picture)
-    picture.save(os.path.join(OUT, name + ".png"))
-
-
-def _draw_view(picture):
-    """Puts the 3D view into a picture of the window, which Qt draws without it."""
-    view = FreeCADGui.activeDocument().activeView()
-    viewport = view.graphicsView().viewport()
-    file = os.path.join(OUT, "view.png")
-    view.saveImage(file, viewport.width(), viewport.height(), "Current")
-    at = viewport.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    painter = QtGui.QPainter(picture)
-    painter.drawImage(at, QtGui.QImage(file))
-    painter.end()
-    os.remove(file)
-
-
-def select(*names):
-    FreeCADGui.Selection.clearSelection()
-    FreeCADGui.Selection.addSelection(*names)
 
 
 def star(doc):
@@ -114,26 +75,22 @@ def preferences():
         FreeCADGui.showPreferences("EvenLoad", 0)
 
 
-def simulated(view):
-    for _ in range(400):
-        later(50)
-        if not view.task.is_busy:
-            return
-
-
 def session():
-    from evenload.gui import load_view, simulation
+    from evenload.gui import advisor, load_view, simulation, surface
 
     doc = begun(*WINDOW)
     FreeCADGui.setLocale(LANGUAGE)
     preferences()
+    first_pocket()
+    FreeCAD.setActiveDocument(doc.Name)
+    FreeCADGui.activateView("Gui::View3DInventor", True)
     op = star(doc)
     shown = load_view.show(op)
     shown.slider.setValue(int(AT * shown.slider.maximum()))
     window("load", STAR)
     load_view.close()
     view = simulation.show(op)
-    simulated(view)
+    done(view)
     view.dock.slider.setValue(int(AT * view.dock.slider.maximum()))
     window("simulation", STAR)
     simulation.close()
@@ -141,9 +98,26 @@ def session():
     window("panel")
     press(QtGui.QDialogButtonBox.Cancel)
     later()
+    panels_of_spirals()
+    cut_windows()
     finish, model = dome()
     window("finishing")
-    select(finish.Document.Name, model.Name, upper(model.Shape)[0])
+    select(finish)
+    FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
+    later(300)
+    done(advisor._shown[-1])
+    window("advisor", width=WIDE)
+    advisor.close()
+    finish.Stepover = 0.5
+    finish.Document.recompute()
+    finish.ViewObject.Visibility = False  # its path would hide the colours
+    view = surface.show(finish)
+    done(view)
+    window("surface")
+    view.dock.choice.setCurrentIndex(view.dock.choice.findData("rz_across"))
+    window("surface_roughness")
+    surface.close()
+    select(model, upper(model.Shape)[0])
     FreeCADGui.runCommand("EvenLoad_Inspect")
     later(1000)
     window("inspect")

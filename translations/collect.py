@@ -29,9 +29,12 @@ TRANSLATE = ("translate", "_translate")  # what a text is given to that is shown
 # Tables of texts beside the window: all that their rows have of words.
 TABLES = {
     "dynamics/pictures.py": ("FIT_PARTS",),
+    "face_inspection/html_report.py": ("CERTIFICATE",),
     "gui/load_colours.py": ("SCALES",),
+    "pictures/job_report.py": ("HEAD", "INCIDENT_HEAD", "KINDS"),
     "pictures/load_rows.py": ("ROWS",),
     "pictures/over_time.py": ("KINDS",),
+    "pictures/simulation_pictures.py": ("LABELS",),
 }
 NO_WORDS = re.compile(r"[a-z]+_\w+|#.*")  # in these
 

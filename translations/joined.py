@@ -8,11 +8,11 @@ several. tests/python/test_translations.py holds both against the sources.
 # sentence in one of these is looked for below.
 FILES_OF_THE_CORE = (
     *("src/occt/regions.cpp", "src/occt/join.cpp", "src/occt/edge_curve.cpp"),
-    *("src/occt/triangles.cpp", "src/geometry/region.cpp", "src/geometry/slot_around.cpp"),
+    *("src/occt/triangles.cpp", "src/geometry/slot_around.cpp", "src/feed/load_share.cpp"),
     *("src/strategy/lame/lame_clearing.cpp", "src/strategy/lame/lame_pitch.cpp"),
-    *("src/strategy/choose/region_clearing.cpp", "src/feed/load_share.cpp"),
     *("src/surface/contours.cpp", "src/surface/spacing.cpp", "src/dynamics/modal_fit.cpp"),
-    *("src/surface/finish.cpp", "src/surface/guides.cpp"),
+    *("src/surface/finish.cpp", "src/surface/guides.cpp", "src/surface/spiral.cpp"),
+    "src/surface/contours_by_cusp.cpp",
     *("src/ball_end/bent_surface.cpp", "src/ball_end/chip.cpp"),
     *("src/simulate/dexel_stock.cpp", "src/inspection/fit.cpp"),
 )
@@ -34,32 +34,8 @@ SENTENCES_OF_THE_CORE = (
     "The outline is open at (%g, %g), the nearest other end is %g mm away: close it.",
     "An edge has no end: pick edges of finite length.",
     # src/geometry
-    "%s has a coordinate that is not a number, after the point near (%g, %g): draw this piece "
-    "again.",
-    "%s is not closed: it ends near (%g, %g): join this end to its start at (%g, %g) in the "
-    "sketch.",
-    "%s encloses no area near (%g, %g): draw it as a closed curve of at least two pieces.",
-    "The outline crosses or touches itself near (%g, %g): remove the crossing in the sketch.",
-    "An island crosses or touches itself near (%g, %g): remove the crossing in the sketch.",
-    "The outline and an island cross or touch near (%g, %g): move them apart in the sketch, or "
-    "join them into one curve.",
-    "Two islands cross or touch near (%g, %g): move them apart in the sketch, or join them into "
-    "one curve.",
-    "An island lies outside the outline near (%g, %g): move it inside or remove it.",
-    "An island lies inside another island near (%g, %g): remove the inner one, or make it a "
-    "pocket of its own.",
-    "The outline",
-    "Island %d",
     "The slot's width must be positive: set SlotWidth.",
-    "The slot's middle must have finite coordinates.",
-    "The slot's middle has no length: draw a line or an arc along the slot.",
-    "The slot's middle crosses itself: divide it into slots that do not.",
-    "The slot's middle bends more tightly than half the slot's width: make the slot narrower, or "
-    "bend it less.",
-    "The slot's sides meet each other: make the slot narrower, or move the parts of its middle "
-    "further apart.",
     # src/strategy
-    "The region near (%g, %g): %s",
     "Segments must lie between 3 and 12.",
     "SemiAxisA and SemiAxisB must be positive lengths.",
     "ExponentStart and ExponentEnd must lie between 0.05 and 1: above 1 the spiral has corners.",
@@ -72,24 +48,18 @@ SENTENCES_OF_THE_CORE = (
     "the operation Adaptive.",
     "The spiral would take more than 2000 turns: raise EngagementAngle or Pitch, make courses more "
     "even, or take the operation Adaptive.",
-    "The pre-drilled hole is too tight to start from: drill it wider, or choose the entry "
-    "'Automatic' or 'Helix'.",
-    "The tool has no room to descend in this pocket: drill a hole first and choose the entry "
-    "'Predrilled hole', or take a smaller tool.",
-    "The pre-drilled hole lies in a narrow passage that is skipped: choose the entry 'Automatic', "
-    "or another NarrowPassages.",
-    "The pre-drilled hole's centre lies outside the ground that the tool can reach: move "
-    "EntryPoint into the pocket, at least a tool's radius from its walls.",
-    # src/surface/finish.cpp, src/surface/guides.cpp
+    # src/surface: finish, guides, spiral, contours_by_cusp
     "A number for finishing is not finite.",
     "The tool's radius must be positive.",
     "The corner's radius must lie between 0 and the tool's radius.",
     "The stepover must be positive and no more than the tool's diameter.",
     "The cusp height must not be negative.",
     "A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.",
-    "Only parallel passes follow a cusp height: leave it out.",
+    "Passes between guides follow no cusp height: leave it out.",
+    "The cusp height makes too many passes: raise it.",
     "The cusp height must be no more than the radius of the tool's ball or corner.",
     "The allowance must not be negative.",
+    "The extension must not be negative.",
     "The lead radius must not be negative.",
     "Passes between guides need two of them.",
     "The tolerance must be positive.",

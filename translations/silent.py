@@ -8,8 +8,8 @@ import re
 
 # Where sentences are made that are shown in the window. Others are for scripts and job files alone.
 TELLING = (
-    *("commands.py", "compiled.py", "findings.py", "machines.py", "materials.py", "tool.py"),
-    *("settings/ranges.py", "settings/setting.py"),
+    *("commands.py", "compiled.py", "findings.py", "machines.py", "materials.py", "refusals.py"),
+    *("tool.py", "settings/ranges.py", "settings/setting.py"),
     *("geometry/*.py", "operations/*.py", "stability/[!p]*.py"),
     *("simulation/earlier.py", "simulation/job.py", "simulation/part.py", "simulation/proof.py"),
     *("dynamics/frf.py", "dynamics/frf_files.py", "dynamics/modes.py", "dynamics/vibration.py"),
@@ -17,7 +17,13 @@ TELLING = (
     *("inspection/tables.py", "face_inspection/datum.py"),
     *("face_inspection/evaluation.py", "face_inspection/faces.py", "face_inspection/measured.py"),
     *("face_inspection/patterns.py", "host/posts.py", "gui/view3d.py"),
-    *("advisor/answering.py", "advisor/reading.py", "ball_end/places.py", "suggestion/*.py"),
+    *(
+        "advisor/answering.py",
+        "advisor/reading.py",
+        "surface_simulation/r*.py",
+        "ball_end/places.py",
+        "suggestion/*.py",
+    ),
 )
 # What tells of the values in a file; elsewhere only a script can give a value that is none.
 OF_FILES = ("machines.py", "vibration.py")
@@ -32,6 +38,11 @@ NOT_TOLD = {
     # Of predict() and read() in a script.
     "%s was fitted to feed directions from 0 to 90 degrees; here it is a guess.",
     "The finishing operation has no '%s': it has %s.",
+    # Of roughness() in a script.
+    *(
+        "No pass cuts the faces at x = %g, y = %g.",
+        "The patch is %g mm wide: it must be more than 0.",
+    ),
     # Pieces of what stands in joined.py.
     *("arc length", "of the type ", " and its ", ", at a radius of %s.", "%s %s, not %s %s"),
     *("%s of %s", "%.12g mm/min", "turn the spindle at %.0f rev/min"),
@@ -68,6 +79,7 @@ _WORDS = {
     *("µin", "m/min", "ft/min", "N m", "N\u00b7s", "W", "Rz", "CX", "CV"),
     *("Arcs", "Check", "Component", "Report view", "Python console"),
     *("JSON (*.json)", "CSV (*.csv)", "HTML (*.html)", "G-code (*.ngc *.nc *.gcode)"),
+    *("%.0f %%", "mm²", "in²", "tip share"),
     *("PNG (*.png);;SVG (*.svg)", "CSV (*.csv);;DMIS (%s)"),
 }
 # Words of the window in small letters, which would else pass for names.

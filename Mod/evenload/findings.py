@@ -7,6 +7,8 @@ panels' labels there.
 
 import math
 
+from evenload.refusals import largest_that_fits
+
 TROCHOIDS = ("constant engagement", "Circular", "Cycloid")  # the core's TrochoidKind, in its order
 
 
@@ -29,8 +31,7 @@ def _unsigned(x):
 
 def _skipped_pocket(place, tool, largest):
     said = "The pocket %s was skipped. The tool of %g mm does not fit into the pocket: %s"
-    fits = "the largest tool that fits has %g mm." % largest
-    return said % (place, tool, fits if largest > 0 else "no tool does, lower StockToLeave.")
+    return said % (place, tool, largest_that_fits(largest))
 
 
 def _tight_turns(place, radius, wish, rooms):

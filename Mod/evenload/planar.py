@@ -11,6 +11,7 @@ DEFLECTION = 0.005  # mm: of polygons that stand for an outline
 # Arcs of a path that is drawn: mm by which chords leave them, and rad that a chord turns by at the
 # most.
 DRAWN_DEFLECTION, DRAWN_TURN = 0.02, 0.3
+LINES_DEFLECTION = 0.002  # mm: of lines that stand for the arcs of a path
 
 
 def sweep_of(dx, dy, i, j, counter_clockwise):
@@ -46,12 +47,30 @@ def drawn(moves):
     """(points, kinds): places (x, y, z) in mm along moves as the core returns them, n x 3, arcs as
     chords, and for each the kind of the move that leads there.
     """
+    points, which, rows = _chords(moves, DRAWN_DEFLECTION)
+    return points, rows[which, 0].astype(int)
+
+
+def as_lines(moves):
+    """Moves as the core returns them, n x 8, chords in place of their arcs, which leave these by
+    LINES_DEFLECTION at the most.
+    """
+    points, which, rows = _chords(moves, LINES_DEFLECTION)
+    lines = numpy.zeros((len(points), rows.shape[1]))
+    lines[:, 0], lines[:, 1:4], lines[:, 7] = rows[which, 0], points, rows[which, 7]
+    return lines
+
+
+def _chords(moves, deflection):
+    """(points, which, rows): places along moves, the number of the move that leads to each, and the
+    moves, n x 8.
+    """
     rows = numpy.array(moves, float).reshape(-1, 8)
-    kinds, ends, sweeps, centres = rows[:, 0], rows[:, 1:4], rows[:, 4], rows[:, 5:7]
+    ends, sweeps, centres = rows[:, 1:4], rows[:, 4], rows[:, 5:7]
     starts = numpy.vstack([ends[:1], ends[:-1]])
     sweeps = numpy.where(numpy.arange(len(rows)) > 0, sweeps, 0.0)  # where it begins is a place
     radii = numpy.linalg.norm(starts[:, :2] - centres, axis=1)
-    turns = 2 * numpy.arccos(1 - numpy.minimum(DRAWN_DEFLECTION / numpy.maximum(radii, 1e-9), 1))
+    turns = 2 * numpy.arccos(1 - numpy.minimum(deflection / numpy.maximum(radii, 1e-9), 1))
     counts = numpy.ceil(numpy.abs(sweeps) / numpy.minimum(turns, DRAWN_TURN)).astype(int)
     counts = numpy.maximum(counts, 1)
     which = numpy.repeat(numpy.arange(len(rows)), counts)
@@ -68,4 +87,4 @@ def drawn(moves):
     points[on_arc, 1] = (
         centres[of, 1] + arms[:, 0] * numpy.sin(angles) + arms[:, 1] * numpy.cos(angles)
     )
-    return points, kinds[which].astype(int)
+    return points, which, rows

@@ -33,6 +33,7 @@ OTHER_SHAPES = {
 END_MILLS = ("endmill", "bullnose")
 BALL_END = "ballend"  # what only operations on surfaces take
 POINT_STEPS = 4  # discs that stand for the cone at the end of a drill
+BALL_STEPS = 4  # discs that stand for a ball; more would take as much longer
 DRILL_POINT_DEG = 118.0  # of drills, where nobody says
 # A tool bit of a shape that FreeCAD does not bring along is no end mill when it has one of these.
 ANGLES = ("CuttingEdgeAngle", "TipAngle", "cuttingAngle", "CuttingAngle", "TipDiameter")
@@ -140,9 +141,14 @@ def corner_radius(controller):
 
 def end_radius(controller):
     """The radius in mm of a tool's ball or rounded corner, by its controller; 0 for a flat end."""
-    if controller.Tool and other_shape(controller) == OTHER_SHAPES[BALL_END]:
+    if controller.Tool and is_ball(controller):
         return 0.5 * diameter(controller)
     return corner_radius(controller) if controller.Tool else 0.0
+
+
+def is_ball(controller):
+    """Whether a tool controller's tool is a ball end mill."""
+    return other_shape(controller) == OTHER_SHAPES[BALL_END]
 
 
 def is_drill(controller):
@@ -160,9 +166,13 @@ def point_length(controller):
 
 def discs(controller):
     """[(mm above the tip, diameter), ...] of flat tools within a tool, the widest first: together
-    they clear no more than the tool does, whose end is a cone or has a rounded corner.
+    they clear no more than the tool does, whose end is a cone, a ball or has a rounded corner.
     """
     whole = diameter(controller)
+    if is_ball(controller):
+        # Closest where it is low: what a finishing pass takes is less than a tenth of its radius.
+        shares = [(k / BALL_STEPS) ** 3 for k in range(BALL_STEPS, 0, -1)]
+        return [(share * whole / 2, whole * math.sqrt(share * (2 - share))) for share in shares]
     if is_drill(controller):
         point = point_length(controller)
         shares = [1 - k / POINT_STEPS for k in range(POINT_STEPS)]

@@ -38,6 +38,20 @@ def translate_freecads(text):
     return told if told != text else translate(text)
 
 
+def language():
+    """The language of translated texts as HTML's `lang` has it, such as 'de'. It is itself a text
+    of the translations: where there are none, texts are English.
+    """
+    return translate("en")
+
+
+def with_capital(text):
+    """A text as a cell or a line begins with it. Not capitalize(): other languages have capitals
+    within it, too.
+    """
+    return text[:1].upper() + text[1:]
+
+
 def numbered(pattern):
     """A pattern as translators have it: %1, %2, ... where it is filled in, in their order."""
     return _divided(pattern)[0]

@@ -104,10 +104,6 @@
         <translation>Wie die erste Halbachse von der ersten zur letzten Windung kommt: 2 bis 20 Anteile ihrer Änderung, von 0 bis 1, in gleichen Schritten, wie 0; 0.1; 0.4; 1; leer: gleichmäßig</translation>
     </message>
     <message>
-        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
-        <translation>Wie das Werkzeug seine Tiefe erreicht; Automatisch: eine offene Seite, sonst ein gesetztes Loch, sonst eine Helix, sonst eine Rampe</translation>
-    </message>
-    <message>
         <source>Largest distance of the output from the exact path; never into a wall</source>
         <translation>Größter Abstand der Ausgabe von der genauen Bahn; nie in eine Wand hinein</translation>
     </message>
@@ -208,10 +204,6 @@
         <translation>Was geschieht, wo die Breite für die Werkzeugmitte unter dem Doppelten des kleinsten Radius liegt</translation>
     </message>
     <message>
-        <source>What is the same between all parallel passes: their distance seen from above, or the height of what stands between them</source>
-        <translation>Was zwischen allen parallelen Bahnen gleich ist: ihr Abstand von oben gesehen, oder die Höhe dessen, was zwischen ihnen stehen bleibt</translation>
-    </message>
-    <message>
         <source>What rest machining depends on: the job&apos;s operations before this one</source>
         <translation>Wovon die Restbearbeitung abhängt: die Operationen des Auftrags vor dieser</translation>
     </message>
@@ -264,12 +256,32 @@
         <translation>Gewünschter kleinster Radius der Bahn; zunächst das 0.15-Fache des Werkzeugdurchmessers</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
-        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen</translation>
-    </message>
-    <message>
         <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
         <translation>Radius der senkrechten Bögen, auf denen das Werkzeug aus der Luft in eine Bahn einfährt und sie verlässt; kleiner, wo das Teil im Weg ist; zunächst das 0.1-Fache des Werkzeugdurchmessers</translation>
+    </message>
+    <message>
+        <source>The tool first comes in over the open side that is nearest to this place</source>
+        <translation>Das Werkzeug kommt zuerst über die offene Seite herein, die dieser Stelle am nächsten liegt</translation>
+    </message>
+    <message>
+        <source>What is the same between all passes: their distance seen from above, or the height of what stands between them</source>
+        <translation>Was zwischen allen Bahnen gleich ist: ihr Abstand von oben gesehen, oder die Höhe dessen, was zwischen ihnen stehen bleibt</translation>
+    </message>
+    <message>
+        <source>How far passes go on beyond the border of the faces, seen from above: along what goes on there or falls away, not up what rises</source>
+        <translation>Wie weit die Bahnen von oben gesehen über den Rand der Flächen hinausgehen: entlang dessen, was dort weitergeht oder abfällt, nicht hinauf, wo etwas ansteigt</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s, to and fro or all in one direction</source>
+        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen, hin und her oder alle in einer Richtung</translation>
+    </message>
+    <message>
+        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
+        <translation>Wie das Werkzeug seine Tiefe erreicht; Automatisch: eine offene Seite, sonst ein gesetztes Loch, sonst eine Helix, sonst eine Rampe</translation>
+    </message>
+    <message>
+        <source>Whether the open side over which the tool first comes in is chosen by a place</source>
+        <translation>Ob die offene Seite, über die das Werkzeug zuerst hereinkommt, durch eine Stelle gewählt wird</translation>
     </message>
 </context>
 <context>
@@ -1407,10 +1419,6 @@
         <translation>Wie die erste Halbachse von der ersten zur letzten Windung kommt: 2 bis 20 Anteile ihrer Änderung, von 0 bis 1, in gleichen Schritten, wie 0; 0.1; 0.4; 1; leer: gleichmäßig</translation>
     </message>
     <message>
-        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
-        <translation>Wie das Werkzeug seine Tiefe erreicht; Automatisch: eine offene Seite, sonst ein gesetztes Loch, sonst eine Helix, sonst eine Rampe</translation>
-    </message>
-    <message>
         <source>Incidents</source>
         <translation>Vorfälle</translation>
     </message>
@@ -1421,10 +1429,6 @@
     <message>
         <source>Inspects the faces that are selected</source>
         <translation>Prüft die ausgewählten Flächen</translation>
-    </message>
-    <message>
-        <source>Island %1</source>
-        <translation>Insel %1</translation>
     </message>
     <message>
         <source>Its force coefficients</source>
@@ -2821,10 +2825,6 @@ cm³/min</translation>
         <translation>Was geschieht, wo die Breite für die Werkzeugmitte unter dem Doppelten des kleinsten Radius liegt</translation>
     </message>
     <message>
-        <source>What is the same between all parallel passes: their distance seen from above, or the height of what stands between them</source>
-        <translation>Was zwischen allen parallelen Bahnen gleich ist: ihr Abstand von oben gesehen, oder die Höhe dessen, was zwischen ihnen stehen bleibt</translation>
-    </message>
-    <message>
         <source>What must stay of the model is not known: %1.</source>
         <translation>Was vom Modell stehen bleiben muss, ist nicht bekannt: %1.</translation>
     </message>
@@ -3793,20 +3793,12 @@ cm³/min</translation>
         <translation>Des Werkzeugs</translation>
     </message>
     <message>
-        <source>Only parallel passes follow a cusp height: leave it out.</source>
-        <translation>Nur parallele Bahnen folgen einer Rillenhöhe: sie weglassen.</translation>
-    </message>
-    <message>
         <source>Outside of what the source measured, a guess: %1.</source>
         <translation>Außerhalb dessen, was die Quelle gemessen hat, eine Schätzung: %1.</translation>
     </message>
     <message>
         <source>Own</source>
         <translation>Eigene</translation>
-    </message>
-    <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
-        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen</translation>
     </message>
     <message>
         <source>Passes between guides need two of them beside the faces: pick two edges, or two chains.</source>
@@ -4408,6 +4400,674 @@ cm³/min</translation>
         <source>The operation is no longer there: choose another one.</source>
         <translation>Die Operation gibt es nicht mehr: eine andere wählen.</translation>
     </message>
+    <message>
+        <source>Compare %s with</source>
+        <translation>%s vergleichen mit</translation>
+    </message>
+    <message>
+        <source>EvenLoad Compare</source>
+        <translation>EvenLoad Vergleichen</translation>
+    </message>
+    <message>
+        <source>EvenLoad Report</source>
+        <translation>EvenLoad Bericht</translation>
+    </message>
+    <message>
+        <source>Simulating the operations of %s</source>
+        <translation>Die Operationen von %s werden simuliert</translation>
+    </message>
+    <message>
+        <source>There is no browser for the report: %s</source>
+        <translation>Es gibt keinen Browser für den Bericht: %s</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cuts nothing: there is nothing to simulate.</source>
+        <translation>„%1“ schneidet nichts: es gibt nichts zu simulieren.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a ball end mill, whose loads are not simulated: EvenLoad Show Surface, or evenload.surface_simulation, tells what it leaves on the faces.</source>
+        <translation>„%1“ hat einen Kugelfräser, dessen Belastung nicht simuliert wird: EvenLoad Oberfläche zeigen oder evenload.surface_simulation nennt, was er auf den Flächen lässt.</translation>
+    </message>
+    <message>
+        <source>95 % of cusps below</source>
+        <translation>95 % der Rillen unter</translation>
+    </message>
+    <message>
+        <source>A click near an open side in the 3D view: over that side the tool comes in first</source>
+        <translation>Ein Klick nahe einer offenen Seite in der 3D-Ansicht: über diese Seite kommt das Werkzeug zuerst herein</translation>
+    </message>
+    <message>
+        <source>Cells of %1 mm are coarse beside a stepover of %2 mm: cusps may be missed.</source>
+        <translation>Zellen von %1 mm sind grob neben einem Bahnabstand von %2 mm: Rillen können übersehen werden.</translation>
+    </message>
+    <message>
+        <source>Chips are told along an EvenLoad Finishing only.</source>
+        <translation>Späne werden nur entlang eines EvenLoad Schlichtens genannt.</translation>
+    </message>
+    <message>
+        <source>Colours the faces by what the path leaves on them, or ends that</source>
+        <translation>Färbt die Flächen nach dem, was die Bahn auf ihnen lässt, oder beendet das</translation>
+    </message>
+    <message>
+        <source>Cusps, mean</source>
+        <translation>Rillen, im Mittel</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Konturverletzung</translation>
+    </message>
+    <message>
+        <source>Height over the part</source>
+        <translation>Höhe über dem Teil</translation>
+    </message>
+    <message>
+        <source>Largest gouge</source>
+        <translation>Größte Konturverletzung</translation>
+    </message>
+    <message>
+        <source>Largest shown</source>
+        <translation>Größter gezeigter Wert</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness h_m</source>
+        <translation>Mittlere Spandicke h_m</translation>
+    </message>
+    <message>
+        <source>None of the picked faces lies on top: others of the models hide them.</source>
+        <translation>Keine der gewählten Flächen liegt oben: andere der Modelle verdecken sie.</translation>
+    </message>
+    <message>
+        <source>Not cut</source>
+        <translation>Nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>Open side at</source>
+        <translation>Offene Seite bei</translation>
+    </message>
+    <message>
+        <source>Pick the Open Side</source>
+        <translation>Offene Seite wählen</translation>
+    </message>
+    <message>
+        <source>Share of the tip</source>
+        <translation>Anteil der Spitze</translation>
+    </message>
+    <message>
+        <source>Stops the simulation; what is known stays</source>
+        <translation>Hält die Simulation an; was bekannt ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Surface of %s</source>
+        <translation>Oberfläche von %s</translation>
+    </message>
+    <message>
+        <source>The models have no surface that looks up: nothing can be simulated.</source>
+        <translation>Die Modelle haben keine Oberfläche, die nach oben schaut: nichts kann simuliert werden.</translation>
+    </message>
+    <message>
+        <source>The path of &apos;%1&apos; lies beside the models.</source>
+        <translation>Die Bahn von „%1“ liegt neben den Modellen.</translation>
+    </message>
+    <message>
+        <source>The resolution is %1 mm: it must be at least %2 mm.</source>
+        <translation>Die Auflösung ist %1 mm: muss mindestens %2 mm sein.</translation>
+    </message>
+    <message>
+        <source>The resolution of %1 mm makes too many cells: choose at least %2 mm.</source>
+        <translation>Die Auflösung von %1 mm ergibt zu viele Zellen: mindestens %2 mm wählen.</translation>
+    </message>
+    <message>
+        <source>The tolerance is %1 mm: it must be at least %2 mm.</source>
+        <translation>Die Toleranz ist %1 mm: muss mindestens %2 mm sein.</translation>
+    </message>
+    <message>
+        <source>The tool first comes in over the open side that is nearest to this place</source>
+        <translation>Das Werkzeug kommt zuerst über die offene Seite herein, die dieser Stelle am nächsten liegt</translation>
+    </message>
+    <message>
+        <source>The triangles leave the part by up to %1 mm, and cusps are told no better than that: a finer tolerance takes longer.</source>
+        <translation>Die Dreiecke weichen um bis zu %1 mm vom Teil ab, und Rillen werden nicht genauer genannt: eine feinere Toleranz dauert länger.</translation>
+    </message>
+    <message>
+        <source>Within 10 % of the wish</source>
+        <translation>Auf 10 % wie gewünscht</translation>
+    </message>
+    <message>
+        <source>Writes what the faces are coloured by</source>
+        <translation>Schreibt, wonach die Flächen gefärbt sind</translation>
+    </message>
+    <message>
+        <source>not cut</source>
+        <translation>nicht geschnitten</translation>
+    </message>
+    <message>
+        <source>Passes between guides follow no cusp height: leave it out.</source>
+        <translation>Bahnen zwischen Leitkurven folgen keiner Rillenhöhe: weglassen.</translation>
+    </message>
+    <message>
+        <source>The cusp height makes too many passes: raise it.</source>
+        <translation>Die Rillenhöhe ergibt zu viele Bahnen: erhöhen.</translation>
+    </message>
+    <message>
+        <source>What is the same between all passes: their distance seen from above, or the height of what stands between them</source>
+        <translation>Was zwischen allen Bahnen gleich ist: ihr Abstand von oben gesehen, oder die Höhe dessen, was zwischen ihnen stehen bleibt</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Verlängerung</translation>
+    </message>
+    <message>
+        <source>How far passes go on beyond the border of the faces, seen from above: along what goes on there or falls away, not up what rises</source>
+        <translation>Wie weit die Bahnen von oben gesehen über den Rand der Flächen hinausgehen: entlang dessen, was dort weitergeht oder abfällt, nicht hinauf, wo etwas ansteigt</translation>
+    </message>
+    <message>
+        <source>One way between guides</source>
+        <translation>Eine Richtung zwischen Leitkurven</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s, to and fro or all in one direction</source>
+        <translation>Parallele Bahnen hin und her, oder alle in einer Richtung mit einem Rückweg über dem Teil; Bahnen entlang des Umrisses der Flächen, oder eine Spirale um ihre Mitte, von außen oder von innen her; oder Bahnen zwischen zwei gewählten Kanten, von der Form der einen zu der der anderen, hin und her oder alle in einer Richtung</translation>
+    </message>
+    <message>
+        <source>The extension must not be negative.</source>
+        <translation>Die Verlängerung darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>%d, of %s</source>
+        <translation>%d, aus %s</translation>
+    </message>
+    <message>
+        <source>%s to %s %s</source>
+        <translation>%s bis %s %s</translation>
+    </message>
+    <message>
+        <source>Amount, mm</source>
+        <translation>Betrag, mm</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Schranke</translation>
+    </message>
+    <message>
+        <source>By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, Rz %s.</source>
+        <translation>Nach den Regressionen aus zehn gefrästen Teilen, für eine %se Fläche, Bahnen unter %g° zu ihrer Achse, Rz %s.</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Nachweis</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Befehl</translation>
+    </message>
+    <message>
+        <source>Contact, point</source>
+        <translation>Kontakt, Punkt</translation>
+    </message>
+    <message>
+        <source>Datum plane</source>
+        <translation>Bezugsebene</translation>
+    </message>
+    <message>
+        <source>Deviation, %s</source>
+        <translation>Abweichung, %s</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Abweichungen</translation>
+    </message>
+    <message>
+        <source>Engagement along %s</source>
+        <translation>Eingriff entlang %s</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Flächen</translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>Incident</source>
+        <translation>Vorfall</translation>
+    </message>
+    <message>
+        <source>Incidents: %d, see below.</source>
+        <translation>Vorfälle: %d, siehe unten.</translation>
+    </message>
+    <message>
+        <source>Inspection of %s</source>
+        <translation>Prüfung von %s</translation>
+    </message>
+    <message>
+        <source>Load of %s over time</source>
+        <translation>Last von %s über der Zeit</translation>
+    </message>
+    <message>
+        <source>Map of the deviations</source>
+        <translation>Karte der Abweichungen</translation>
+    </message>
+    <message>
+        <source>Material of the forces</source>
+        <translation>Werkstoff der Kräfte</translation>
+    </message>
+    <message>
+        <source>Measured, %s</source>
+        <translation>Gemessen, %s</translation>
+    </message>
+    <message>
+        <source>Multiplier</source>
+        <translation>Multiplikator</translation>
+    </message>
+    <message>
+        <source>No gouge, no rapid or plunge in material.</source>
+        <translation>Keine Konturverletzung, nichts im Eilgang oder senkrecht in Material.</translation>
+    </message>
+    <message>
+        <source>No incidents.</source>
+        <translation>Keine Vorfälle.</translation>
+    </message>
+    <message>
+        <source>No incidents; what must stay is not known for %s.</source>
+        <translation>Keine Vorfälle; was stehen bleiben muss, ist nicht bekannt für %s.</translation>
+    </message>
+    <message>
+        <source>Not in the times</source>
+        <translation>Nicht in den Zeiten</translation>
+    </message>
+    <message>
+        <source>Not listed: %d more.</source>
+        <translation>Nicht aufgeführt: %d weitere.</translation>
+    </message>
+    <message>
+        <source>Not simulated: %s.</source>
+        <translation>Nicht simuliert: %s.</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Operationen</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Ort</translation>
+    </message>
+    <message>
+        <source>Plunge in material</source>
+        <translation>Senkrecht in Material</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Punkt</translation>
+    </message>
+    <message>
+        <source>Predicted, %s</source>
+        <translation>Vorhersage, %s</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Vorhersage</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Rapid in material</source>
+        <translation>Eilgang in Material</translation>
+    </message>
+    <message>
+        <source>Rest and incidents of %s</source>
+        <translation>Restmaterial und Vorfälle von %s</translation>
+    </message>
+    <message>
+        <source>R² adjusted</source>
+        <translation>R² bereinigt</translation>
+    </message>
+    <message>
+        <source>Shift of the points</source>
+        <translation>Verschiebung der Punkte</translation>
+    </message>
+    <message>
+        <source>Simulation of %s</source>
+        <translation>Simulation von %s</translation>
+    </message>
+    <message>
+        <source>The job has no active operation.</source>
+        <translation>Der Auftrag hat keine aktive Operation.</translation>
+    </message>
+    <message>
+        <source>The minimum zone is not proved; what is left of the forces&apos; balance is %.1e.</source>
+        <translation>Die Minimum-Zone ist nicht bewiesen; was vom Gleichgewicht der Kräfte bleibt, ist %.1e.</translation>
+    </message>
+    <message>
+        <source>The minimum zone is proved; what is left of the forces&apos; balance is %.1e.</source>
+        <translation>Die Minimum-Zone ist bewiesen; was vom Gleichgewicht der Kräfte bleibt, ist %.1e.</translation>
+    </message>
+    <message>
+        <source>Time at the programmed feeds</source>
+        <translation>Zeit mit programmierten Vorschüben</translation>
+    </message>
+    <message>
+        <source>Time on the machine</source>
+        <translation>Zeit auf der Maschine</translation>
+    </message>
+    <message>
+        <source>Tool changes, dwells of the spindle, coolant</source>
+        <translation>Werkzeugwechsel, Verweilen der Spindel, Kühlmittel</translation>
+    </message>
+    <message>
+        <source>Turn of the points</source>
+        <translation>Drehung der Punkte</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>konkav</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>konvex</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>de</translation>
+    </message>
+    <message>
+        <source>inner</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>none, as aligned</source>
+        <translation>keine, wie ausgerichtet</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>through %s %s, normal %s</source>
+        <translation>durch %s %s, Normale %s</translation>
+    </message>
+    <message>
+        <source>%.0f s on the machine</source>
+        <translation>%.0f s auf der Maschine</translation>
+    </message>
+    <message>
+        <source>%1 points on %2</source>
+        <translation>%1 Punkte auf %2</translation>
+    </message>
+    <message>
+        <source>, %.2f of the ideal</source>
+        <translation>, %.2f des Ideals</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Last</translation>
+    </message>
+    <message>
+        <source>Rest and incidents</source>
+        <translation>Restmaterial und Vorfälle</translation>
+    </message>
+    <message>
+        <source>beyond the tolerance</source>
+        <translation>außerhalb der Toleranz</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>Kontakt</translation>
+    </message>
+    <message>
+        <source>deviation, %s; above 0: %s</source>
+        <translation>Abweichung, %s; über 0: %s</translation>
+    </message>
+    <message>
+        <source>engagement angle, degrees</source>
+        <translation>Eingriffswinkel, Grad</translation>
+    </message>
+    <message>
+        <source>engagement, degrees</source>
+        <translation>Eingriff, Grad</translation>
+    </message>
+    <message>
+        <source>force in XY, N</source>
+        <translation>Kraft in XY, N</translation>
+    </message>
+    <message>
+        <source>gouge</source>
+        <translation>Konturverletzung</translation>
+    </message>
+    <message>
+        <source>gouge %.3f mm</source>
+        <translation>Konturverletzung %.3f mm</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>Loch</translation>
+    </message>
+    <message>
+        <source>in a fixture</source>
+        <translation>im Spannmittel</translation>
+    </message>
+    <message>
+        <source>largest engagement %.1f°</source>
+        <translation>größter Eingriff %.1f°</translation>
+    </message>
+    <message>
+        <source>largest force %.0f N</source>
+        <translation>größte Kraft %.0f N</translation>
+    </message>
+    <message>
+        <source>mean of a revolution</source>
+        <translation>Mittel einer Umdrehung</translation>
+    </message>
+    <message>
+        <source>no material, no forces</source>
+        <translation>kein Werkstoff, keine Kräfte</translation>
+    </message>
+    <message>
+        <source>no rest, no incidents</source>
+        <translation>kein Restmaterial, keine Vorfälle</translation>
+    </message>
+    <message>
+        <source>nominal %.4g cm³/min</source>
+        <translation>Nennwert %.4g cm³/min</translation>
+    </message>
+    <message>
+        <source>outside of the feature</source>
+        <translation>außerhalb des Elements</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>part, top at z = %g</source>
+        <translation>Teil, Oberseite bei z = %g</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>Spitze</translation>
+    </message>
+    <message>
+        <source>plunge in material</source>
+        <translation>senkrecht in Material</translation>
+    </message>
+    <message>
+        <source>plunges in material %.1f mm</source>
+        <translation>senkrecht in Material %.1f mm</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>Tasche</translation>
+    </message>
+    <message>
+        <source>rapid in material</source>
+        <translation>Eilgang in Material</translation>
+    </message>
+    <message>
+        <source>rapids in material %.1f mm</source>
+        <translation>Eilgänge in Material %.1f mm</translation>
+    </message>
+    <message>
+        <source>reference %.4g N</source>
+        <translation>Bezugswert %.4g N</translation>
+    </message>
+    <message>
+        <source>removal rate, cm³/min</source>
+        <translation>Zeitspanvolumen, cm³/min</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>Restmaterial</translation>
+    </message>
+    <message>
+        <source>rest %.2f mm²</source>
+        <translation>Restmaterial %.2f mm²</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>Beginn</translation>
+    </message>
+    <message>
+        <source>target %.4g°</source>
+        <translation>Ziel %.4g°</translation>
+    </message>
+    <message>
+        <source>too much material</source>
+        <translation>zu viel Material</translation>
+    </message>
+    <message>
+        <source>%s: %d s, %d passes</source>
+        <translation>%s: %d s, %d Bahnen</translation>
+    </message>
+    <message>
+        <source>height of the tool&apos;s tip above z = %.3f, mm</source>
+        <translation>Höhe der Werkzeugspitze über z = %.3f, mm</translation>
+    </message>
+    <message>
+        <source>Choose the open side</source>
+        <translation>Offene Seite wählen</translation>
+    </message>
+    <message>
+        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
+        <translation>Wie das Werkzeug seine Tiefe erreicht; Automatisch: eine offene Seite, sonst ein gesetztes Loch, sonst eine Helix, sonst eine Rampe</translation>
+    </message>
+    <message>
+        <source>No side of %1 is open, over which the tool could come in: turn ChooseOpenSide off.</source>
+        <translation>Keine Seite von %1 ist offen, über die das Werkzeug hereinkommen könnte: [ChooseOpenSide] ausschalten.</translation>
+    </message>
+    <message>
+        <source>Whether the open side over which the tool first comes in is chosen by a place</source>
+        <translation>Ob die offene Seite, über die das Werkzeug zuerst hereinkommt, durch eine Stelle gewählt wird</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral around an island begins beside its wall: drill the hole there, or choose the entry &apos;Automatic&apos;.</source>
+        <translation>Eine Lamé-Spirale um eine Insel beginnt neben deren Wand: das Loch dort bohren, oder das Eintauchen „Automatisch“ wählen.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral around an island in open stock comes from outside, not from a hole: choose the entry &apos;Automatic&apos;.</source>
+        <translation>Eine Lamé-Spirale um eine Insel in offenem Rohteil kommt von außen, nicht aus einem Loch: das Eintauchen „Automatisch“ wählen.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral clears pockets without islands, or with one island and an outline that is all wall or all open: take the operation Adaptive.</source>
+        <translation>Eine Lamé-Spirale räumt Taschen ohne Inseln aus, oder mit einer Insel und einem Umriss, der ganz Wand oder ganz offen ist: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral would clear only %1 % of this pocket: take the operation Adaptive.</source>
+        <translation>Eine Lamé-Spirale würde nur %1 % dieser Tasche ausräumen: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>An island</source>
+        <translation>Eine Insel</translation>
+    </message>
+    <message>
+        <source>Between the walls there is too little room for a Lamé spiral: take the operation Adaptive.</source>
+        <translation>Zwischen den Wänden ist zu wenig Platz für eine Lamé-Spirale: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>Centre lies outside the pocket: move it inside, or leave it unset.</source>
+        <translation>[Centre] liegt außerhalb der Tasche: hinein verschieben, oder nicht setzen.</translation>
+    </message>
+    <message>
+        <source>No Lamé curve resembles this pocket: take the operation Adaptive.</source>
+        <translation>Keine Lamé-Kurve ähnelt dieser Tasche: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral keeps to the engagement angle in this pocket: take the operation Adaptive.</source>
+        <translation>Keine Lamé-Spirale hält in dieser Tasche den Eingriffswinkel ein: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral leads from one outline of this pocket to the other: take the operation Adaptive.</source>
+        <translation>Keine Lamé-Spirale führt von einem Umriss dieser Tasche zum anderen: die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral leads from the pre-drilled hole to the pocket&apos;s walls: move EntryPoint towards the middle, or choose the entry &apos;Helix&apos;.</source>
+        <translation>Keine Lamé-Spirale führt vom vorgebohrten Loch zu den Wänden der Tasche: [EntryPoint] zur Mitte hin verschieben, oder das Eintauchen „Helix“ wählen.</translation>
+    </message>
+    <message>
+        <source>Only curves of four segments have two courses: set SemiAxisACourse and SemiAxisBCourse to the same values, or leave one of them empty.</source>
+        <translation>Nur Kurven mit vier Segmenten haben zwei Verläufe: [SemiAxisACourse] und [SemiAxisBCourse] auf dieselben Werte setzen, oder eines davon leer lassen.</translation>
+    </message>
+    <message>
+        <source>SemiAxisA and SemiAxisB leave no room for a spiral around its entry: set larger ones, or leave them unset.</source>
+        <translation>[SemiAxisA] und [SemiAxisB] lassen keinen Platz für eine Spirale um ihr Eintauchen: größere setzen, oder nicht setzen.</translation>
+    </message>
+    <message>
+        <source>The pre-drilled hole is too tight to start a spiral from: drill it wider, move EntryPoint towards the middle, or choose the entry &apos;Helix&apos;.</source>
+        <translation>Das vorgebohrte Loch ist zu eng, um darin eine Spirale zu beginnen: weiter bohren, [EntryPoint] zur Mitte hin verschieben, oder das Eintauchen „Helix“ wählen.</translation>
+    </message>
+    <message>
+        <source>The pre-drilled hole lies outside this pocket: choose the entry &apos;Automatic&apos;, or another hole.</source>
+        <translation>Das vorgebohrte Loch liegt außerhalb dieser Tasche: das Eintauchen „Automatisch“ wählen, oder ein anderes Loch.</translation>
+    </message>
+    <message>
+        <source>The tool of %1 mm does not fit into the pocket: %2</source>
+        <translation>Das Werkzeug von %1 mm passt nicht in die Tasche: %2</translation>
+    </message>
+    <message>
+        <source>With the set Segments, ExponentEnd or Rotation the largest spiral would clear %1 % of this pocket: leave them unset, or take the operation Adaptive.</source>
+        <translation>Mit dem, was gesetzt ist ([Segments], [ExponentEnd] oder [Rotation]), würde die größte Spirale %1 % dieser Tasche ausräumen: nicht setzen, oder die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>With the set properties no Lamé curve keeps clear of the walls: leave some of them unset, or take the operation Adaptive.</source>
+        <translation>Mit den gesetzten Eigenschaften bleibt keine Lamé-Kurve von den Wänden weg: einige davon nicht setzen, oder die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>With these courses no Lamé spiral keeps to the engagement angle: make SemiAxisACourse, SemiAxisBCourse and ExponentCourse more even, or leave them empty.</source>
+        <translation>Mit diesen Verläufen hält keine Lamé-Spirale den Eingriffswinkel ein: [SemiAxisACourse], [SemiAxisBCourse] und [ExponentCourse] gleichmäßiger machen, oder leer lassen.</translation>
+    </message>
+    <message>
+        <source>With these courses no Lamé spiral leads from its first turn to its last: leave SemiAxisACourse, SemiAxisBCourse and ExponentCourse empty, or take the operation Adaptive.</source>
+        <translation>Mit diesen Verläufen führt keine Lamé-Spirale von ihrer ersten Windung zur letzten: [SemiAxisACourse], [SemiAxisBCourse] und [ExponentCourse] leer lassen, oder die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>With this Centre the largest spiral would clear %1 % of this pocket: move Centre towards the middle, leave it unset, or take the operation Adaptive.</source>
+        <translation>Mit diesem Wert von [Centre] würde die größte Spirale %1 % dieser Tasche ausräumen: [Centre] zur Mitte hin verschieben, nicht setzen, oder die Operation Adaptiv nehmen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cuts the faces nowhere.</source>
+        <translation>„%1“ schneidet die Flächen nirgends.</translation>
+    </message>
+    <message>
+        <source>Places of the patch are %1 mm apart, coarse beside marks of %2 mm, which may be lost: a smaller patch would tell them.</source>
+        <translation>Die Stellen des Ausschnitts liegen %1 mm auseinander, grob neben Spuren von %2 mm, die verloren gehen können: ein kleinerer Ausschnitt würde sie zeigen.</translation>
+    </message>
+    <message>
+        <source>R_z across the feed</source>
+        <translation>R_z quer zum Vorschub</translation>
+    </message>
+    <message>
+        <source>R_z along the feed</source>
+        <translation>R_z längs des Vorschubs</translation>
+    </message>
+    <message>
+        <source>What &apos;%1&apos; cuts is narrower than a patch of %2 mm, whose roughness is told: pick wider faces.</source>
+        <translation>Was „%1“ schneidet, ist schmaler als ein Ausschnitt von %2 mm, dessen Rauheit angegeben wird: breitere Flächen wählen.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
@@ -4418,6 +5078,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Adaptive</source>
         <translation>EvenLoad Adaptiv</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_Compare</name>
+    <message>
+        <source>EvenLoad Compare</source>
+        <translation>EvenLoad Vergleichen</translation>
+    </message>
+    <message>
+        <source>Shows the load of two selected operations over time on one scale; of one, asks which other one to set beside it</source>
+        <translation>Zeigt die Belastung zweier gewählter Operationen über der Zeit in einem Maßstab; bei einer gewählten wird gefragt, welche andere danebenstehen soll</translation>
     </message>
 </context>
 <context>
@@ -4476,6 +5147,17 @@ cm³/min</translation>
     </message>
 </context>
 <context>
+    <name>EvenLoad_Report</name>
+    <message>
+        <source>EvenLoad Report</source>
+        <translation>EvenLoad Bericht</translation>
+    </message>
+    <message>
+        <source>Simulates the operations of the job, writes a report to print and opens it in the browser</source>
+        <translation>Simuliert die Operationen des Auftrags, schreibt einen Bericht zum Drucken und öffnet ihn im Browser</translation>
+    </message>
+</context>
+<context>
     <name>EvenLoad_ShowLoad</name>
     <message>
         <source>Colours the path of the selected operation by engagement, removal rate, feed, chip thickness or force, or takes the colours away again</source>
@@ -4484,6 +5166,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Show Load</source>
         <translation>EvenLoad Belastung zeigen</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_ShowSurface</name>
+    <message>
+        <source>Colours the faces below the selected operation by cusps, gouges, what is left, chip thickness or the tip&apos;s share, or takes the colours away again</source>
+        <translation>Färbt die Flächen unter der gewählten Operation nach Rillen, Konturverletzungen, dem, was stehen bleibt, Spandicke oder dem Anteil der Spitze, oder nimmt die Farben wieder weg</translation>
+    </message>
+    <message>
+        <source>EvenLoad Show Surface</source>
+        <translation>EvenLoad Oberfläche zeigen</translation>
     </message>
 </context>
 <context>

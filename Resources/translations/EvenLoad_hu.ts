@@ -104,10 +104,6 @@
         <translation>Hogyan jut az első féltengely az első menettől az utolsóig: változásának 2–20 hányada, 0-tól 1-ig, egyenletes lépésekben, például 0; 0.1; 0.4; 1; üresen egyenletesen</translation>
     </message>
     <message>
-        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
-        <translation>Hogyan éri el a szerszám a mélységét; Automatikus: nyitott oldal, különben megadott furat, különben csigavonal, különben rámpa</translation>
-    </message>
-    <message>
         <source>Largest distance of the output from the exact path; never into a wall</source>
         <translation>A kimenet legnagyobb eltérése a pontos pályától; sosem a falba</translation>
     </message>
@@ -208,10 +204,6 @@
         <translation>Mi történjen ott, ahol a szerszámközéppontnak maradó szélesség a legkisebb sugár kétszerese alatt van</translation>
     </message>
     <message>
-        <source>What is the same between all parallel passes: their distance seen from above, or the height of what stands between them</source>
-        <translation>Ami minden párhuzamos sor között azonos: felülnézeti távolságuk, vagy a köztük maradó barázda magassága</translation>
-    </message>
-    <message>
         <source>What rest machining depends on: the job&apos;s operations before this one</source>
         <translation>Amitől a maradékmegmunkálás függ: a feladat e művelet előtti műveletei</translation>
     </message>
@@ -264,12 +256,32 @@
         <translation>A pálya kívánt legkisebb sugara; kezdetben a szerszámátmérő 0.15-szorosa</translation>
     </message>
     <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
-        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba</translation>
-    </message>
-    <message>
         <source>Radius of the upright arcs by which the tool comes into a pass from the air, and leaves one; smaller where the part is in the way; at first 0.1 of the tool&apos;s diameter</source>
         <translation>A függőleges ívek sugara, amelyeken a szerszám a levegőből a sorra áll, és elhagyja azt; kisebb, ahol a darab útban van; kezdetben a szerszámátmérő 0.1-szerese</translation>
+    </message>
+    <message>
+        <source>The tool first comes in over the open side that is nearest to this place</source>
+        <translation>A szerszám először azon a nyitott oldalon át érkezik, amelyik ehhez a helyhez a legközelebb van</translation>
+    </message>
+    <message>
+        <source>What is the same between all passes: their distance seen from above, or the height of what stands between them</source>
+        <translation>Ami minden sor között azonos: felülnézeti távolságuk, vagy a köztük maradó barázda magassága</translation>
+    </message>
+    <message>
+        <source>How far passes go on beyond the border of the faces, seen from above: along what goes on there or falls away, not up what rises</source>
+        <translation>Mennyivel mennek tovább a sorok a felületek szélén túl, felülnézetben: ami ott folytatódik vagy lejt, annak mentén, ami emelkedik, arra nem fel</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s, to and fro or all in one direction</source>
+        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba, oda-vissza vagy mind egy irányban</translation>
+    </message>
+    <message>
+        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
+        <translation>Hogyan éri el a szerszám a mélységét; Automatikus: nyitott oldal, különben megadott furat, különben csigavonal, különben rámpa</translation>
+    </message>
+    <message>
+        <source>Whether the open side over which the tool first comes in is chosen by a place</source>
+        <translation>Egy hely válassza-e ki azt a nyitott oldalt, amelyen át a szerszám először érkezik</translation>
     </message>
 </context>
 <context>
@@ -1407,10 +1419,6 @@
         <translation>Hogyan jut az első féltengely az első menettől az utolsóig: változásának 2–20 hányada, 0-tól 1-ig, egyenletes lépésekben, például 0; 0.1; 0.4; 1; üresen egyenletesen</translation>
     </message>
     <message>
-        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
-        <translation>Hogyan éri el a szerszám a mélységét; Automatikus: nyitott oldal, különben megadott furat, különben csigavonal, különben rámpa</translation>
-    </message>
-    <message>
         <source>Incidents</source>
         <translation>Események</translation>
     </message>
@@ -1421,10 +1429,6 @@
     <message>
         <source>Inspects the faces that are selected</source>
         <translation>A kijelölt felületeket vizsgálja</translation>
-    </message>
-    <message>
-        <source>Island %1</source>
-        <translation>%1. sziget</translation>
     </message>
     <message>
         <source>Its force coefficients</source>
@@ -2821,10 +2825,6 @@ cm³/min</translation>
         <translation>Mi történjen ott, ahol a szerszámközéppontnak maradó szélesség a legkisebb sugár kétszerese alatt van</translation>
     </message>
     <message>
-        <source>What is the same between all parallel passes: their distance seen from above, or the height of what stands between them</source>
-        <translation>Ami minden párhuzamos sor között azonos: felülnézeti távolságuk, vagy a köztük maradó barázda magassága</translation>
-    </message>
-    <message>
         <source>What must stay of the model is not known: %1.</source>
         <translation>Nem ismert, minek kell megmaradnia a modellből: %1.</translation>
     </message>
@@ -3793,20 +3793,12 @@ cm³/min</translation>
         <translation>A szerszámé</translation>
     </message>
     <message>
-        <source>Only parallel passes follow a cusp height: leave it out.</source>
-        <translation>Csak a párhuzamos sorok követnek barázdamagasságot: hagyja el.</translation>
-    </message>
-    <message>
         <source>Outside of what the source measured, a guess: %1.</source>
         <translation>Kívül esik azon, amit a forrás mért, becslés: %1.</translation>
     </message>
     <message>
         <source>Own</source>
         <translation>Saját</translation>
-    </message>
-    <message>
-        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s</source>
-        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba</translation>
     </message>
     <message>
         <source>Passes between guides need two of them beside the faces: pick two edges, or two chains.</source>
@@ -4408,6 +4400,674 @@ cm³/min</translation>
         <source>The operation is no longer there: choose another one.</source>
         <translation>A művelet már nincs meg: válasszon másikat.</translation>
     </message>
+    <message>
+        <source>Compare %s with</source>
+        <translation>%s összehasonlítása ezzel</translation>
+    </message>
+    <message>
+        <source>EvenLoad Compare</source>
+        <translation>EvenLoad összehasonlítás</translation>
+    </message>
+    <message>
+        <source>EvenLoad Report</source>
+        <translation>EvenLoad jelentés</translation>
+    </message>
+    <message>
+        <source>Simulating the operations of %s</source>
+        <translation>%s műveleteinek szimulálása</translation>
+    </message>
+    <message>
+        <source>There is no browser for the report: %s</source>
+        <translation>Nincs böngésző a jelentéshez: %s</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cuts nothing: there is nothing to simulate.</source>
+        <translation>„%1“ nem vág semmit: nincs mit szimulálni.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has a ball end mill, whose loads are not simulated: EvenLoad Show Surface, or evenload.surface_simulation, tells what it leaves on the faces.</source>
+        <translation>„%1“ szerszáma gömbvégű maró, amelynek terhelését a szimuláció nem ismeri: az EvenLoad felület mutatása vagy az evenload.surface_simulation megmondja, mit hagy a felületeken.</translation>
+    </message>
+    <message>
+        <source>95 % of cusps below</source>
+        <translation>A barázdák 95 %-a kisebb</translation>
+    </message>
+    <message>
+        <source>A click near an open side in the 3D view: over that side the tool comes in first</source>
+        <translation>Kattintás egy nyitott oldal közelébe a 3D nézetben: a szerszám először azon az oldalon át érkezik</translation>
+    </message>
+    <message>
+        <source>Cells of %1 mm are coarse beside a stepover of %2 mm: cusps may be missed.</source>
+        <translation>A %1 mm-es cellák durvák a %2 mm-es sortávhoz képest: barázdák maradhatnak észrevétlenül.</translation>
+    </message>
+    <message>
+        <source>Chips are told along an EvenLoad Finishing only.</source>
+        <translation>Forgácsokat csak EvenLoad simítás mentén lehet megadni.</translation>
+    </message>
+    <message>
+        <source>Colours the faces by what the path leaves on them, or ends that</source>
+        <translation>A felületeket aszerint színezi, amit a pálya rajtuk hagy, vagy befejezi ezt</translation>
+    </message>
+    <message>
+        <source>Cusps, mean</source>
+        <translation>Barázdák átlaga</translation>
+    </message>
+    <message>
+        <source>Gouge</source>
+        <translation>Kontúrsértés</translation>
+    </message>
+    <message>
+        <source>Height over the part</source>
+        <translation>Magasság a darab felett</translation>
+    </message>
+    <message>
+        <source>Largest gouge</source>
+        <translation>Legnagyobb kontúrsértés</translation>
+    </message>
+    <message>
+        <source>Largest shown</source>
+        <translation>Legnagyobb mutatott érték</translation>
+    </message>
+    <message>
+        <source>Mean chip thickness h_m</source>
+        <translation>Közepes forgácsvastagság</translation>
+    </message>
+    <message>
+        <source>None of the picked faces lies on top: others of the models hide them.</source>
+        <translation>A kijelölt felületek egyike sincs felül: a modellek más felületei eltakarják őket.</translation>
+    </message>
+    <message>
+        <source>Not cut</source>
+        <translation>Nincs megmunkálva</translation>
+    </message>
+    <message>
+        <source>Open side at</source>
+        <translation>Nyitott oldal itt</translation>
+    </message>
+    <message>
+        <source>Pick the Open Side</source>
+        <translation>Nyitott oldal kiválasztása</translation>
+    </message>
+    <message>
+        <source>Share of the tip</source>
+        <translation>A csúcs aránya</translation>
+    </message>
+    <message>
+        <source>Stops the simulation; what is known stays</source>
+        <translation>Leállítja a szimulációt; ami ismert, megmarad</translation>
+    </message>
+    <message>
+        <source>Surface of %s</source>
+        <translation>%s felülete</translation>
+    </message>
+    <message>
+        <source>The models have no surface that looks up: nothing can be simulated.</source>
+        <translation>A modelleknek nincs felfelé néző felülete: nincs mit szimulálni.</translation>
+    </message>
+    <message>
+        <source>The path of &apos;%1&apos; lies beside the models.</source>
+        <translation>„%1“ pályája a modellek mellett fut.</translation>
+    </message>
+    <message>
+        <source>The resolution is %1 mm: it must be at least %2 mm.</source>
+        <translation>A felbontás %1 mm: legalább %2 mm legyen.</translation>
+    </message>
+    <message>
+        <source>The resolution of %1 mm makes too many cells: choose at least %2 mm.</source>
+        <translation>A %1 mm-es felbontás túl sok cellát ad: válasszon legalább %2 mm-t.</translation>
+    </message>
+    <message>
+        <source>The tolerance is %1 mm: it must be at least %2 mm.</source>
+        <translation>A tűrés %1 mm: legalább %2 mm legyen.</translation>
+    </message>
+    <message>
+        <source>The tool first comes in over the open side that is nearest to this place</source>
+        <translation>A szerszám először azon a nyitott oldalon át érkezik, amelyik ehhez a helyhez a legközelebb van</translation>
+    </message>
+    <message>
+        <source>The triangles leave the part by up to %1 mm, and cusps are told no better than that: a finer tolerance takes longer.</source>
+        <translation>A háromszögek legfeljebb %1 mm-rel térnek el a darabtól, és a barázdák ennél nem pontosabbak: a finomabb tűrés tovább tart.</translation>
+    </message>
+    <message>
+        <source>Within 10 % of the wish</source>
+        <translation>10 %-on belül a kívánttal</translation>
+    </message>
+    <message>
+        <source>Writes what the faces are coloured by</source>
+        <translation>Kiírja, ami szerint a felületek színezettek</translation>
+    </message>
+    <message>
+        <source>not cut</source>
+        <translation>nincs megmunkálva</translation>
+    </message>
+    <message>
+        <source>Passes between guides follow no cusp height: leave it out.</source>
+        <translation>A vezetővonalak közti sorok nem követnek barázdamagasságot: hagyja el.</translation>
+    </message>
+    <message>
+        <source>The cusp height makes too many passes: raise it.</source>
+        <translation>A barázdamagasság túl sok sort ad: növelje meg.</translation>
+    </message>
+    <message>
+        <source>What is the same between all passes: their distance seen from above, or the height of what stands between them</source>
+        <translation>Ami minden sor között azonos: felülnézeti távolságuk, vagy a köztük maradó barázda magassága</translation>
+    </message>
+    <message>
+        <source>Extension</source>
+        <translation>Túlnyúlás</translation>
+    </message>
+    <message>
+        <source>How far passes go on beyond the border of the faces, seen from above: along what goes on there or falls away, not up what rises</source>
+        <translation>Mennyivel mennek tovább a sorok a felületek szélén túl, felülnézetben: ami ott folytatódik vagy lejt, annak mentén, ami emelkedik, arra nem fel</translation>
+    </message>
+    <message>
+        <source>One way between guides</source>
+        <translation>Egy irány vezetővonalak között</translation>
+    </message>
+    <message>
+        <source>Parallel passes to and fro, or all in one direction with a way back over the part; passes along the outline of the faces, or a spiral round their middle, from the outside or from the inside on; or passes between two picked edges, from the shape of one to the other&apos;s, to and fro or all in one direction</source>
+        <translation>Párhuzamos sorok oda-vissza, vagy mind egy irányban visszaúttal a darab felett; sorok a felületek körvonala mentén, vagy spirál a közepük körül, kívülről vagy belülről kezdve; vagy sorok két kiválasztott él között, az egyik alakjából a másikéba, oda-vissza vagy mind egy irányban</translation>
+    </message>
+    <message>
+        <source>The extension must not be negative.</source>
+        <translation>A túlnyúlás nem lehet negatív.</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%2, %1</translation>
+    </message>
+    <message>
+        <source>%d, of %s</source>
+        <translation>%d, forrás: %s</translation>
+    </message>
+    <message>
+        <source>%s to %s %s</source>
+        <translation>%s … %s %s</translation>
+    </message>
+    <message>
+        <source>Amount, mm</source>
+        <translation>Mérték, mm</translation>
+    </message>
+    <message>
+        <source>Bound</source>
+        <translation>Korlát</translation>
+    </message>
+    <message>
+        <source>By the regressions of ten milled parts, for a %s face, passes at %g° to its axis, Rz %s.</source>
+        <translation>Tíz mart darab regressziói szerint, %s felületre, tengelyéhez %g°-ban futó sorokkal, Rz %s.</translation>
+    </message>
+    <message>
+        <source>Certificate</source>
+        <translation>Bizonyítás</translation>
+    </message>
+    <message>
+        <source>Command</source>
+        <translation>Parancs</translation>
+    </message>
+    <message>
+        <source>Contact, point</source>
+        <translation>Érintkezés, pont</translation>
+    </message>
+    <message>
+        <source>Datum plane</source>
+        <translation>Bázissík</translation>
+    </message>
+    <message>
+        <source>Deviation, %s</source>
+        <translation>Eltérés, %s</translation>
+    </message>
+    <message>
+        <source>Deviations</source>
+        <translation>Eltérések</translation>
+    </message>
+    <message>
+        <source>Engagement along %s</source>
+        <translation>Átfogás, %s</translation>
+    </message>
+    <message>
+        <source>Faces</source>
+        <translation>Felületek</translation>
+    </message>
+    <message>
+        <source>Fixture</source>
+        <translation>Készülék</translation>
+    </message>
+    <message>
+        <source>Incident</source>
+        <translation>Esemény</translation>
+    </message>
+    <message>
+        <source>Incidents: %d, see below.</source>
+        <translation>Események: %d, lásd alább.</translation>
+    </message>
+    <message>
+        <source>Inspection of %s</source>
+        <translation>Vizsgálat: %s</translation>
+    </message>
+    <message>
+        <source>Load of %s over time</source>
+        <translation>%s terhelése az idő függvényében</translation>
+    </message>
+    <message>
+        <source>Map of the deviations</source>
+        <translation>Az eltérések térképe</translation>
+    </message>
+    <message>
+        <source>Material of the forces</source>
+        <translation>Az erők anyaga</translation>
+    </message>
+    <message>
+        <source>Measured, %s</source>
+        <translation>Mért, %s</translation>
+    </message>
+    <message>
+        <source>Multiplier</source>
+        <translation>Multiplikátor</translation>
+    </message>
+    <message>
+        <source>No gouge, no rapid or plunge in material.</source>
+        <translation>Nincs kontúrsértés, sem gyorsjárat vagy függőleges merülés anyagban.</translation>
+    </message>
+    <message>
+        <source>No incidents.</source>
+        <translation>Nincs esemény.</translation>
+    </message>
+    <message>
+        <source>No incidents; what must stay is not known for %s.</source>
+        <translation>Nincs esemény; nem ismert, minek kell megmaradnia itt: %s.</translation>
+    </message>
+    <message>
+        <source>Not in the times</source>
+        <translation>Az időkben nincs benne</translation>
+    </message>
+    <message>
+        <source>Not listed: %d more.</source>
+        <translation>Nincs felsorolva: még %d.</translation>
+    </message>
+    <message>
+        <source>Not simulated: %s.</source>
+        <translation>Nincs szimulálva: %s.</translation>
+    </message>
+    <message>
+        <source>Operations</source>
+        <translation>Műveletek</translation>
+    </message>
+    <message>
+        <source>Place</source>
+        <translation>Hely</translation>
+    </message>
+    <message>
+        <source>Plunge in material</source>
+        <translation>Függőleges merülés anyagba</translation>
+    </message>
+    <message>
+        <source>Point</source>
+        <translation>Pont</translation>
+    </message>
+    <message>
+        <source>Predicted, %s</source>
+        <translation>Becslés, %s</translation>
+    </message>
+    <message>
+        <source>Prediction</source>
+        <translation>Becslés</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Sugár</translation>
+    </message>
+    <message>
+        <source>Rapid in material</source>
+        <translation>Gyorsjárat anyagban</translation>
+    </message>
+    <message>
+        <source>Rest and incidents of %s</source>
+        <translation>Maradék és események, %s</translation>
+    </message>
+    <message>
+        <source>R² adjusted</source>
+        <translation>Korrigált R²</translation>
+    </message>
+    <message>
+        <source>Shift of the points</source>
+        <translation>A pontok eltolása</translation>
+    </message>
+    <message>
+        <source>Simulation of %s</source>
+        <translation>%s szimulációja</translation>
+    </message>
+    <message>
+        <source>The job has no active operation.</source>
+        <translation>A feladatnak nincs aktív művelete.</translation>
+    </message>
+    <message>
+        <source>The minimum zone is not proved; what is left of the forces&apos; balance is %.1e.</source>
+        <translation>A minimális zóna nem bizonyított; az erők egyensúlyának maradéka %.1e.</translation>
+    </message>
+    <message>
+        <source>The minimum zone is proved; what is left of the forces&apos; balance is %.1e.</source>
+        <translation>A minimális zóna bizonyított; az erők egyensúlyának maradéka %.1e.</translation>
+    </message>
+    <message>
+        <source>Time at the programmed feeds</source>
+        <translation>Idő a programozott előtolásokkal</translation>
+    </message>
+    <message>
+        <source>Time on the machine</source>
+        <translation>Idő a gépen</translation>
+    </message>
+    <message>
+        <source>Tool changes, dwells of the spindle, coolant</source>
+        <translation>Szerszámcserék, az orsó várakozásai, hűtés</translation>
+    </message>
+    <message>
+        <source>Turn of the points</source>
+        <translation>A pontok elforgatása</translation>
+    </message>
+    <message>
+        <source>concave</source>
+        <translation>homorú</translation>
+    </message>
+    <message>
+        <source>convex</source>
+        <translation>domború</translation>
+    </message>
+    <message>
+        <source>en</source>
+        <translation>hu</translation>
+    </message>
+    <message>
+        <source>inner</source>
+        <translation>belső</translation>
+    </message>
+    <message>
+        <source>none, as aligned</source>
+        <translation>egyik sem, a beállítás szerint</translation>
+    </message>
+    <message>
+        <source>outer</source>
+        <translation>külső</translation>
+    </message>
+    <message>
+        <source>through %s %s, normal %s</source>
+        <translation>e ponton át: %s %s, normális: %s</translation>
+    </message>
+    <message>
+        <source>%.0f s on the machine</source>
+        <translation>%.0f s a gépen</translation>
+    </message>
+    <message>
+        <source>%1 points on %2</source>
+        <translation>%1 pont, %2</translation>
+    </message>
+    <message>
+        <source>, %.2f of the ideal</source>
+        <translation>, az ideális %.2f-szerese</translation>
+    </message>
+    <message>
+        <source>Load</source>
+        <translation>Terhelés</translation>
+    </message>
+    <message>
+        <source>Rest and incidents</source>
+        <translation>Maradék és események</translation>
+    </message>
+    <message>
+        <source>beyond the tolerance</source>
+        <translation>tűrésen kívül</translation>
+    </message>
+    <message>
+        <source>contact</source>
+        <translation>érintkezés</translation>
+    </message>
+    <message>
+        <source>deviation, %s; above 0: %s</source>
+        <translation>eltérés, %s; 0 felett: %s</translation>
+    </message>
+    <message>
+        <source>engagement angle, degrees</source>
+        <translation>átfogási szög, fok</translation>
+    </message>
+    <message>
+        <source>engagement, degrees</source>
+        <translation>átfogás, fok</translation>
+    </message>
+    <message>
+        <source>force in XY, N</source>
+        <translation>erő XY-ban, N</translation>
+    </message>
+    <message>
+        <source>gouge</source>
+        <translation>kontúrsértés</translation>
+    </message>
+    <message>
+        <source>gouge %.3f mm</source>
+        <translation>kontúrsértés %.3f mm</translation>
+    </message>
+    <message>
+        <source>hole</source>
+        <translation>furat</translation>
+    </message>
+    <message>
+        <source>in a fixture</source>
+        <translation>készülékben</translation>
+    </message>
+    <message>
+        <source>largest engagement %.1f°</source>
+        <translation>legnagyobb átfogás %.1f°</translation>
+    </message>
+    <message>
+        <source>largest force %.0f N</source>
+        <translation>legnagyobb erő %.0f N</translation>
+    </message>
+    <message>
+        <source>mean of a revolution</source>
+        <translation>egy fordulat átlaga</translation>
+    </message>
+    <message>
+        <source>no material, no forces</source>
+        <translation>nincs anyag, nincsenek erők</translation>
+    </message>
+    <message>
+        <source>no rest, no incidents</source>
+        <translation>nincs maradék, nincs esemény</translation>
+    </message>
+    <message>
+        <source>nominal %.4g cm³/min</source>
+        <translation>névleges %.4g cm³/min</translation>
+    </message>
+    <message>
+        <source>outside of the feature</source>
+        <translation>az elemen kívül</translation>
+    </message>
+    <message>
+        <source>part</source>
+        <translation>darab</translation>
+    </message>
+    <message>
+        <source>part, top at z = %g</source>
+        <translation>darab, teteje: z = %g</translation>
+    </message>
+    <message>
+        <source>peak</source>
+        <translation>csúcs</translation>
+    </message>
+    <message>
+        <source>plunge in material</source>
+        <translation>függőleges merülés anyagba</translation>
+    </message>
+    <message>
+        <source>plunges in material %.1f mm</source>
+        <translation>függőleges merülés anyagba %.1f mm</translation>
+    </message>
+    <message>
+        <source>pocket</source>
+        <translation>zseb</translation>
+    </message>
+    <message>
+        <source>rapid in material</source>
+        <translation>gyorsjárat anyagban</translation>
+    </message>
+    <message>
+        <source>rapids in material %.1f mm</source>
+        <translation>gyorsjárat anyagban %.1f mm</translation>
+    </message>
+    <message>
+        <source>reference %.4g N</source>
+        <translation>referencia %.4g N</translation>
+    </message>
+    <message>
+        <source>removal rate, cm³/min</source>
+        <translation>anyagleválasztás, cm³/min</translation>
+    </message>
+    <message>
+        <source>rest</source>
+        <translation>maradék</translation>
+    </message>
+    <message>
+        <source>rest %.2f mm²</source>
+        <translation>maradék %.2f mm²</translation>
+    </message>
+    <message>
+        <source>start</source>
+        <translation>kezdet</translation>
+    </message>
+    <message>
+        <source>target %.4g°</source>
+        <translation>cél %.4g°</translation>
+    </message>
+    <message>
+        <source>too much material</source>
+        <translation>túl sok anyag</translation>
+    </message>
+    <message>
+        <source>%s: %d s, %d passes</source>
+        <translation>%s: %d s, %d sor</translation>
+    </message>
+    <message>
+        <source>height of the tool&apos;s tip above z = %.3f, mm</source>
+        <translation>a szerszámcsúcs magassága z = %.3f felett, mm</translation>
+    </message>
+    <message>
+        <source>Choose the open side</source>
+        <translation>Nyitott oldal választása</translation>
+    </message>
+    <message>
+        <source>How the tool reaches its depth; Automatic: an open side, else a set hole, else a helix, else a ramp</source>
+        <translation>Hogyan éri el a szerszám a mélységét; Automatikus: nyitott oldal, különben megadott furat, különben csigavonal, különben rámpa</translation>
+    </message>
+    <message>
+        <source>No side of %1 is open, over which the tool could come in: turn ChooseOpenSide off.</source>
+        <translation>%1 egyik oldala sem nyitott, hogy azon át érkezhetne a szerszám: kapcsolja ki: [ChooseOpenSide].</translation>
+    </message>
+    <message>
+        <source>Whether the open side over which the tool first comes in is chosen by a place</source>
+        <translation>Egy hely válassza-e ki azt a nyitott oldalt, amelyen át a szerszám először érkezik</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral around an island begins beside its wall: drill the hole there, or choose the entry &apos;Automatic&apos;.</source>
+        <translation>A sziget körüli Lamé-spirál annak fala mellett kezdődik: ott fúrja a furatot, vagy válassza az „Automatikus” bemerülést.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral around an island in open stock comes from outside, not from a hole: choose the entry &apos;Automatic&apos;.</source>
+        <translation>Nyitott nyersdarabban a sziget körüli Lamé-spirál kívülről jön, nem furatból: válassza az „Automatikus” bemerülést.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral clears pockets without islands, or with one island and an outline that is all wall or all open: take the operation Adaptive.</source>
+        <translation>A Lamé-spirál sziget nélküli zsebet mar ki, vagy olyat, amelyben egy sziget van, és körvonala végig fal vagy végig nyitott: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>A Lamé spiral would clear only %1 % of this pocket: take the operation Adaptive.</source>
+        <translation>A Lamé-spirál e zsebnek csak %1 %-át marná ki: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>An island</source>
+        <translation>Egy sziget</translation>
+    </message>
+    <message>
+        <source>Between the walls there is too little room for a Lamé spiral: take the operation Adaptive.</source>
+        <translation>A falak között túl kevés a hely egy Lamé-spirálnak: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>Centre lies outside the pocket: move it inside, or leave it unset.</source>
+        <translation>[Centre]: a zseben kívül van: helyezze belülre, vagy ne adja meg.</translation>
+    </message>
+    <message>
+        <source>No Lamé curve resembles this pocket: take the operation Adaptive.</source>
+        <translation>Egyetlen Lamé-görbe sem hasonlít erre a zsebre: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral keeps to the engagement angle in this pocket: take the operation Adaptive.</source>
+        <translation>Ebben a zsebben egyetlen Lamé-spirál sem tartja be az átfogási szöget: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral leads from one outline of this pocket to the other: take the operation Adaptive.</source>
+        <translation>Egyetlen Lamé-spirál sem vezet e zseb egyik körvonalától a másikig: használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>No Lamé spiral leads from the pre-drilled hole to the pocket&apos;s walls: move EntryPoint towards the middle, or choose the entry &apos;Helix&apos;.</source>
+        <translation>Egyetlen Lamé-spirál sem vezet az előfúrt furattól a zseb falaihoz: helyezze közelebb a közepéhez: [EntryPoint], vagy válassza a „Csigavonal” bemerülést.</translation>
+    </message>
+    <message>
+        <source>Only curves of four segments have two courses: set SemiAxisACourse and SemiAxisBCourse to the same values, or leave one of them empty.</source>
+        <translation>Csak négy szegmensű görbének van két lefutása: adjon meg azonos értékeket: [SemiAxisACourse] és [SemiAxisBCourse], vagy hagyja az egyiket üresen.</translation>
+    </message>
+    <message>
+        <source>SemiAxisA and SemiAxisB leave no room for a spiral around its entry: set larger ones, or leave them unset.</source>
+        <translation>[SemiAxisA] és [SemiAxisB] nem hagy helyet a bemerülés körüli spirálnak: adjon meg nagyobbakat, vagy ne adja meg őket.</translation>
+    </message>
+    <message>
+        <source>The pre-drilled hole is too tight to start a spiral from: drill it wider, move EntryPoint towards the middle, or choose the entry &apos;Helix&apos;.</source>
+        <translation>Az előfúrt furat túl szűk egy spirál kezdéséhez: fúrja nagyobbra, helyezze közelebb a zseb közepéhez: [EntryPoint], vagy válassza a „Csigavonal” bemerülést.</translation>
+    </message>
+    <message>
+        <source>The pre-drilled hole lies outside this pocket: choose the entry &apos;Automatic&apos;, or another hole.</source>
+        <translation>Az előfúrt furat e zseben kívül van: válassza az „Automatikus” bemerülést, vagy másik furatot.</translation>
+    </message>
+    <message>
+        <source>The tool of %1 mm does not fit into the pocket: %2</source>
+        <translation>A(z) %1 mm-es szerszám nem fér a zsebbe: %2</translation>
+    </message>
+    <message>
+        <source>With the set Segments, ExponentEnd or Rotation the largest spiral would clear %1 % of this pocket: leave them unset, or take the operation Adaptive.</source>
+        <translation>A megadottakkal ([Segments], [ExponentEnd] vagy [Rotation]) a legnagyobb spirál e zseb %1 %-át marná ki: ne adja meg őket, vagy használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>With the set properties no Lamé curve keeps clear of the walls: leave some of them unset, or take the operation Adaptive.</source>
+        <translation>A megadott tulajdonságokkal egyetlen Lamé-görbe sem kerüli el a falakat: némelyiket ne adja meg, vagy használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>With these courses no Lamé spiral keeps to the engagement angle: make SemiAxisACourse, SemiAxisBCourse and ExponentCourse more even, or leave them empty.</source>
+        <translation>Ezekkel a lefutásokkal egyetlen Lamé-spirál sem tartja be az átfogási szöget: tegye egyenletesebbé: [SemiAxisACourse], [SemiAxisBCourse] és [ExponentCourse], vagy hagyja üresen őket.</translation>
+    </message>
+    <message>
+        <source>With these courses no Lamé spiral leads from its first turn to its last: leave SemiAxisACourse, SemiAxisBCourse and ExponentCourse empty, or take the operation Adaptive.</source>
+        <translation>Ezekkel a lefutásokkal egyetlen Lamé-spirál sem vezet az első menetétől az utolsóig: hagyja üresen: [SemiAxisACourse], [SemiAxisBCourse] és [ExponentCourse], vagy használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>With this Centre the largest spiral would clear %1 % of this pocket: move Centre towards the middle, leave it unset, or take the operation Adaptive.</source>
+        <translation>Ezzel az értékkel ([Centre]) a legnagyobb spirál e zseb %1 %-át marná ki: helyezze közelebb a zseb közepéhez: [Centre], ne adja meg, vagy használja az adaptív műveletet.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; cuts the faces nowhere.</source>
+        <translation>„%1“ sehol sem vágja a felületeket.</translation>
+    </message>
+    <message>
+        <source>Places of the patch are %1 mm apart, coarse beside marks of %2 mm, which may be lost: a smaller patch would tell them.</source>
+        <translation>A folt pontjai %1 mm-re vannak egymástól, ami durva a %2 mm-es nyomok mellett, ezek elveszhetnek: egy kisebb folt megmutatná őket.</translation>
+    </message>
+    <message>
+        <source>R_z across the feed</source>
+        <translation>R_z az előtolásra merőlegesen</translation>
+    </message>
+    <message>
+        <source>R_z along the feed</source>
+        <translation>R_z az előtolás mentén</translation>
+    </message>
+    <message>
+        <source>What &apos;%1&apos; cuts is narrower than a patch of %2 mm, whose roughness is told: pick wider faces.</source>
+        <translation>Amit „%1“ vág, keskenyebb egy %2 mm-es foltnál, amelynek érdességét megadjuk: szélesebb felületeket kell választani.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
@@ -4418,6 +5078,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Adaptive</source>
         <translation>EvenLoad adaptív</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_Compare</name>
+    <message>
+        <source>EvenLoad Compare</source>
+        <translation>EvenLoad összehasonlítás</translation>
+    </message>
+    <message>
+        <source>Shows the load of two selected operations over time on one scale; of one, asks which other one to set beside it</source>
+        <translation>Két kijelölt művelet terhelését mutatja az időben, azonos léptékben; ha csak egy van kijelölve, megkérdezi, melyik legyen mellette</translation>
     </message>
 </context>
 <context>
@@ -4476,6 +5147,17 @@ cm³/min</translation>
     </message>
 </context>
 <context>
+    <name>EvenLoad_Report</name>
+    <message>
+        <source>EvenLoad Report</source>
+        <translation>EvenLoad jelentés</translation>
+    </message>
+    <message>
+        <source>Simulates the operations of the job, writes a report to print and opens it in the browser</source>
+        <translation>Szimulálja a feladat műveleteit, nyomtatható jelentést ír, és megnyitja a böngészőben</translation>
+    </message>
+</context>
+<context>
     <name>EvenLoad_ShowLoad</name>
     <message>
         <source>Colours the path of the selected operation by engagement, removal rate, feed, chip thickness or force, or takes the colours away again</source>
@@ -4484,6 +5166,17 @@ cm³/min</translation>
     <message>
         <source>EvenLoad Show Load</source>
         <translation>EvenLoad terhelés mutatása</translation>
+    </message>
+</context>
+<context>
+    <name>EvenLoad_ShowSurface</name>
+    <message>
+        <source>Colours the faces below the selected operation by cusps, gouges, what is left, chip thickness or the tip&apos;s share, or takes the colours away again</source>
+        <translation>A kijelölt művelet alatti felületeket a barázdák, a kontúrsértések, a megmaradt anyag, a forgácsvastagság vagy a csúcs aránya szerint színezi, vagy leveszi a színeket</translation>
+    </message>
+    <message>
+        <source>EvenLoad Show Surface</source>
+        <translation>EvenLoad felület mutatása</translation>
     </message>
 </context>
 <context>

@@ -453,31 +453,38 @@ bool ClearedGround::is_cleared_since(Vec2 x, std::size_t first) const {
   return false;
 }
 
-std::optional<std::size_t> ClearedGround::move_bordering(Vec2 x, std::size_t last) const {
+std::optional<ClearedGround::BorderPlace> ClearedGround::place_bordering(Vec2 x,
+                                                                         std::size_t last) const {
   const Cell& cell = cell_at(x);
   for (std::int32_t at = newest_before(cell, last); at >= 0;) {
     const Entry& entry = entries_[static_cast<std::size_t>(at)];
     at = entry.before;
     const auto index = static_cast<std::size_t>(entry.move);
     if (index >= last) continue;
-    if (std::abs(moves_[index].distance(x) - moves_[index].swept_radius()) < kOnBorder)
-      return index;
+    if (std::abs(moves_[index].distance(x) - moves_[index].swept_radius()) >= kOnBorder) continue;
+    const Segment& s = moves_[index].segment();
+    const double t = s.nearest(x);
+    return BorderPlace{index, t, cross(s.tangent(t), x - s.point(t)) > 0 ? 1.0 : -1.0};
   }
   return std::nullopt;
 }
 
-// True when the moves from `first` to `last` are few, and each is tangent to the next; none turns
-// towards a side (1 left, -1 right) on which the border is looked at, more tightly than the disc is
-// round: there the border has a cusp.
-bool ClearedGround::runs_on(std::size_t first, std::size_t last,
-                            std::initializer_list<double> sides) const {
-  if (last - first > kMostInARow) return false;
-  for (std::size_t i = first; i <= last; ++i) {
+// True when the moves from one place to a later one are few, each is tangent to the next, and they
+// turn by no more than `most_turn` rad; none turns towards a side on which the border is looked at
+// more tightly than the disc is round: there the border has a cusp.
+bool ClearedGround::runs_on(const BorderPlace& first, const BorderPlace& last,
+                            double most_turn) const {
+  if (last.move - first.move > kMostInARow) return false;
+  double turn = 0;
+  for (std::size_t i = first.move; i <= last.move; ++i) {
     const Segment& a = moves_[i].segment();
-    for (const double side : sides)
+    for (const double side : {first.side, last.side})
       if (a.is_arc() && a.sweep * side > kTangent && a.radius < moves_[i].swept_radius())
         return false;
-    if (i == last) break;
+    const double from = i == first.move ? first.t : 0, to = i == last.move ? last.t : 1;
+    turn += std::abs(a.sweep) * std::abs(to - from);
+    if (turn > most_turn) return false;
+    if (i == last.move) break;
     const Segment& b = moves_[i + 1].segment();
     if (evenload::distance(a.b, b.a) > kOnBorder || norm(a.tangent(1) - b.tangent(0)) > kTangent)
       return false;
@@ -485,18 +492,11 @@ bool ClearedGround::runs_on(std::size_t first, std::size_t last,
   return true;
 }
 
-// Of the move numbered `move`: 1 left, -1 right.
-double ClearedGround::side_of(std::size_t move, Vec2 x) const {
-  const Segment& s = moves_[move].segment();
-  const double t = s.nearest(x);
-  return cross(s.tangent(t), x - s.point(t)) > 0 ? 1 : -1;
-}
-
-bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b, std::size_t last) const {
-  const std::optional<std::size_t> at_a = move_bordering(a, last), at_b = move_bordering(b, last);
+bool ClearedGround::is_smooth_between(Vec2 a, Vec2 b, std::size_t last, double most_turn) const {
+  const std::optional<BorderPlace> at_a = place_bordering(a, last), at_b = place_bordering(b, last);
   if (at_a && at_b)
-    return runs_on(std::min(*at_a, *at_b), std::max(*at_a, *at_b),
-                   {side_of(*at_a, a), side_of(*at_b, b)});
+    return at_a->move <= at_b->move ? runs_on(*at_a, *at_b, most_turn)
+                                    : runs_on(*at_b, *at_a, most_turn);
   if (at_a || at_b || !limited_) return false;
   const BoundaryIndex::Hit edge_a = material_.nearest(a), edge_b = material_.nearest(b);
   return edge_a.curve == edge_b.curve && edge_a.segment == edge_b.segment;

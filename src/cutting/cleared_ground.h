@@ -14,7 +14,7 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -30,6 +30,10 @@ namespace evenload {
 inline constexpr double kCoverTolerance = 2e-5;
 // A look takes some microseconds.
 inline constexpr std::uint32_t kLooksOfStep = 256;
+
+// rad: moves that turn by more between two places which are apart did not cut the front from one to
+// the other; it is what their loops left.
+inline constexpr double kMostTurnOfFront = kPi / 2;
 
 class ClearedGround {
  public:
@@ -78,9 +82,13 @@ class ClearedGround {
   // True when no cusp of the border of the cleared ground is known of between two places on it: one
   // move swept both sides, or moves that are tangent to each other, none of which turns towards the
   // border more tightly than the disc is round, or one edge of the stock ends there. A newer move
-  // that bit the border between them is not looked for. As it was before the move numbered `last`:
-  // the disc at the end of a move borders on all of a circle about that end.
-  bool is_smooth_between(Vec2 a, Vec2 b, std::size_t last) const;
+  // that bit the border between them is not looked for, nor whether the moves lead away from the
+  // border and back to it, as the loops of a trochoid do: places near each other hardly hide that;
+  // for others, moves that turn by more than `most_turn` rad between them do not count. As it was
+  // before the move numbered `last`: the disc at the end of a move borders on all of a circle about
+  // that end.
+  bool is_smooth_between(Vec2 a, Vec2 b, std::size_t last,
+                         double most_turn = std::numeric_limits<double>::infinity()) const;
   bool is_smooth_between(Vec2 a, Vec2 b) const { return is_smooth_between(a, b, moves_.size()); }
   // True when `x`, which held material before the move numbered `first`, was cleared since.
   bool is_cleared_since(Vec2 x, std::size_t first) const;
@@ -126,10 +134,15 @@ class ClearedGround {
   template <typename Continue>
   void look_round(Vec2 p, double low, double high, double shrink, std::size_t last,
                   std::vector<AngularInterval>& set, Continue go_on) const;
-  // The newest move before `last` on whose border `x` is.
-  std::optional<std::size_t> move_bordering(Vec2 x, std::size_t last) const;
-  bool runs_on(std::size_t first, std::size_t last, std::initializer_list<double> sides) const;
-  double side_of(std::size_t move, Vec2 x) const;
+  // A place of a move beside which the border of what it swept is.
+  struct BorderPlace {
+    std::size_t move = 0;
+    double t = 0;
+    double side = 0;  // 1: on its left, -1: on its right
+  };
+  // Of the newest move before `last` on whose border `x` is.
+  std::optional<BorderPlace> place_bordering(Vec2 x, std::size_t last) const;
+  bool runs_on(const BorderPlace& first, const BorderPlace& last, double most_turn) const;
   void remove_outside_material(Vec2 p, double base, double radius,
                                std::vector<AngularInterval>& set) const;
   int windows_in(double angle, double radius) const;

@@ -8,13 +8,14 @@
 
 #include "feed/load_profile.h"
 #include "support/progress.h"
+#include "toolpath/machinable.h"
 #include "toolpath/planar.h"
 
 namespace evenload {
 
 // How fine the steps are in which the feed changes within moves.
 struct FeedSteps {
-  double price = 0.006;   // s: what one more block must save
+  double price = block_price::kFeed;  // s: what one more block must save
   double shortest = 0.1;  // mm: no piece is shorter, unless its move is; controllers handle a
                           // limited number of blocks per second
   // Where the load is held as a mean no sample is above so much of the nominal one, >= 1; 1: every

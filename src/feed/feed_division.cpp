@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

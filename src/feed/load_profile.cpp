@@ -4,15 +4,15 @@
 #include <cmath>
 #include <utility>
 
+#include "cutting/probe.h"
 #include "support/both.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 #include "toolpath/ramp.h"
-#include "toolpath/small_arc.h"
 
 namespace evenload {
 namespace {
 
-// mm: material thinner than this is not seen; above the noise of rounding.
-constexpr double kLoadTolerance = 1e-6;
 // Samples whose engagements, and whose widths and shares in proportion to the larger, differ less
 // than this are alike.
 constexpr double kLikeEngagement = 2 * kPi / 180;
@@ -26,12 +26,9 @@ constexpr double kSmallShare = 0.1;
 constexpr double kCoarseLook = 0.1;
 // and none nearer, but on moves so short that a fifth of them is less.
 constexpr double kFinestLook = 0.02;
-// Before a smooth front, where no cusp hides between looks, the first are so many times as far
-// apart.
-constexpr double kSmoothSpacing = 5;
 // Of unit vectors along the path at a joint: what is met there is hidden by the move before, whose
 // end clears all of the tool's circle, and next to that before it.
-constexpr double kSameDirection = 0.02;
+constexpr double kRunsOn = 0.02;
 // Share of the tool's radius: in tighter turns passes lie so close to each other that rounding to
 // kPosted mm moves the places where their circles cross by degrees. So what is shared there is what
 // a tool larger by that would meet, of the same pieces of material, each end further by no more
@@ -103,31 +100,61 @@ class MoveProfile {
         segment_(move.segment),
         length_(move.segment.length()),
         line_turn_(turn_of_lines(move.segment)),
-        smooth_(move.smooth_front),
         where_(where),
         share_(share),
         out_(out) {}
 
-  // `at_start`: the load there, where it is known; it is hidden by the move before, so that it is
-  // looked for a little further on otherwise. Returns the load at the end.
-  Load cover(double spacing, const Load* at_start) {
-    if (smooth_) spacing *= kSmoothSpacing;
-    const int n = std::max(1, static_cast<int>(std::ceil(length_ / spacing)));
-    Load before = at_start ? *at_start : load_at(std::min(0.1, 0.5 * kFinestLook / length_));
+  // `at_start`: what is met there, where it is known; it is hidden by the move before, so that it
+  // is looked for a little further on otherwise. Returns what is met at the end.
+  LoadAtPlace cover(double spacing, const LoadAtPlace* at_start) {
+    const std::size_t last = ground_.size() - (at_start ? 1 : 0);
+    LoadAtPlace before = at_start ? *at_start : met_at(std::min(0.1, 0.5 * kFinestLook / length_));
+    const int n = looks_along(length_, kSmoothSpacing * spacing);
     for (int k = 0; k < n; ++k) {
       const double t0 = static_cast<double>(k) / n, t1 = static_cast<double>(k + 1) / n;
-      const Load after = load_at(t1);
-      cover(t0, before, t1, after, k == 0);
+      const LoadAtPlace after = met_at(t1);
+      if (before.edge && after.edge &&
+          ground_.is_smooth_between(*before.edge, *after.edge, last, kMostTurnOfFront))
+        cover(t0, before.load, t1, after.load, k == 0, true);
+      else
+        cover_closely(t0, before.load, t1, after.load, spacing);
       before = after;
     }
     return before;
   }
 
  private:
-  Load load_at(double t) {
+  void cover_closely(double t0, const Load& at0, double t1, const Load& at1, double spacing) {
+    const int n = looks_along((t1 - t0) * length_, spacing);
+    Load before = at0;
+    for (int k = 0; k < n; ++k) {
+      const double from = t0 + (t1 - t0) * k / n, to = t0 + (t1 - t0) * (k + 1) / n;
+      const Load after = k + 1 < n ? load_at(to) : at1;
+      cover(from, before, to, after, from == 0, false);
+      before = after;
+    }
+  }
+
+  // Asks what is met at `t`, as engaged_; returns the heading there.
+  double look(double t) {
     const double heading = angle_of(segment_.tangent(t));
-    ground_.uncovered(segment_.point(t), heading - kPi / 2, heading + kPi / 2, engaged_,
-                      kLoadTolerance);
+    engaged_ = probe_.arcs(segment_.point(t), heading, kThin);
+    return heading;
+  }
+
+  LoadAtPlace met_at(double t) {
+    const double heading = look(t);
+    LoadAtPlace met;
+    if (engaged_.size() == 1 && engaged_.front().low < heading - kPi / 2 + kSame)
+      met.edge = segment_.point(t) + (ground_.tool_radius() - kThin) * unit(engaged_.front().high);
+    met.load = load_of(t, heading);
+    return met;
+  }
+
+  Load load_at(double t) { return load_of(t, look(t)); }
+
+  // Of what was met at `t`: engaged_, which become angles from the heading.
+  Load load_of(double t, double heading) {
     Load load;
     for (AngularInterval& arc : engaged_) {
       arc = {arc.low - heading, arc.high - heading};
@@ -148,10 +175,10 @@ class MoveProfile {
   // Makes the arcs that are met at `p` as long as rounding may make them, and with them the width
   // of `load`.
   void widen(Vec2 p, double heading, Load& load) {
-    ground_.uncovered(p, heading - kPi / 2, heading + kPi / 2, posted_, -kPosted);
+    const std::vector<AngularInterval>& posted = probe_.arcs(p, heading, -kPosted);
     double width = 0;
     for (AngularInterval& arc : engaged_) {
-      for (const AngularInterval& larger : posted_) {
+      for (const AngularInterval& larger : posted) {
         const double low = larger.low - heading, high = larger.high - heading;
         if (high < arc.low || low > arc.high) continue;
         arc.low = std::clamp(low, arc.low - kMostDoubt, arc.low);
@@ -165,21 +192,20 @@ class MoveProfile {
   }
 
   // `begins`: whether the piece begins the move. There the path's curvature jumps, and the load
-  // bends: it may rise and be down again before the middle.
-  void cover(double t0, const Load& at0, double t1, const Load& at1, bool begins) {
+  // bends: it may rise and be down again before the middle. `smooth`: the front that is met.
+  void cover(double t0, const Load& at0, double t1, const Load& at1, bool begins, bool smooth) {
     const double t = 0.5 * (t0 + t1), piece = (t1 - t0) * length_;
     const Load middle = load_at(t);
     const double radius = ground_.tool_radius();
     const bool flat = alike(at0, middle, radius) && alike(middle, at1, radius);
-    const bool straight =
-        (smooth_ || piece <= kCoarseLook) && alike(mean(at0, at1), middle, radius);
+    const bool straight = (smooth || piece <= kCoarseLook) && alike(mean(at0, at1), middle, radius);
     const auto bends = [&] {
       return begins && piece > kCoarseLook &&
              !alike(load_at(0.5 * (t0 + t)), between(at0, middle, at1, 0.25), radius);
     };
     if (piece > std::min(kFinestLook, 0.2 * length_) && ((!flat && !straight) || bends())) {
-      cover(t0, at0, t, middle, begins);
-      cover(t, middle, t1, at1, false);
+      cover(t0, at0, t, middle, begins, smooth);
+      cover(t, middle, t1, at1, false, smooth);
       return;
     }
     const double steps = std::max({std::abs(at1.engagement - at0.engagement) / kLikeEngagement,
@@ -205,17 +231,17 @@ class MoveProfile {
   const Segment& segment_;
   double length_;
   double line_turn_;  // rad: between the lines that are posted in the move's place; 0 for others
-  bool smooth_;
   LoadSample where_;
   const LoadShare& share_;
   std::vector<LoadSample>& out_;
-  std::vector<AngularInterval> engaged_, posted_;
+  Probe probe_{ground_};
+  std::vector<AngularInterval> engaged_;
 };
 
 // True when the tool runs on without a turn: what it meets at the joint is what it met before.
 bool runs_on(const PlanarMove& before, const PlanarMove& after) {
   return before.kind == MoveKind::kCut && after.kind == MoveKind::kCut &&
-         norm(before.segment.tangent(1) - after.segment.tangent(0)) < kSameDirection;
+         norm(before.segment.tangent(1) - after.segment.tangent(0)) < kRunsOn;
 }
 
 }  // namespace
@@ -230,8 +256,8 @@ void LoadProfiler::come_down(const Descent& descent) {
 void LoadProfiler::look_along(const PlanarMove& move) {
   const LoadSample where{runs_ - 1, moves_, 0.5, move.segment.length(), 0, 0, 0, 0};
   if (move.kind == MoveKind::kCut) {
-    const Load* at_start = before_ && runs_on(*before_, move) ? &load_ : nullptr;
-    load_ = MoveProfile(ground_, move, where, share_, profile_).cover(spacing_, at_start);
+    const LoadAtPlace* at_start = before_ && runs_on(*before_, move) ? &met_ : nullptr;
+    met_ = MoveProfile(ground_, move, where, share_, profile_).cover(spacing_, at_start);
   } else {
     profile_.push_back(where);
   }

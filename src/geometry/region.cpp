@@ -1,9 +1,7 @@
 #include "geometry/region.h"
 
 #include <algorithm>
-#include <cstdio>
 #include <optional>
-#include <string>
 
 #include "geometry/box_tree.h"
 #include "geometry/intersect.h"
@@ -13,24 +11,12 @@ namespace evenload {
 
 namespace {
 
-std::string text_of(Vec2 p) {
-  char text[64];
-  std::snprintf(text, sizeof text, "(%.6g, %.6g)", p.x, p.y);
-  return text;
-}
-
-[[noreturn]] void fail(GeometryErrorCode code, Vec2 where, const std::string& what,
-                       const std::string& remedy) {
-  throw GeometryError(code, where, what + " near " + text_of(where) + ": " + remedy);
-}
-
-void check_finite(const Curve& curve, const std::string& name) {
+// number: of a curve, as refusals count them.
+void check_finite(const Curve& curve, int number) {
   Vec2 last;
   for (const Vertex& v : curve.vertices()) {
     if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge))
-      fail(GeometryErrorCode::kNotFinite, last,
-           name + " has a coordinate that is not a number, after the point",
-           "draw this piece again.");
+      throw GeometryError(Refusal::kCurveNotFinite, last, {1.0 * number});
     last = v.p;
   }
 }
@@ -56,25 +42,24 @@ Curve without_zero_lengths(const Curve& curve) {
   return Curve(std::move(kept), true);
 }
 
-Curve closed(const Curve& curve, const std::string& name) {
+Curve closed(const Curve& curve, int number) {
   if (curve.closed()) return curve;
   if (curve.vertices().size() < 2) return Curve(curve.vertices(), true);
   const Vec2 first = curve.vertices().front().p, last = curve.vertices().back().p;
   if (distance(first, last) > kClosingGap)
-    fail(GeometryErrorCode::kOpen, last, name + " is not closed: it ends",
-         "join this end to its start at " + text_of(first) + " in the sketch.");
+    throw GeometryError(Refusal::kCurveNotClosed, last, {1.0 * number, first.x, first.y});
   const std::vector<Vertex>& all = curve.vertices();
   return Curve(std::vector<Vertex>(all.begin(), all.end() - 1), true);
 }
 
-Curve normalised(const Curve& given, const std::string& name, bool counter_clockwise) {
-  check_finite(given, name);
-  Curve curve = without_zero_lengths(closed(given, name));
+Curve normalised(const Curve& given, int number) {
+  check_finite(given, number);
+  Curve curve = without_zero_lengths(closed(given, number));
   const double area = curve.segment_count() < 2 ? 0.0 : curve.signed_area();
   if (std::abs(area) <= kZeroLength * curve.length())
-    fail(GeometryErrorCode::kTooFewPoints, given.empty() ? Vec2{} : given.vertices()[0].p,
-         name + " encloses no area", "draw it as a closed curve of at least two pieces.");
-  return (area > 0) == counter_clockwise ? curve : curve.reversed();
+    throw GeometryError(Refusal::kCurveWithoutArea, given.empty() ? Vec2{} : given.vertices()[0].p,
+                        {1.0 * number});
+  return (area > 0) == (number == 0) ? curve : curve.reversed();
 }
 
 struct Piece {
@@ -103,6 +88,14 @@ std::optional<Vec2> bad_meeting(const Piece& first, const Piece& second, std::si
   return std::nullopt;
 }
 
+[[noreturn]] void refuse_crossing(Vec2 where, std::size_t one, std::size_t other) {
+  const double first = 1.0 * one, second = 1.0 * other;
+  if (one == 0 && other == 0) throw GeometryError(Refusal::kOutlineCrossesItself, where);
+  if (one == other) throw GeometryError(Refusal::kIslandCrossesItself, where, {first});
+  if (one == 0) throw GeometryError(Refusal::kOutlineCrossesIsland, where, {second});
+  throw GeometryError(Refusal::kIslandsCross, where, {first, second});
+}
+
 void check_crossings(const std::vector<Curve>& curves) {
   std::vector<Piece> pieces;
   std::vector<Bounds> boxes;
@@ -118,16 +111,7 @@ void check_crossings(const std::vector<Curve>& curves) {
       if (k <= i) return;
       const std::optional<Vec2> where =
           bad_meeting(pieces[i], pieces[k], curves[pieces[i].curve].segment_count());
-      if (!where) return;
-      if (pieces[i].curve == pieces[k].curve)
-        fail(GeometryErrorCode::kSelfCrossing, *where,
-             pieces[i].curve == 0 ? "The outline crosses or touches itself"
-                                  : "An island crosses or touches itself",
-             "remove the crossing in the sketch.");
-      fail(GeometryErrorCode::kSelfCrossing, *where,
-           pieces[i].curve == 0 ? "The outline and an island cross or touch"
-                                : "Two islands cross or touch",
-           "move them apart in the sketch, or join them into one curve.");
+      if (where) refuse_crossing(*where, pieces[i].curve, pieces[k].curve);
     });
   }
 }
@@ -154,20 +138,18 @@ std::vector<Curve> Region::curves() const {
 
 Region make_region(const Curve& outer, const std::vector<Curve>& islands) {
   Region region;
-  region.outer = normalised(outer, "The outline", true);
-  for (const Curve& island : islands)
-    region.islands.push_back(normalised(island, "An island", false));
+  region.outer = normalised(outer, 0);
+  int number = 0;
+  for (const Curve& island : islands) region.islands.push_back(normalised(island, ++number));
   check_crossings(region.curves());
   // Nothing crosses, so one point tells where a whole curve lies.
   for (std::size_t i = 0; i < region.islands.size(); ++i) {
     const Vec2 p = region.islands[i].vertices()[0].p;
     if (!region.outer.contains(p))
-      fail(GeometryErrorCode::kIslandOutside, p, "An island lies outside the outline",
-           "move it inside or remove it.");
+      throw GeometryError(Refusal::kIslandOutsideOutline, p, {i + 1.0});
     for (std::size_t k = 0; k < region.islands.size(); ++k)
       if (k != i && region.islands[k].contains(p))
-        fail(GeometryErrorCode::kIslandOutside, p, "An island lies inside another island",
-             "remove the inner one, or make it a pocket of its own.");
+        throw GeometryError(Refusal::kIslandInsideAnother, p, {i + 1.0, k + 1.0});
   }
   return region;
 }

@@ -2,7 +2,6 @@
 
 #include <cmath>
 #include <optional>
-#include <sstream>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,20 +15,16 @@ namespace {
 // rad: chains that turn by less at a joint are smooth there.
 constexpr double kSmooth = 1e-6;
 
-[[noreturn]] void refuse(GeometryErrorCode code, Vec2 where, const char* sentence) {
-  throw GeometryError(code, where, sentence);
-}
-
 std::vector<Segment> pieces_of(const Curve& middle) {
   std::vector<Segment> pieces;
   for (const Vertex& v : middle.vertices())
     if (!std::isfinite(v.p.x) || !std::isfinite(v.p.y) || !std::isfinite(v.bulge))
-      refuse(GeometryErrorCode::kNotFinite, {}, "The slot's middle must have finite coordinates.");
+      throw GeometryError(Refusal::kMiddleNotFinite, {});
   for (const Segment& piece : middle.segments())
     if (piece.length() > kZeroLength) pieces.push_back(piece);
   if (pieces.empty())
-    refuse(GeometryErrorCode::kTooFewPoints, middle.empty() ? Vec2{} : middle.vertices().front().p,
-           "The slot's middle has no length: draw a line or an arc along the slot.");
+    throw GeometryError(Refusal::kMiddleWithoutLength,
+                        middle.empty() ? Vec2{} : middle.vertices().front().p);
   return pieces;
 }
 
@@ -41,16 +36,12 @@ void refuse_crossings(const std::vector<Segment>& pieces, bool closed) {
         const bool at_joint = j == i + 1 && distance(meeting.p, pieces[i].b) < kClosingGap;
         const bool at_closing =
             closed && i == 0 && j == n - 1 && distance(meeting.p, pieces[i].a) < kClosingGap;
-        if (!at_joint && !at_closing)
-          refuse(GeometryErrorCode::kSelfCrossing, meeting.p,
-                 "The slot's middle crosses itself: divide it into slots that do not.");
+        if (!at_joint && !at_closing) throw GeometryError(Refusal::kMiddleCrossesItself, meeting.p);
       }
 }
 
 [[noreturn]] void refuse_bend(Vec2 where) {
-  refuse(GeometryErrorCode::kSelfCrossing, where,
-         "The slot's middle bends more tightly than half the slot's width: make the slot narrower, "
-         "or bend it less.");
+  throw GeometryError(Refusal::kMiddleBendsTooTightly, where);
 }
 
 Segment right_of(const Segment& piece, double half) {
@@ -137,9 +128,7 @@ Region slot_around(const Curve& middle, double width, SlotEnds ends) {
     }
     return make_region(Curve(std::move(vertices), true));
   } catch (const GeometryError& error) {
-    throw GeometryError(error.code(), error.where(),
-                        "The slot's sides meet each other: make the slot narrower, or move the "
-                        "parts of its middle further apart.");
+    throw GeometryError(Refusal::kSlotSidesMeet, error.where());
   }
 }
 

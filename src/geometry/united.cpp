@@ -18,6 +18,8 @@ using Point = bp::point_data<int>;
 using Outline = bp::polygon_data<int>;
 using WithHoles = bp::polygon_with_holes_data<int>;
 
+using bp::operators::operator-=;
+
 constexpr double kReach = 2e9;  // of an int, with room for differences
 
 int on_grid(double value) {
@@ -41,18 +43,30 @@ std::vector<Vec2> points_of(const Polygon& polygon, double tolerance) {
   return points;
 }
 
+Outline outline_of(const std::vector<Vec2>& polygon) {
+  std::vector<Point> points;
+  for (const Vec2 p : polygon) points.emplace_back(on_grid(p.x), on_grid(p.y));
+  Outline outline;
+  outline.set(points.begin(), points.end());
+  return outline;
+}
+
+WithHoles with_holes(const Patch& patch) {
+  WithHoles result;
+  const Outline outline = outline_of(patch.outline);
+  result.set(outline.begin(), outline.end());
+  std::vector<Outline> holes;
+  for (const std::vector<Vec2>& hole : patch.holes) holes.push_back(outline_of(hole));
+  result.set_holes(holes.begin(), holes.end());
+  return result;
+}
+
 }  // namespace
 
 std::vector<std::vector<Vec2>> united(const std::vector<std::vector<Vec2>>& polygons,
                                       double tolerance) {
   bp::polygon_set_data<int> set;
-  for (const std::vector<Vec2>& polygon : polygons) {
-    std::vector<Point> points;
-    for (const Vec2 p : polygon) points.emplace_back(on_grid(p.x), on_grid(p.y));
-    Outline outline;
-    outline.set(points.begin(), points.end());
-    set.insert(outline);
-  }
+  for (const std::vector<Vec2>& polygon : polygons) set.insert(outline_of(polygon));
   std::vector<WithHoles> found;
   set.get(found);
   std::vector<std::vector<Vec2>> outlines;
@@ -65,6 +79,27 @@ std::vector<std::vector<Vec2>> united(const std::vector<std::vector<Vec2>>& poly
     for (auto hole = each.begin_holes(); hole != each.end_holes(); ++hole) add(*hole);
   }
   return outlines;
+}
+
+std::vector<Patch> cut_from(const std::vector<Patch>& patches, const std::vector<Patch>& cut,
+                            double tolerance) {
+  bp::polygon_set_data<int> set, other;
+  for (const Patch& patch : patches) set.insert(with_holes(patch));
+  for (const Patch& patch : cut) other.insert(with_holes(patch));
+  set -= other;
+  std::vector<WithHoles> found;
+  set.get(found);
+  std::vector<Patch> left;
+  for (const WithHoles& each : found) {
+    Patch patch{points_of(each, tolerance), {}};
+    if (patch.outline.size() < 3) continue;
+    for (auto hole = each.begin_holes(); hole != each.end_holes(); ++hole) {
+      std::vector<Vec2> points = points_of(*hole, tolerance);
+      if (points.size() >= 3) patch.holes.push_back(std::move(points));
+    }
+    left.push_back(std::move(patch));
+  }
+  return left;
 }
 
 }  // namespace evenload

@@ -19,4 +19,15 @@ inline constexpr double kUnitedGrid = 1e-5;
 std::vector<std::vector<Vec2>> united(const std::vector<std::vector<Vec2>>& polygons,
                                       double tolerance);
 
+// What is bounded by an outline, but for the holes in it. The ground lies to the left of each.
+struct Patch {
+  std::vector<Vec2> outline;
+  std::vector<std::vector<Vec2>> holes;
+};
+
+// What patches, which may overlap, leave of others. Tolerance and raster as above; outlines may
+// turn either way.
+std::vector<Patch> cut_from(const std::vector<Patch>& patches, const std::vector<Patch>& cut,
+                            double tolerance);
+
 }  // namespace evenload

@@ -2,7 +2,8 @@
 //
 // The shape is triangulated anew, whatever triangles it brings along, and what comes out is
 // measured: at the middles of triangles and of their sides against the surface itself. Where that
-// is further off than wished it is done again, finer.
+// is further off than wished triangles are split; where that does not do, for what is off lies on a
+// face's border, all is done again, finer.
 // Laws: faces that share an edge share its points; a triangle's corners lie on its face, and turn
 // counter-clockwise seen from outside of a solid.
 #pragma once

@@ -17,10 +17,21 @@ const char* const kClearingArguments =
     "chip thickness', 'constant force'), least_load, most_blocks_per_metre, rapid_feed, "
     "roll_radius, minimum_radius, entry ('automatic', 'helix', 'ramp', 'predrilled hole'), "
     "helix_angle, helix_diameter, entry_point "
-    "(x, y), hole_diameter, stock_to_leave, wall_pass, tolerance, arcs, link_lift, top, order_by "
+    "(x, y), open_side (x, y), hole_diameter, stock_to_leave, wall_pass, tolerance, arcs, "
+    "link_lift, top, order_by "
     "('region', 'depth'), narrow_passages ('trochoid with smaller radius', 'cut at reduced feed', "
     "'skip and report'), force_coefficients, teeth, tool_helix_angle, spindle_speed, progress: "
     "called with the share that is done, False cancels.";
+
+namespace {
+
+void place(Keywords& keywords, const char* name, std::optional<Vec2>& value) {
+  std::optional<std::tuple<double, double>> given;
+  keywords.optional(name, given);
+  if (given) value = Vec2{std::get<0>(*given), std::get<1>(*given)};
+}
+
+}  // namespace
 
 void Keywords::refuse_others() const {
   if (left_.empty()) return;
@@ -67,9 +78,8 @@ ClearingCall clearing_call(Keywords& keywords) {
                   p.entry);
   keywords.optional("helix_angle", p.helix_angle);
   keywords.optional("helix_diameter", p.helix_diameter);
-  std::optional<std::tuple<double, double>> entry_point;
-  keywords.optional("entry_point", entry_point);
-  if (entry_point) p.entry_point = Vec2{std::get<0>(*entry_point), std::get<1>(*entry_point)};
+  place(keywords, "entry_point", p.entry_point);
+  place(keywords, "open_side", p.open_side);
   keywords.optional("hole_diameter", p.hole_diameter);
   keywords.optional("stock_to_leave", p.stock_to_leave);
   keywords.optional("wall_pass", p.wall_pass);

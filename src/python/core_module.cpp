@@ -25,6 +25,7 @@
 #include "python/path_commands_module.h"
 #include "python/proof_module.h"
 #include "python/simulate_module.h"
+#include "python/surface_map_module.h"
 #include "python/surface_module.h"
 #include "python/trochoid_module.h"
 #include "strategy/pocket/constant_engagement.h"
@@ -54,28 +55,6 @@ py::list chain_of(const Curve& curve) {
   for (const Vertex& v : curve.vertices())
     chain.append(py::make_tuple(v.p.x, v.p.y, v.bulge, v.open));
   return chain;
-}
-
-const char* name_of(GeometryErrorCode code) {
-  switch (code) {
-    case GeometryErrorCode::kNotFinite:
-      return "not finite";
-    case GeometryErrorCode::kTooFewPoints:
-      return "too few points";
-    case GeometryErrorCode::kOpen:
-      return "open";
-    case GeometryErrorCode::kSelfCrossing:
-      return "self-crossing";
-    case GeometryErrorCode::kIslandOutside:
-      return "island outside";
-    case GeometryErrorCode::kToolTooLarge:
-      return "tool too large";
-    case GeometryErrorCode::kEntryOutside:
-      return "entry outside";
-    case GeometryErrorCode::kNoLameCurve:
-      return "no lame curve";
-  }
-  return "unknown";
 }
 
 const char* name_of(Termination termination) {
@@ -132,7 +111,8 @@ PYBIND11_MODULE(_core, m) {
   static PyObject* geometry_error = nullptr;
   geometry_error = PyErr_NewExceptionWithDoc(
       "evenload._core.GeometryError",
-      "Geometry that cannot be worked on. code: what is wrong; where: (x, y) in mm.",
+      "Geometry that cannot be worked on, in a sentence of evenload.refusals. code: what is wrong; "
+      "kind: the same more closely; where: (x, y) in mm; numbers: what comes with the kind.",
       PyExc_ValueError, nullptr);
   m.attr("GeometryError") = py::reinterpret_borrow<py::object>(geometry_error);
   py::register_exception_translator([](std::exception_ptr thrown) {
@@ -140,9 +120,16 @@ PYBIND11_MODULE(_core, m) {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const GeometryError& error) {
       const py::object type = py::reinterpret_borrow<py::object>(geometry_error);
-      const py::object value = type(error.what());
+      const py::tuple where = py::make_tuple(error.where().x, error.where().y);
+      const py::tuple numbers = py::tuple(py::cast(error.numbers()));
+      const char* kind = name_of(error.refusal());
+      const py::object value =
+          type(py::module_::import("evenload.refusals")
+                   .attr("sentence")(kind, where, numbers, error.is_of_several()));
       value.attr("code") = name_of(error.code());
-      value.attr("where") = py::make_tuple(error.where().x, error.where().y);
+      value.attr("kind") = kind;
+      value.attr("where") = where;
+      value.attr("numbers") = numbers;
       PyErr_SetObject(type.ptr(), value.ptr());
     } catch (const InternalError& error) {
       PyErr_SetString(PyExc_RuntimeError, error.what());
@@ -227,6 +214,7 @@ PYBIND11_MODULE(_core, m) {
   bind_trochoid(m);
   bind_lame(m);
   bind_proof(m);
+  bind_surface_map(m);
   bind_simulate(m);
   bind_gcode(m);
   bind_path_commands(m);

@@ -3,13 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cutting/cleared_ground.h"
+#include "cutting/probe.h"
 
 namespace evenload {
 namespace {
 
 // mm between points.
 constexpr double kSpacing = 0.1;
+// mm: what is thinner was cut before, and rounded.
+constexpr double kThinnest = 1e-4;
 
 Segment segment_of(const Move& from, const Move& to) {
   if (to.sweep == 0) return Segment::line({from.x, from.y}, {to.x, to.y});
@@ -34,7 +36,7 @@ std::vector<ProfilePoint> engagement_profile(const std::vector<Region>& regions,
   const Vec2 margin{tool_diameter, tool_diameter};
   ClearedGround ground({low - margin, high + margin}, 0.5 * tool_diameter, &regions);
   if (hole) ground.add_disc(hole->centre, 0.5 * hole->diameter);
-  std::vector<AngularInterval> engaged;
+  Probe probe(ground);
   for (std::size_t i = 1; i < path.moves.size(); ++i) {
     const Move &from = path.moves[i - 1], &to = path.moves[i];
     const Segment segment = segment_of(from, to);
@@ -42,15 +44,11 @@ std::vector<ProfilePoint> engagement_profile(const std::vector<Region>& regions,
     const bool at_floor = to.z <= floor + 1e-6;
     if (length < 1e-9 || !at_floor) continue;
     const bool judged = to.kind == MoveKind::kCut || to.kind == MoveKind::kLink;
-    const int n = std::max(1, static_cast<int>(std::ceil(length / kSpacing)));
+    const int n = looks_along(length, kSpacing);
     for (int k = 0; k < n; ++k) {
       const double t = (k + 0.5) / n;
       ProfilePoint point{segment.point(t), 0, to.kind};
-      if (judged) {
-        const double right = angle_of(segment.tangent(t)) - kPi / 2;
-        ground.uncovered(point.p, right, right + kPi, engaged, 1e-4);
-        for (const AngularInterval& arc : engaged) point.engagement += arc.width();
-      }
+      if (judged) point.engagement = probe.engagement(segment, t, kThinnest);
       profile.push_back(point);
     }
     ground.add(segment);

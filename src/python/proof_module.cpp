@@ -52,7 +52,9 @@ HeightMap map_from(const Rows& points, const Triples& rows) {
     for (py::ssize_t i = 0; i < rows.shape(0); ++i)
       triangles.push_back({view(i, 0), view(i, 1), view(i, 2)});
   }
-  return HeightMap(points_from(points), triangles);
+  const std::vector<Point3> corners = points_from(points);
+  const py::gil_scoped_release unlocked;  // from here on nothing of Python's is read
+  return HeightMap(corners, triangles);
 }
 
 const char* name_of(FaultKind kind) {

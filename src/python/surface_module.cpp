@@ -89,13 +89,15 @@ FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallbac
                    {"contours outwards", Pattern::kContoursOutwards},
                    {"spiral inwards", Pattern::kSpiralInwards},
                    {"spiral outwards", Pattern::kSpiralOutwards},
-                   {"between guides", Pattern::kBetweenGuides}},
+                   {"between guides", Pattern::kBetweenGuides},
+                   {"one way between guides", Pattern::kOneWayBetweenGuides}},
                   params.pattern);
   keywords.optional("angle", params.angle);
   keywords.required("stepover", params.stepover);
   keywords.optional("cusp_height", params.cusp_height);
   keywords.choice("boundary", {{"tool contact", true}, {"tool centre", false}}, params.by_contact);
   keywords.optional("allowance", params.allowance);
+  keywords.optional("extension", params.extension);
   keywords.optional("lead_radius", params.lead_radius);
   GuidePoints guides;
   keywords.optional("guides", guides);
@@ -113,6 +115,7 @@ FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallbac
   keywords.required("plunge_feed", params.plunge_feed);
   keywords.required("rapid_feed", params.rapid_feed);
   keywords.choice("cut_mode", {{"climb", true}, {"conventional", false}}, params.is_climb);
+  keywords.optional("arcs", params.arcs);
   keywords.optional("threads", params.threads);
   keywords.optional("progress", callback);
   keywords.refuse_others();
@@ -164,9 +167,11 @@ void bind_finishing(py::module_& module) {
         "The Finish of what is picked. tool_diameter, corner_radius, stepover, tolerance, "
         "deflection of the triangles, floor, top, safe_height, clearance_height in mm; feed, "
         "plunge_feed, rapid_feed in mm/min; pattern: zig-zag, one way, contours inwards, contours "
-        "outwards, spiral inwards, spiral outwards, or between guides with `guides`, two lists of "
-        "(x, y); angle in rad; cusp_height in mm, 0: constant stepover; boundary: tool contact or "
-        "tool centre; allowance in mm; lead_radius in mm, 0: straight down and up; cut_mode; "
+        "outwards, spiral inwards, spiral outwards, or between guides or one way between guides, "
+        "with `guides`, two lists of (x, y); angle in rad; cusp_height in mm, 0: constant "
+        "stepover; boundary: tool contact or "
+        "tool centre; allowance in mm; extension beyond the faces in mm; lead_radius in mm, 0: "
+        "straight down and up; cut_mode; arcs, False: lines only; "
         "threads; progress: callable(share) -> whether to go on.");
   m.def("fewest_lines", &lines_for_python, py::arg("curve"), py::arg("below"), py::arg("above"),
         "The fewest lines along (s, z) that leave it by no more than below and above, in mm.");

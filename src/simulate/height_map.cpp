@@ -32,20 +32,31 @@ Point3 cut_at(const Point3& a, const Point3& b, double z) {
   return {a.x + t * (b.x - a.x), a.y + t * (b.y - a.y), z};
 }
 
+// Of a triangle that is counter-clockwise from above.
+Point3 normal_of(const Point3& a, const Point3& b, const Point3& c) {
+  const Point3 u{b.x - a.x, b.y - a.y, b.z - a.z}, v{c.x - a.x, c.y - a.y, c.z - a.z};
+  const Point3 n{u.y * v.z - u.z * v.y, u.z * v.x - u.x * v.z, u.x * v.y - u.y * v.x};
+  const double size = std::hypot(n.x, n.y, n.z);
+  return {n.x / size, n.y / size, n.z / size};
+}
+
 Point3 mirrored(const Point3& p) { return {p.y, p.x, p.z}; }
 
 }  // namespace
 
-HeightMap::HeightMap(const std::vector<Point3>& points, const std::vector<Triangle>& triangles) {
+HeightMap::HeightMap(const std::vector<Point3>& points, const std::vector<Triangle>& triangles)
+    : triangles_(triangles.size()) {
   for (const Point3& p : points)
     if (!(std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z)))
       throw std::invalid_argument("A body's points must be numbers, in mm.");
   std::vector<Bounds> boxes;
+  std::uint32_t number = 0;
   for (const Triangle& triangle : triangles) {
+    const std::uint32_t mine = number++;
     for (const std::uint32_t corner : triangle)
       if (corner >= points.size())
         throw std::invalid_argument("A body's triangle has a point that is not there.");
-    Face face{points[triangle[0]], points[triangle[1]], points[triangle[2]]};
+    Face face{points[triangle[0]], points[triangle[1]], points[triangle[2]], mine};
     const double area = cross_of(face.a, face.b, {face.c.x, face.c.y});
     if (std::abs(area) < kUpright) continue;
     if (area < 0) std::swap(face.b, face.c);
@@ -78,6 +89,22 @@ double HeightMap::top_at(Vec2 p) const {
   return top;
 }
 
+std::optional<Top> HeightMap::highest_at(Vec2 p) const {
+  std::optional<Top> best;
+  const Face* highest = nullptr;
+  tree_.visit({p, p}, [&](std::uint32_t item) {
+    const Face& face = faces_[item];
+    const auto z = height_on(face, p);
+    if (!z) return;
+    const bool is_higher = !best || *z > best->z || (*z == best->z && face.number < best->triangle);
+    if (!is_higher) return;
+    best = Top{*z, {}, face.number};
+    highest = &face;
+  });
+  if (highest != nullptr) best->normal = normal_of(highest->a, highest->b, highest->c);
+  return best;
+}
+
 std::vector<Point3> HeightMap::raster(const Bounds& corners, double step) const {
   if (!(step > 0)) throw std::invalid_argument("The step of a raster must be positive, in mm.");
   std::vector<Point3> places;
@@ -98,7 +125,7 @@ std::vector<Point3> HeightMap::raster(const Bounds& corners, double step) const 
 void HeightMap::raise(std::vector<DexelRow>& rows, double first, double spacing,
                       bool mirror) const {
   for (Face face : faces_) {
-    if (mirror) face = {mirrored(face.a), mirrored(face.b), mirrored(face.c)};
+    if (mirror) face = {mirrored(face.a), mirrored(face.b), mirrored(face.c), face.number};
     const std::array<Point3, 3> corners{face.a, face.b, face.c};
     const auto [low, high] = std::minmax({face.a.y, face.b.y, face.c.y});
     int j = std::max(0, static_cast<int>(std::ceil((low - first) / spacing)));

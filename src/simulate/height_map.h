@@ -21,6 +21,13 @@ struct Point3 {
   double x = 0, y = 0, z = 0;  // mm
 };
 
+// What lies highest over a place.
+struct Top {
+  double z = 0;                // mm
+  Point3 normal;               // of length 1, upwards
+  std::uint32_t triangle = 0;  // its number
+};
+
 class HeightMap {
  public:
   using Triangle = std::array<std::uint32_t, 3>;  // numbers of points
@@ -29,12 +36,15 @@ class HeightMap {
   HeightMap(const std::vector<Point3>& points, const std::vector<Triangle>& triangles);
 
   bool empty() const { return faces_.empty(); }
+  std::size_t triangle_count() const { return triangles_; }  // of those that were given
   const Bounds& bounds() const { return bounds_; }
   double lowest() const { return lowest_; }    // mm, of the upper side; 0 where there is none
   double highest() const { return highest_; }  // mm
 
   // kNoMaterial where there is nothing.
   double top_at(Vec2 p) const;
+  // The highest triangle over a place, and its number as it was given; nothing where there is none.
+  std::optional<Top> highest_at(Vec2 p) const;
   // Places of the upper side on a raster between two corners, which lies in their middle.
   std::vector<Point3> raster(const Bounds& corners, double step) const;
   // Fills rows of a stock, at y = first + j * spacing, up to the upper side. A slope becomes steps
@@ -51,9 +61,11 @@ class HeightMap {
  private:
   struct Face {
     Point3 a, b, c;
+    std::uint32_t number = 0;  // among the triangles that were given
   };
   static std::optional<double> height_on(const Face& face, Vec2 p);
 
+  std::size_t triangles_;
   std::vector<Face> faces_;
   BoxTree tree_;
   Bounds bounds_;

@@ -104,7 +104,7 @@ class Gouges {
 };
 
 // A place under the tool at a move, and how high material stands there.
-struct Place {
+struct PathPlace {
   Vec2 p;
   double tip = 0;     // mm: z of what is above it
   double height = 0;  // mm: of the material
@@ -119,7 +119,7 @@ class Material {
       : limits_(limits) {
     for (std::size_t i = 1; i < moves.size(); ++i) ask(moves, i, tool, stock);
     std::vector<Vec2> points;
-    for (const Place& place : places_) points.push_back(place.p);
+    for (const PathPlace& place : places_) points.push_back(place.p);
     grid_ = grid_of(points, kCell * 0.5 * tool.diameter);
   }
 
@@ -131,7 +131,7 @@ class Material {
     const Segment way = segment_of(from, move);
     const double radius = 0.5 * tool.diameter, flat = radius - tool.corner_radius;
     grid_.visit(grown(way.bounds(), radius), [&](std::size_t item) {
-      Place& place = places_[item];
+      PathPlace& place = places_[item];
       const double t = way.length() > 0 ? way.nearest(place.p) : 1.0;
       const auto clear = [&](double at) {
         const double away = distance(way.point(at), place.p);
@@ -152,7 +152,7 @@ class Material {
   std::optional<Fault> of(std::size_t number, const Move& move) {
     std::optional<Fault> worst;
     for (; next_ < places_.size() && places_[next_].move == number; ++next_) {
-      const Place& place = places_[next_];
+      const PathPlace& place = places_[next_];
       grid_.drop_if({place.p, place.p}, [&](std::size_t item) { return item == next_; });
       const double amount = place.height - place.tip;
       if (amount <= limits_.material || (worst && amount <= worst->amount)) continue;
@@ -195,8 +195,8 @@ class Material {
   }
 
   ProofLimits limits_;
-  std::vector<Place> places_;  // in the order of their moves
-  PointGrid grid_;             // of those still to be looked at
+  std::vector<PathPlace> places_;  // in the order of their moves
+  PointGrid grid_;                 // of those still to be looked at
   std::size_t next_ = 0;
 };
 

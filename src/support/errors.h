@@ -1,38 +1,35 @@
 // Errors of the core.
 //
 // A bad argument throws std::invalid_argument at the public function that takes it. Geometry that
-// cannot be worked on throws GeometryError, which says what is wrong and where. Incomplete but
-// usable work is no error: it stands in Report.
+// cannot be worked on throws GeometryError, which tells what is wrong and where, in codes and
+// numbers. Incomplete but usable work is no error: it stands in Report.
 #pragma once
 
 #include <stdexcept>
-#include <string>
+#include <vector>
 
 #include "geometry/vec2.h"
+#include "support/refusal.h"
 
 namespace evenload {
 
-enum class GeometryErrorCode {
-  kNotFinite,      // a coordinate or bulge is NaN or infinite
-  kTooFewPoints,   // a closed curve that bounds no area
-  kOpen,           // a chain that should be closed is not
-  kSelfCrossing,   // a curve crosses or touches itself, or two curves of one region cross
-  kIslandOutside,  // an island that does not lie inside its outer boundary
-  kToolTooLarge,   // the tool fits nowhere
-  kEntryOutside,   // an entry point or pre-drilled hole that cannot be used
-  kNoLameCurve,    // a pocket that no Lamé curve resembles
-};
-
 class GeometryError : public std::runtime_error {
  public:
-  GeometryError(GeometryErrorCode code, Vec2 where, const std::string& sentence)
-      : std::runtime_error(sentence), code_(code), where_(where) {}
-  GeometryErrorCode code() const { return code_; }
-  Vec2 where() const { return where_; }
+  // of_several: it is one of several regions that is refused, the one at the place.
+  GeometryError(Refusal refusal, Vec2 where, std::vector<double> numbers = {},
+                bool of_several = false);
+
+  GeometryErrorCode code() const { return code_of(refusal_); }
+  Refusal refusal() const { return refusal_; }
+  Vec2 where() const { return where_; }  // mm, as the user sees it
+  const std::vector<double>& numbers() const { return numbers_; }
+  bool is_of_several() const { return is_of_several_; }
 
  private:
-  GeometryErrorCode code_;
+  Refusal refusal_;
   Vec2 where_;
+  std::vector<double> numbers_;
+  bool is_of_several_;
 };
 
 // A broken invariant of ours: never the user's fault.

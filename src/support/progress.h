@@ -34,9 +34,11 @@ class Progress {
     if (!cancelled_ && callback_ && !callback_(share)) cancelled_ = true;
     return !cancelled_;
   }
+  // Whether to go on, asked at the share last told. Condition as above.
+  bool goes_on() { return report(share_); }
   // Between two reports, by any thread. To be called about every millisecond.
   void step() {
-    if (std::this_thread::get_id() == owner_) report(share_);
+    if (std::this_thread::get_id() == owner_) goes_on();
     if (cancelled_) throw Cancelled();
   }
   bool cancelled() const { return cancelled_; }
@@ -47,5 +49,11 @@ class Progress {
   std::atomic<bool> cancelled_ = false;
   std::thread::id owner_ = std::this_thread::get_id();
 };
+
+// For a part of the work whose share of the whole is not known: may be stopped as the whole, which
+// hears of no share of it.
+inline Progress part_of(Progress& whole) {
+  return Progress([&whole](double) { return whole.goes_on(); });
+}
 
 }  // namespace evenload

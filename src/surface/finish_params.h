@@ -15,7 +15,8 @@ enum class Pattern {
   kContoursOutwards,
   kSpiralInwards,
   kSpiralOutwards,
-  kBetweenGuides
+  kBetweenGuides,
+  kOneWayBetweenGuides
 };
 
 // Whether passes run side by side at an angle, to which alone a cusp height may be wished.
@@ -24,6 +25,12 @@ inline bool is_parallel(Pattern pattern) {
 }
 inline bool is_spiral(Pattern pattern) {
   return pattern == Pattern::kSpiralInwards || pattern == Pattern::kSpiralOutwards;
+}
+inline bool is_between_guides(Pattern pattern) {
+  return pattern == Pattern::kBetweenGuides || pattern == Pattern::kOneWayBetweenGuides;
+}
+inline bool is_one_way(Pattern pattern) {
+  return pattern == Pattern::kOneWay || pattern == Pattern::kOneWayBetweenGuides;
 }
 // Whether each pass goes back the other way from the one before.
 inline bool is_to_and_fro(Pattern pattern) {
@@ -43,6 +50,7 @@ struct FinishParams {
   double cusp_height = 0;
   bool by_contact = true;  // what stays on the picked faces: the tool's contact, or its axis
   double allowance = 0;    // mm, >= 0: stays on the part
+  double extension = 0;    // mm, >= 0: how far passes go on beyond the picked faces, in plan
   double lead_radius = 0;  // mm, >= 0: of the upright arcs from and into the air
   // Two open lines in plan, mm, for passes between guides.
   std::vector<std::vector<Vec2>> guides;
@@ -52,7 +60,8 @@ struct FinishParams {
   double safe_height = 0, clearance_height = 0;      // mm, of rapids
   double feed = 0, plunge_feed = 0, rapid_feed = 0;  // mm/min
   bool is_climb = true;
-  int threads = 0;  // 0: as many as there are cores
+  bool arcs = true;  // false: lines only, also round about
+  int threads = 0;   // 0: as many as there are cores
 };
 
 }  // namespace evenload

@@ -58,14 +58,34 @@ DropSample border_between(const Ground& ground, const PlanLine& line, DropSample
   return at_work;
 }
 
+constexpr double kSameHeight = 1e-6;  // mm: the tool stands on what it stands on alone
+
+// Whether the tool is to cut where it touches so.
+bool is_at_work_at(const Ground& ground, Vec2 at, const ToolContact& contact) {
+  if (!ground.extension)
+    return ground.by_contact ? contact.touches && contact.is_within
+                             : is_under_picked(*ground.mesh, at);
+  if (!ground.by_contact && is_under_picked(*ground.mesh, at)) return true;
+  const ToolContact own = drop(ground.extension->own(), ground.cutter.grown(ground.allowance), at,
+                               ground.floor - ground.allowance);
+  return own.touches && contact.z < own.z + kSameHeight &&
+         ground.extension->reaches(ground.by_contact ? plan(own.point) : at);
+}
+
 }  // namespace
+
+Vec2 PlanLine::at(double s) const {
+  if (bend == 0) return from + s * along;
+  const double half = 0.5 * bend * s;
+  return from + (2 * std::sin(half) / bend) *
+                    (std::cos(half) * along + std::sin(half) * left_normal(along));
+}
 
 DropSample sample_at(const Ground& ground, const PlanLine& line, double s, std::uint32_t beside) {
   const Vec2 at = line.at(s);
   const ToolContact contact = drop(*ground.mesh, ground.cutter.grown(ground.allowance), at,
                                    ground.floor - ground.allowance, beside);
-  const bool is_at_work =
-      ground.by_contact ? contact.touches && contact.is_within : is_under_picked(*ground.mesh, at);
+  const bool is_at_work = is_at_work_at(ground, at, contact);
   return {s, contact.z + ground.allowance, is_at_work, contact.facet};
 }
 
@@ -77,7 +97,8 @@ double spacing_of(const Cutter& cutter, double tolerance) {
 std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
                                       double end, double tolerance) {
   const Sampling sampling(ground, line, tolerance);
-  const double spacing = 4 * spacing_of(ground.cutter, tolerance);  // each has four quarters
+  // Each piece has four quarters; a bump is as high as the square of its width.
+  const double spacing = 4 * std::sqrt(kBumpShare) * spacing_of(ground.cutter, tolerance);
   const int pieces = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
   std::vector<DropSample> samples{sample_at(ground, line, begin)};
   for (int i = 0; i < pieces; ++i) {

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "surface/drop.h"
+#include "surface/extension.h"
 
 namespace evenload {
 
@@ -14,6 +15,8 @@ struct Ground {
   double floor = 0;      // mm: the tip never goes lower
   // What has to lie on the picked faces: where the tool touches, or its axis.
   bool by_contact = true;
+  // Where passes go on beyond the picked faces; `mesh` is its ground then.
+  const Extension* extension = nullptr;
 };
 
 // A place on a line in plan.
@@ -24,11 +27,12 @@ struct DropSample {
   std::uint32_t facet = kNoFacet;  // that it touches
 };
 
-// A straight line in plan.
+// A straight line or an arc in plan.
 struct PlanLine {
-  Vec2 from;   // s = 0
-  Vec2 along;  // of length 1
-  Vec2 at(double s) const { return from + s * along; }
+  Vec2 from;        // s = 0
+  Vec2 along;       // of length 1: where it goes there
+  double bend = 0;  // 1/mm, positive: turns left
+  Vec2 at(double s) const;
 };
 
 // `beside`: a facet that is touched not far from there.
@@ -37,15 +41,16 @@ DropSample sample_at(const Ground& ground, const PlanLine& line, double s,
 
 // Samples between two places of a line, so near to each other that a chord between two is as far
 // from the tool's true height as kChordShare of `tolerance` at the most, distances taken in the
-// upright plane of the line. Where the height jumps, beside an upright wall, two samples are nearer
-// than kJumpShare of it. Nothing is missed that is wider than `spacing_of`; places where the tool
-// is not at work are sampled no finer than that.
+// upright plane of the line, an arc's unrolled. Where the height jumps, beside an upright wall, two
+// samples are nearer than kJumpShare of it. A bump that is missed between two stands out by
+// kBumpShare of it; places where the tool is not at work are sampled no finer than that takes.
 std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
                                       double end, double tolerance);
 // Chords that a sample in their middle shows to be this far off are halved; the four quarters of
 // those which are not leave a round ground by a sixteenth of it, and a sharp one by a quarter.
 inline constexpr double kChordShare = 0.15;
 inline constexpr double kJumpShare = 0.05;
+inline constexpr double kBumpShare = 0.05;
 
 // mm: how wide a bump that stands out by `tolerance` makes the tool's path at the least.
 double spacing_of(const Cutter& cutter, double tolerance);

@@ -67,9 +67,21 @@ bool cross_each_other(const std::vector<Vec2>& one, const std::vector<Vec2>& oth
   return false;
 }
 
+// Lengthens a line at both ends.
+void go_on(std::vector<Vec2>& corners, double extension) {
+  const auto beyond = [&](Vec2 end, Vec2 before) {
+    const double length = norm(end - before);
+    return length > kSamePlace ? end + (extension / length) * (end - before) : end;
+  };
+  const Vec2 first = beyond(corners[0], corners[1]);
+  corners.push_back(beyond(corners.back(), corners[corners.size() - 2]));
+  corners.insert(corners.begin(), first);
+}
+
 }  // namespace
 
-GuidedRows guided_rows(std::vector<Vec2> first, std::vector<Vec2> second, double stepover) {
+GuidedRows guided_rows(std::vector<Vec2> first, std::vector<Vec2> second, double stepover,
+                       double extension) {
   if (!first.empty() && !second.empty()) {
     const double alike = norm(first.front() - second.front()) + norm(first.back() - second.back());
     const double turned = norm(first.front() - second.back()) + norm(first.back() - second.front());
@@ -95,12 +107,14 @@ GuidedRows guided_rows(std::vector<Vec2> first, std::vector<Vec2> second, double
   GuidedRows result;
   result.largest_stepover = count > 1 ? widest / count : 0;
   result.least_stepover = count > 1 ? narrowest / count : 0;
-  for (double k = 0.5; k < count; ++k) {
+  const double beyond = std::floor(extension * count / widest + 0.5 - kSameShare);
+  for (double k = 0.5 - beyond; k < count + beyond; ++k) {
     std::vector<Vec2> corners;
     for (const double share : shares) {
       const Vec2 start = from.at(share);
       corners.push_back(start + (k / count) * (to.at(share) - start));
     }
+    if (extension > 0) go_on(corners, extension);
     if (least < 0) std::reverse(corners.begin(), corners.end());  // the next lies to the right
     result.rows.push_back({{std::move(corners), false}});
   }

@@ -44,15 +44,15 @@ std::vector<SpacePoint> arc_of(const Ground& ground, SpacePoint start, SpacePoin
 
 }  // namespace
 
-std::vector<SpacePoint> lead_arc(const Ground& ground, const std::vector<SpacePoint>& points,
+std::vector<SpacePoint> lead_arc(const Ground& ground, const std::vector<Waypoint>& points,
                                  const FinishParams& params) {
   const SpacePoint start = points.front();
-  const auto next = std::find_if(points.begin(), points.end(), [&](const SpacePoint& p) {
+  const auto next = std::find_if(points.begin() + 1, points.end(), [&](const Waypoint& p) {
     return norm(plan(p - start)) > kShortest;
   });
   double radius = params.lead_radius;
   if (next == points.end() || !(radius > 0)) return {};
-  const SpacePoint away = (1 / distance(*next, start)) * (start - *next);
+  const SpacePoint away = -1.0 * beginning_of(start, *next);
   for (int k = 0; k <= kHalvings; ++k, radius /= 2) {
     std::vector<SpacePoint> arc = arc_of(ground, start, away, radius, params.tolerance);
     if (!arc.empty()) return arc;

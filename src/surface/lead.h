@@ -5,21 +5,15 @@
 
 #include "surface/finish_params.h"
 #include "surface/ground.h"
-#include "surface/space_point.h"
+#include "surface/waypoint.h"
 
 namespace evenload {
 
-// The corners of a quarter arc that goes on beyond the first of a pass's points and rises from it:
-// upright, tangential to the pass, of `lead_radius` or, where the tool would meet the part, of a
-// half, a quarter or an eighth of it; the one next to the pass comes first. Empty where none fits.
-// Points: the pass from its end at the arc on, forwards or backwards.
-std::vector<SpacePoint> lead_arc(const Ground& ground, const std::vector<SpacePoint>& points,
+// The corners of a quarter arc that goes on from the first of a pass's points, away from it, and
+// rises: upright, tangential to the pass, of `lead_radius` or, where the tool would meet the part,
+// of a half, a quarter or an eighth of it; the one next to the pass comes first. Empty where none
+// fits. Points: the pass from its end at the arc on, forwards or backwards.
+std::vector<SpacePoint> lead_arc(const Ground& ground, const std::vector<Waypoint>& points,
                                  const FinishParams& params);
-
-template <typename Iterator>
-std::vector<SpacePoint> lead_arc(const Ground& ground, Iterator begin, Iterator end,
-                                 const FinishParams& params) {
-  return lead_arc(ground, std::vector<SpacePoint>(begin, end), params);
-}
 
 }  // namespace evenload

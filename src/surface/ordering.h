@@ -10,7 +10,7 @@
 
 namespace evenload {
 
-// The path through all parts, in the order of their rows. But for One way: on to the nearest
+// The path through all parts, in the order of their rows. But for those one way: on to the nearest
 // place where a part of the next row may begin, along the surface where that is within kLinkReach
 // stepovers or the tool's radius; else over the part to the first that is left. Patterns to and fro
 // turn parts round for that, spirals go on in the same turn or the next. One way: always over the

@@ -20,17 +20,19 @@ constexpr double kStraight = 0.01;  // of it, by which points that are left out 
 
 LineBounds line_bounds(double tolerance) { return {kBelow * tolerance, kAbove * tolerance}; }
 
-std::vector<SpacePoint> lines_of(const PlanLine& line, const std::vector<DropSample>& samples,
-                                 double tolerance, LineEnds ends) {
+std::vector<Waypoint> lines_of(const PlanLine& line, const std::vector<DropSample>& samples,
+                               double tolerance, LineEnds ends) {
   std::vector<Vec2> curve;
   curve.reserve(samples.size());
   for (const DropSample& sample : samples) curve.push_back({sample.s, sample.z});
   const LineBounds bounds = line_bounds(tolerance);
-  std::vector<SpacePoint> points;
+  std::vector<Waypoint> points;
+  double before = curve.front().x;
   for (const Vec2 corner : fewest_lines(without_straight_ones(curve, kStraight * tolerance),
                                         bounds.below, bounds.above, ends)) {
     const Vec2 p = line.at(corner.x);
-    points.push_back({p.x, p.y, corner.y});
+    points.push_back({{p.x, p.y, corner.y}, line.bend * (corner.x - before)});
+    before = corner.x;
   }
   return points;
 }

@@ -8,13 +8,14 @@
 #include "surface/finish_params.h"
 #include "surface/ground.h"
 #include "surface/spacing.h"
+#include "surface/waypoint.h"
 
 namespace evenload {
 
 // What one pass cuts without a break.
 struct PassPart {
   std::size_t row = 0;  // the number of its pass
-  std::vector<SpacePoint> points;
+  std::vector<Waypoint> points;
   bool is_closed = false;  // may begin at any of its points, of which the last is the first
 };
 
@@ -25,9 +26,9 @@ struct LineBounds {
 // For a `tolerance` of the path against the triangles; what samples leave is taken off.
 LineBounds line_bounds(double tolerance);
 
-// The lines of a part of the samples of a line in plan.
-std::vector<SpacePoint> lines_of(const PlanLine& line, const std::vector<DropSample>& samples,
-                                 double tolerance, LineEnds ends = LineEnds::kFree);
+// The lines, or helices, of a part of the samples of a line or an arc in plan.
+std::vector<Waypoint> lines_of(const PlanLine& line, const std::vector<DropSample>& samples,
+                               double tolerance, LineEnds ends = LineEnds::kFree);
 
 // The passes at some ordinates, in their order, each in the direction `frame.along`. Throws
 // Cancelled.

@@ -1,4 +1,6 @@
 // Passes along chains of straight lines in plan: outlines, turns of spirals, lines between guides.
+// Where at least four of these lie within kChords of an arc they are one, unless there are to be no
+// arcs. Corners within half of kChords of a line between others are none.
 #pragma once
 
 #include <vector>
@@ -10,7 +12,7 @@
 
 namespace evenload {
 
-inline constexpr double kChords = 0.002;    // mm, in plan, by which chords may leave arcs
+inline constexpr double kChords = 0.002;    // mm, in plan, of chords off arcs, and arcs off chords
 inline constexpr double kSamePlace = 1e-9;  // mm, in plan and in space
 
 struct Polyline {

@@ -4,59 +4,32 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "surface/cusp.h"
+
 namespace evenload {
 
 namespace {
 
-constexpr int kStations = 96;          // along a strip, at which cusps are looked at, at the most
-constexpr double kApart = 0.5;         // mm between stations, at the least
-constexpr double kSteepest = 4;        // rise over run across a strip beyond which no pass helps
-constexpr double kNarrowest = 0.05;    // of the stepover on level ground; no strip is narrower
-constexpr double kWidestStrip = 4;     // of the same; none is wider
-constexpr double kExact = 0.005;       // of the cusp's height
-constexpr double kNoise = 0.02;        // of it, that triangles may make in what is found
-constexpr double kMostOfCorner = 0.5;  // the widest strip on which a curvature is found
-constexpr int kMostTries = 24;
+constexpr int kStations = 96;   // along a strip, at which cusps are looked at, at the most
+constexpr double kApart = 0.5;  // mm between stations, at the least
 
 class CuspSpacing {
  public:
   CuspSpacing(const Ground& ground, const PassFrame& frame, double cusp_height, double deflection)
-      : ground_(ground),
-        frame_(frame),
-        wish_(cusp_height),
-        corner_(ground.cutter.corner + ground.allowance),
-        level_(stepover_for(corner_, cusp_height)),
-        widening_(std::max(1.0, std::sqrt(deflection / (kNoise * cusp_height)))) {
+      : ground_(ground), frame_(frame), rule_(ground, cusp_height, deflection) {
     const double length = frame.end - frame.begin;
     stations_ = std::clamp(static_cast<int>(std::ceil(length / kApart)), 2, kStations);
     pitch_ = length / stations_;
   }
 
-  double level() const { return level_; }
+  double level() const { return rule_.level(); }
 
   // How far the pass after the one at `v` may be; `guess`: what it was last.
   double step_after(double v, double guess) const {
-    double low = 0, high = std::min(kWidestStrip * level_, 1.8 * corner_), best = 0;
-    double step = std::min(guess, high);
-    for (int i = 0; i < kMostTries && high - low > 1e-4 * level_; ++i) {
-      const double height = highest(v, step);
-      if (height == kNothing) return level_;
-      if (height <= wish_) {
-        best = low = step;
-        if (height > (1 - kExact) * wish_) break;
-      } else {
-        high = step;
-      }
-      // A cusp grows as the square of the distance.
-      const double wanted = step * std::sqrt((1 - 0.5 * kExact) * wish_ / std::max(height, 1e-12));
-      step = wanted > low && wanted < high ? wanted : 0.5 * (low + high);
-    }
-    return std::max(best, kNarrowest * level_);
+    return rule_.widest(guess, [&](double width) { return highest(v, width); });
   }
 
  private:
-  static constexpr double kNothing = -HUGE_VAL;
-
   std::vector<DropSample> row(double v) const {
     std::vector<DropSample> samples;
     for (int i = 0; i <= stations_; ++i)
@@ -68,27 +41,18 @@ class CuspSpacing {
   // The highest cusp of the strip of a width from `v` on.
   double highest(double v, double width) const {
     const double covered = frame_.last - frame_.first;
-    const double wide = std::clamp(widening_ * width, width,
-                                   std::max(width, std::min(kMostOfCorner * corner_, covered)));
+    const double wide = rule_.strip_for(width, covered);
     double middle = v + 0.5 * width;
     // The ground beyond the picked faces tells nothing.
     if (wide < covered)
       middle = std::clamp(middle, frame_.first + 0.5 * wide, frame_.last - 0.5 * wide);
     const std::vector<DropSample> m = row(middle), a = row(middle - 0.5 * wide),
                                   b = row(middle + 0.5 * wide);
-    double result = kNothing;
-    for (std::size_t k = 0; k < m.size(); ++k) {
-      if (!m[k].is_at_work || std::abs(b[k].z - a[k].z) > kSteepest * wide) continue;
-      const double slope = slope_at(m, k);
-      const double share = width / wide;
-      const SpacePoint feed = (1 / std::sqrt(1 + slope * slope)) * SpacePoint{1, 0, slope};
-      SpacePoint between{0, width, share * (b[k].z - a[k].z)};
-      between = between - dot(between, feed) * feed;
-      const double apart = norm(between);
-      const SpacePoint normal = (1 / apart) * cross(feed, between);
-      const double above = share * share * (m[k].z - 0.5 * (a[k].z + b[k].z)) * normal.z;
-      result = std::max(result, cusp_of(corner_, std::min(apart, 2 * corner_)) - above);
-    }
+    double result = CuspRule::kNothing;
+    for (std::size_t k = 0; k < m.size(); ++k)
+      if (m[k].is_at_work)
+        result =
+            std::max(result, rule_.height(width, wide, a[k].z, m[k].z, b[k].z, slope_at(m, k)));
     return result;
   }
 
@@ -102,8 +66,7 @@ class CuspSpacing {
 
   const Ground& ground_;
   const PassFrame& frame_;
-  double wish_, corner_, level_;
-  double widening_;  // of a strip, to find its curvature in spite of the triangles
+  CuspRule rule_;
   int stations_ = 0;
   double pitch_ = 0;
 };
@@ -126,6 +89,11 @@ PassFrame pass_frame(const Ground& ground, double angle) {
   if (!(frame.begin < frame.end))
     throw std::invalid_argument(
         "None of the picked faces can be seen from above: pick others, or turn the model.");
+  const double extension = ground.extension ? ground.extension->width() : 0;
+  frame.begin -= extension;
+  frame.end += extension;
+  frame.first -= extension;
+  frame.last += extension;
   // A contact lies within the tool's radius of its axis.
   const double reach = ground.by_contact ? ground.cutter.radius + ground.allowance : 0;
   frame.begin -= reach;
@@ -133,15 +101,6 @@ PassFrame pass_frame(const Ground& ground, double angle) {
   frame.first_pass = frame.first - reach;
   frame.last_pass = frame.last + reach;
   return frame;
-}
-
-double cusp_of(double corner, double stepover) {
-  return corner - std::sqrt((corner - 0.5 * stepover) * (corner + 0.5 * stepover));
-}
-
-double stepover_for(double corner, double cusp_height) {
-  const double height = std::min(cusp_height, corner);
-  return 2 * std::sqrt(height * (2 * corner - height));
 }
 
 std::vector<double> even_spacing(const PassFrame& frame, double stepover) {

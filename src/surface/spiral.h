@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "geometry/region.h"
+#include "support/progress.h"
+#include "surface/beside.h"
 #include "surface/ground.h"
 #include "surface/polylines.h"
 
@@ -15,5 +17,16 @@ namespace evenload {
 std::vector<std::vector<Polyline>> spiral_rows(const Ground& ground,
                                                const std::vector<Region>& regions, double stepover,
                                                bool is_outwards, bool is_clockwise);
+
+struct SpiralByCusp {
+  std::vector<std::vector<Polyline>> turns;
+  double least_stepover = 0, largest_stepover = 0;  // mm, in plan
+};
+
+// The same, but each turn lies as far from the one within as StepBeside tells it, place by place.
+// Throws Cancelled, and std::invalid_argument for too many turns.
+SpiralByCusp spiral_by_cusp(const Ground& ground, const std::vector<Region>& regions,
+                            const StepBeside& beside, bool is_outwards, bool is_clockwise,
+                            int threads, Progress& progress);
 
 }  // namespace evenload

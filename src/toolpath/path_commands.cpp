@@ -8,7 +8,7 @@
 #include <string>
 
 #include "geometry/vec2.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -15,9 +15,6 @@ struct PlanarMove {
   double feed = 0;        // mm/min, set by feed control
   int passage = -1;       // number of the narrow passage that a cut is made in
   double feed_limit = 0;  // mm/min, what feed control sets is lowered to; 0: none
-  // The ground that it meets has no cusps, as where a smooth curve was cut before: the load changes
-  // evenly, and few looks tell it.
-  bool smooth_front = false;
   bool in_pattern = false;  // of a trochoid that repeats itself
 
   bool operator==(const PlanarMove&) const = default;

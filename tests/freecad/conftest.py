@@ -191,7 +191,7 @@ def in_gui(script, folder, *arguments, **environment):
         os.path.join(os.path.dirname(os.path.abspath(__file__)), script),
         *arguments,
         command=["xvfb-run", "-a", "-s", "-screen 0 1400x1500x24", program],
-        timeout=300,
+        timeout=540,
         EVENLOAD_GUI_OUT=str(folder),
         QTWEBENGINE_DISABLE_SANDBOX="1",
         LIBGL_ALWAYS_SOFTWARE="1",

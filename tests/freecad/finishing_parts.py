@@ -39,14 +39,21 @@ def part(is_convex):
     return solid
 
 
-def upper(shape):
-    """The names of the faces of a part's upper side."""
+def upper(shape, least=0.1):
+    """The names of the faces of a part's upper side, whose normals in the middle have a z above
+    `least`.
+    """
     found = []
     for number, face in enumerate(shape.Faces, 1):
         u0, u1, v0, v1 = face.ParameterRange
-        if face.normalAt((u0 + u1) / 2, (v0 + v1) / 2).z > 0.1:
+        if face.normalAt((u0 + u1) / 2, (v0 + v1) / 2).z > least:
             found.append("Face%d" % number)
     return tuple(found)
+
+
+def cone():
+    """A frustum of 20 and 5 mm and a height of 8 mm about the Z axis, round and level above."""
+    return Part.makeCone(20, 5, 8)
 
 
 def lofted():

@@ -12,13 +12,7 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
 from gui_tools import begun, click, later, panel_of_another, picture, press  # noqa: E402
-from gui_tools import result, run, toolbar_texts  # noqa: E402
-
-
-def is_enabled():
-    """Whether the command is, for what is selected now."""
-    FreeCADGui.updateGui()
-    return bool(FreeCADGui.Command.get("EvenLoad_FinishingAdvisor").isActive())
+from gui_tools import is_enabled, result, run, toolbar_texts  # noqa: E402
 
 
 def select(obj, *names):
@@ -143,7 +137,7 @@ def session():
     solid.Shape = part(True)
     doc.recompute()
     select(solid, upper(solid.Shape)[0])
-    result["enabled"] = [is_enabled()]  # without a job
+    result["enabled"] = [is_enabled("EvenLoad_FinishingAdvisor")]  # without a job
     job, controller = host.create_job(doc, [solid], 10, 1632, 5100, 4)
     controller.Label = "Ball"
     controller.Tool = host.create_tool("ballend", {"Diameter": 10, "Flutes": 4})
@@ -157,13 +151,13 @@ def session():
     FreeCADGui.activeDocument().activeView().viewAxonometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     FreeCADGui.Selection.clearSelection()
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_FinishingAdvisor"))
     result["provoked"].append("Select the faces that are to be finished")
     result["without_faces"] = command.show() is None and not shown()
     select(model, "Edge1")
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_FinishingAdvisor"))
     select(model, *upper(model.Shape))
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_FinishingAdvisor"))
 
     # Cancelled under way, then in whole. New operations begin with a tolerance that is preferred.
     prefer(0.02)
@@ -242,7 +236,7 @@ def session():
     op = doc.getObject(operations(job)[0])
     FreeCAD.Units.setSchema(3)  # inches
     select(op)
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_FinishingAdvisor"))
     FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
     view = shown()[0]
     dock = view.dock

@@ -38,6 +38,18 @@ def edit(page, name, value):
     widget.editingFinished.emit()
 
 
+def surface_by_button(page):
+    """[whether the button is there, how many views it shows, how many when pressed again]"""
+    from evenload.gui import surface
+
+    found = [page.load.isVisible()]
+    for _ in range(2):
+        page.load.click()
+        later(50)
+        found.append(len(surface._shown))
+    return found
+
+
 def session():
     from evenload import host
 
@@ -81,6 +93,7 @@ def session():
     later(500)
     result["valid"], result["commands"] = op.isValid(), len(op.Path.Commands)
     result["results"] = page.status.text()
+    result["surface"] = surface_by_button(page)
     picture("finishing")
     resize_dock(page, NARROW)
     result["too_wide"] = too_wide(page)

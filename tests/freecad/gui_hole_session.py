@@ -15,11 +15,24 @@ CANCEL = QtGui.QDialogButtonBox.Cancel
 HOLE = 9.0, 21.0, 8.5  # x, y, diameter, in the floor of the pocket
 
 
+def at_rest(view):
+    """Waits until a view has its size, and its camera stands still."""
+    seen = None
+    for _ in range(100):
+        now = view.getSize(), view.getCamera()
+        if now == seen:
+            return
+        seen = now
+        later(100)
+    raise RuntimeError("The 3D view does not come to rest.")
+
+
 def click_at(place):
     """Clicks where the 3D view shows a place."""
     from evenload.gui import picking
 
     view = FreeCADGui.activeDocument().activeView()
+    at_rest(view)
     size, viewport = view.getSize(), view.graphicsView().viewport()
     pixels, _ = picking.pixels_of(view.getCameraNode(), size, numpy.array([place], float))
     x, y = pixels[0] / viewport.devicePixelRatioF()
@@ -91,6 +104,20 @@ def session():
     op.Entry = "Helix"
     page.setFields(op)
     result["helix"] = button.isEnabled()
+    op.Entry = "Automatic"
+    page.setFields(op)
+    side = page.open_side.button
+    op.Entry = "Helix"
+    page.setFields(op)
+    result["side_offered"] = [side.isEnabled()]
+    op.Entry = "Automatic"
+    page.setFields(op)
+    result["side_offered"].append(side.isEnabled())
+    side.click()
+    click_at((20, 5, -DEPTH))
+    result["side"] = [op.OpenSideAt.x, op.OpenSideAt.y, op.ChooseOpenSide, side.isChecked()]
+    result["side_fields"] = [box.property("text") for box in page.points["OpenSideAt"]]
+    picture("side")
     op.Entry = "Automatic"
     page.setFields(op)
     button.click()

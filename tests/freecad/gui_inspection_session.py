@@ -20,6 +20,7 @@ from gui_tools import (  # noqa: E402
     OUT,
     answering,
     click,
+    is_enabled,
     later,
     picture,
     result,
@@ -35,12 +36,6 @@ def nodes():
     scene = FreeCADGui.activeDocument().activeView().getSceneGraph()
     children = [scene.getChild(i) for i in range(scene.getNumChildren())]
     return [node for node in children if str(node.getName()) == NODE]
-
-
-def is_enabled():
-    """Whether the command is, for what is selected now."""
-    FreeCADGui.updateGui()
-    return bool(FreeCADGui.Command.get("EvenLoad_Inspect").isActive())
 
 
 def session():
@@ -59,13 +54,13 @@ def session():
     FreeCADGui.activeDocument().activeView().viewAxonometric()
     FreeCADGui.SendMsgToActiveView("ViewFit")
     result["actions"] = toolbar_texts()
-    result["enabled"] = [is_enabled()]
+    result["enabled"] = [is_enabled("EvenLoad_Inspect")]
     FreeCADGui.Selection.addSelection(part, "Edge1")
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_Inspect"))
     FreeCADGui.Selection.clearSelection()
     for name in upper_faces(part.Shape):
         FreeCADGui.Selection.addSelection(part, name)
-    result["enabled"].append(is_enabled())
+    result["enabled"].append(is_enabled("EvenLoad_Inspect"))
     FreeCADGui.runCommand("EvenLoad_Inspect")
     later(300)
     from evenload.gui import inspection as command

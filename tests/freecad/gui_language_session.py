@@ -233,6 +233,28 @@ def preferences_page():
     return [*texts_in(page.form), page.form.windowTitle()]
 
 
+def surface_of(op):
+    """The texts of the dock Show Surface, with its figures and remarks."""
+    from evenload.gui import surface
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    FreeCADGui.runCommand("EvenLoad_ShowSurface")
+    (view,) = surface._shown
+    while view.task.is_busy:
+        later(50)
+    picture("surface")
+    seen = [
+        *texts_in(view.dock),
+        view.dock.windowTitle(),
+        *(t for _, t in view.dock.legend.swatches()),
+    ]
+    assert view.dock.told.text() in seen
+    surface.close()
+    later()
+    return seen
+
+
 def look_at_panels(doc, job, model, floor):
     operations = {c: operation_on(doc, job, model, floor, c) for c in COMMANDS}
     result["undo"] = list(doc.UndoNames)
@@ -254,6 +276,7 @@ def look_at_docks(doc, job, model, floor):
     doc.recompute()
     result["docks"] = {
         "load": load_of(op),
+        "surface": surface_of(op),
         "simulation": simulation_of(op),
         "stability": stability_of(op),
         "inspection": inspection_of(doc, model, floor),

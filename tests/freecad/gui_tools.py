@@ -20,7 +20,7 @@ result = {}
 result["provoked"] = []
 _last_words = open(os.path.join(OUT, "hang.txt"), "w")  # of a FreeCAD that hangs or crashes
 faulthandler.enable(_last_words)
-faulthandler.dump_traceback_later(240, file=_last_words, exit=True)
+faulthandler.dump_traceback_later(480, file=_last_words, exit=True)
 
 
 @contextlib.contextmanager
@@ -51,6 +51,14 @@ def later(milliseconds=300):
     loop.exec_()
     gc.collect()
     forget_the_dead()
+
+
+def keep_modules():
+    """What is there now are modules and FreeCAD's main window: what goes through Python's objects
+    after each step, for those that are dead, leaves them out from now on.
+    """
+    gc.collect()
+    gc.freeze()
 
 
 def widgets(kind):
@@ -159,7 +167,11 @@ def base_list(op):
 
 
 def set_up():
-    """mm/min, and none of the warnings that FreeCAD gives new users in dialogs."""
+    """mm/min, none of the warnings that FreeCAD gives new users in dialogs, and a camera that is at
+    once where it shall be.
+    """
+    view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    view.SetBool("UseNavigationAnimations", False)  # since 1.0
     for module in ("Path", "CAM"):
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
         settings.SetBool("WarningSuppressVelocity", True)
@@ -175,6 +187,7 @@ def begun(width, height):
     FreeCADGui.activateWorkbench(host.WORKBENCH)
     FreeCADGui.getMainWindow().resize(width, height)
     later(800)
+    keep_modules()
     return FreeCAD.newDocument("Session")
 
 
@@ -226,6 +239,12 @@ def toolbar_texts():
     return [text for text in texts if text.startswith("EvenLoad")]
 
 
+def is_enabled(command):
+    """Whether a command is, for what is selected now."""
+    FreeCADGui.updateGui()
+    return bool(FreeCADGui.Command.get(command).isActive())
+
+
 def report_view():
     """The lines of the report view."""
     view = next(w for w in widgets(QtGui.QTextEdit) if w.objectName() == "Report view")
@@ -249,6 +268,7 @@ def run(session):
     """
 
     def all_of_it():
+        keep_modules()
         started = show_errors_only()
         try:
             session()

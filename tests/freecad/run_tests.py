@@ -2,7 +2,7 @@
 
 Options come in PYTEST_ADDOPTS; EVENLOAD_TESTS names single files or tests, separated by spaces.
 EVENLOAD_TEST_QUEUE names a folder that several such processes share: each file of tests is run by
-the process that comes to it first.
+the process that comes to it first. EVENLOAD_TEST_QUEUE_END lets one begin at the queue's other end.
 """
 
 import os
@@ -14,10 +14,14 @@ here = os.path.dirname(os.path.abspath(__file__))
 
 
 class Queue:
-    """A plugin that runs only the files that no other process has taken."""
+    """A plugin that runs only the files that no other process has taken.
 
-    def __init__(self, folder):
+    from_its_end: whether it leaves files that open a window to the others, as long as it can.
+    """
+
+    def __init__(self, folder, from_its_end):
         self.folder = folder
+        self.from_its_end = from_its_end
         self.taken = {}  # by file: whether it is ours
 
     def is_ours(self, file):
@@ -30,11 +34,18 @@ class Queue:
         return self.taken[file]
 
     def pytest_collection_modifyitems(self, items):
-        """Files with many tests first, so that the processes end at about the same time."""
+        """Files that open a window first and of these, as of the others, those with many tests: so
+        the processes end at about the same time.
+        """
         count = {}
         for item in items:
             count[item.path] = count.get(item.path, 0) + 1
-        items.sort(key=lambda item: -count[item.path])
+
+        def rank(item):
+            opens_a_window = hasattr(item.module, "in_gui")
+            return opens_a_window == self.from_its_end, -count[item.path], item.path.name
+
+        items.sort(key=rank)
 
     def pytest_runtest_protocol(self, item):
         """Answers True, that is done, for tests of others."""
@@ -45,7 +56,7 @@ chosen = os.environ.get("EVENLOAD_TESTS", "").split()
 queue = os.environ.get("EVENLOAD_TEST_QUEUE")
 code = pytest.main(
     ["--rootdir", here, *(os.path.join(here, name) for name in chosen or [""])],
-    plugins=[Queue(queue)] if queue else [],
+    plugins=[Queue(queue, "EVENLOAD_TEST_QUEUE_END" in os.environ)] if queue else [],
 )
 sys.stdout.flush()
 sys.stderr.flush()

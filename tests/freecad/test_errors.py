@@ -64,6 +64,7 @@ def change(bench, op, **properties):
             {"Entry": "Predrilled hole"},
             ["'Predrilled hole'", "set Hole at (EntryPoint) and Hole diameter"],
         ),
+        ({"ChooseOpenSide": True}, ["No side of Face", "turn Choose the open side"]),
         (
             {"HoleDiameter": 4, "EntryPoint": Vector(15, 15, 0)},
             ["Hole diameter (4 mm)", "diameter of 6 mm", "larger hole"],

@@ -10,8 +10,8 @@ from pathlib import Path
 
 import Part
 import pytest
-from conftest import moves_of, reopened
-from finishing_parts import DOME, LEAN, lofted, part, upper
+from conftest import moves_of, points_of, reopened
+from finishing_parts import DOME, LEAN, cone, lofted, part, upper
 from FreeCAD import Vector
 from models import sketch_of
 
@@ -177,11 +177,70 @@ def test_one_way_cuts_in_one_direction_and_comes_back_over_the_part(bench):
 
 @pytest.mark.parametrize("strategy", ["Contours inwards", "Contours outwards"])
 def test_contours_touch_the_part_all_along(bench, strategy):
-    b, op = finish(bench, part(False), Strategy=strategy, Spacing="Constant cusp height")
+    b, op = finish(bench, part(False), Strategy=strategy)
     b.done(op)
     least, largest = off_by(b.model.Shape, cut_places(lines_of(op), 500))
     assert least > -BELOW - UNIT_ROUNDING and largest < TOLERANCE
     assert op.Passes == 20 and op.Retracts == 0 and op.LargestStepover.Value == 2.0
+
+
+@pytest.mark.parametrize("strategy", ["Contours inwards", "Spiral outwards"])
+def test_contours_and_spirals_follow_a_cusp_height_and_the_part(bench, strategy):
+    b, op = finish(bench, part(True), Strategy=strategy, Spacing="Constant cusp height")
+    b.set(op, CuspHeight=0.1)
+    b.done(op)
+    # Across the fillets of R10 the ball's centre runs on R5, and half as far as its contact.
+    level = 2 * math.sqrt(0.1 * (2 * BALL - 0.1))
+    assert op.LeastStepover.Value < 0.75 * level < level < op.LargestStepover.Value < 1.1 * level
+    cuts = [Vector(x, y, z) for x, y, z, _ in points_of(op, 1.0) if z < 45]
+    least, _ = off_by(b.model.Shape, random.Random(3).sample(cuts, 300))
+    assert least > -BELOW - UNIT_ROUNDING
+
+
+@pytest.mark.parametrize(
+    "strategy, slope", [("Contours inwards", 0), ("Spiral outwards", 0.003)], ids=["level", "helix"]
+)
+def test_round_passes_are_arcs_which_posts_and_controls_keep(
+    bench, rs274, tmp_path, strategy, slope
+):
+    b, op = finish(bench, cone(), Strategy=strategy)
+    b.done(op)
+    arcs = [c for c in op.Path.Commands if c.Name in ("G2", "G3")]
+    # Turns of some 100 lines each are one to three arcs and, where one begins, a line.
+    assert op.Passes <= len(arcs) <= 16 * op.Passes
+    assert len(op.Path.Commands) < 20 * op.Passes
+    rises = [abs(e[2] - s[2]) for name, s, e, *_ in moves_of(op) if name in ("G2", "G3")]
+    assert (max(rises) > 0.01) == (slope > 0)
+    cuts = [Vector(x, y, z) for x, y, z, name in points_of(op, 1.0) if name != "G1"]
+    least, largest = off_by(b.model.Shape, random.Random(2).sample(cuts, 400))
+    assert least > -BELOW_IF_ROUND - UNIT_ROUNDING and largest < TOLERANCE
+    # FreeCAD's own picture of them: within the faces, a radius about.
+    box = op.Path.BoundBox
+    assert max(-box.XMin, box.XMax, -box.YMin, box.YMax) < 20 + 5 + 2
+    posted = host.post(b.job, "linuxcnc", "--no-show-editor")
+    assert rs274(posted, tmp_path).count("ARC_FEED") == len(arcs)
+    posted = host.post(b.job, "grbl", "--no-show-editor")
+    assert len(re.findall(r"^G[23] ", posted, re.MULTILINE)) == len(arcs)
+
+
+@pytest.mark.parametrize("strategy", ["Contours inwards", "Spiral outwards"])
+def test_round_passes_are_lines_for_controllers_without_arcs(bench, strategy):
+    b, op = finish(bench, cone(), Strategy=strategy, Arcs=False)
+    b.done(op)
+    assert not {c.Name for c in op.Path.Commands} & {"G2", "G3"}
+    least, largest = off_by(b.model.Shape, cut_places(lines_of(op), 400))
+    assert least > -BELOW_IF_ROUND - UNIT_ROUNDING and largest < TOLERANCE
+
+
+def test_an_operation_from_before_there_was_a_setting_for_arcs_has_them(bench, tmp_path):
+    b, op = finish(bench, cone(), Strategy="Contours inwards")
+    op.removeProperty("Arcs")
+    with reopened(b.doc, tmp_path / "finish.FCStd") as doc:
+        again = doc.getObject("Finish")
+        assert again.Arcs is True
+        again.touch()
+        doc.recompute()
+        assert "G2" in {c.Name for c in again.Path.Commands}
 
 
 @pytest.mark.parametrize("tool", ["bullnose", "endmill"])
@@ -356,6 +415,36 @@ def _top(b, y):
     """The name of the upper edge at an ordinate."""
     names = borders(b.model.Shape, y)
     return max(names, key=lambda name: b.model.Shape.getElement(name).BoundBox.ZMax)
+
+
+def test_between_guides_all_passes_may_go_one_way(bench):
+    b, op = finish(bench, part(True), Strategy="One way between guides", Stepover=8.0)
+    b.set(op, Base=[*op.Base, (b.model, [_top(b, 40.0)]), (b.model, [_top(b, -40.0)])])
+    ways = {}
+    for mode in ("Climb", "Conventional"):
+        b.set(op, CutMode=mode)
+        b.done(op)
+        ways[mode] = {math.copysign(1, e.x - s.x) for _, s, e in cuts_of(op) if abs(e.x - s.x) > 1}
+        assert op.Passes == 10 and op.Retracts == 9
+    assert sorted(map(len, ways.values())) == [1, 1] and ways["Climb"] != ways["Conventional"]
+
+
+@pytest.mark.parametrize("strategy", ["Zig-zag", "Contours inwards", "Spiral outwards"])
+def test_passes_go_on_beyond_the_faces_and_keep_off_the_part(bench, strategy):
+    shape = Part.makeBox(50, 30, 10).fuse(Part.makeBox(10, 30, 20, Vector(50, 0, 0)))
+    shape = shape.removeSplitter()
+    level = [n for n in upper(shape) if shape.getElement(n).BoundBox.ZMax < 15]
+    b, op = finish(bench, shape, faces=tuple(level), Strategy=strategy, Extension=3.0)
+    b.done(op)
+    cuts = [Vector(x, y, z) for x, y, z, _ in points_of(op, 1.0) if z < 10 + TOLERANCE]
+    xs, ys = [p.x for p in cuts], [p.y for p in cuts]
+    # The border of passes of 2 mm may be half of that within 3 mm; beside the wall's ends the ball
+    # goes round its corners.
+    assert -3.01 < min(xs) < -1.9 and -3.01 < min(ys) < -1.9 and 31.9 < max(ys) < 33.01
+    before_it = [p.x for p in cuts if 0 < p.y < 30]
+    assert 43.9 < max(before_it) < 50 - BALL + 0.01
+    least, _ = off_by(b.model.Shape, random.Random(6).sample(cuts, 300))
+    assert least > -BELOW - UNIT_ROUNDING
 
 
 def test_a_sketch_may_be_a_guide(bench):

@@ -17,6 +17,10 @@ def test_the_command_takes_the_selected_faces(session):
     assert sum(map(len, session["base"])) == 5
 
 
+def test_the_button_beside_the_status_shows_the_surface_and_ends_that(session):
+    assert session["surface"] == [True, 1, 0]
+
+
 def test_the_panel_shows_seven_settings_at_first_and_every_one_unfolded(session):
     assert len(session["first"]) == 7 and "Stepover" in session["first"]
     assert sorted(session["shown"]) == sorted(session["settings"])

@@ -34,6 +34,13 @@ def test_clicks_count_only_while_one_is_asked_for(session):
     assert session["base"] and not session["helix"]
 
 
+def test_a_click_takes_the_place_near_an_open_side(session):
+    assert session["side_offered"] == [False, True]
+    x, y, is_chosen, is_on = session["side"]
+    assert [x, y] == pytest.approx([20, 5], abs=0.2) and is_chosen and not is_on
+    assert session["side_fields"] == ["%.2f mm" % value for value in (x, y)]
+
+
 def test_it_ends_with_its_panel(session):
     assert session["left"] == 0 and session["cancelled"] == [0, 0]
 

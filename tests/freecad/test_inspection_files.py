@@ -1,8 +1,11 @@
 """What an inspection on faces writes: probing programs, pictures, reports; and job files."""
 
 import base64
+import html
 import json
 import re
+import sys
+from pathlib import Path
 
 import FreeCAD
 import numpy
@@ -11,10 +14,13 @@ import pytest
 from inspected import as_measured, bore_faces, dome_faces, faces_of, wall_points
 from models import block_with, face_of, floors_of, rectangle
 
-from evenload import batch, face_inspection, inspection
+from evenload import batch, face_inspection, inspection, translation
 from evenload.face_inspection import html_report, picture
 from evenload.face_inspection.evaluation import IN
 from evenload.face_inspection.probing_program import Probe, probing_program
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
+from languages import translator  # noqa: E402
 
 WALL = wall_points(24, numpy.zeros(24))
 
@@ -118,6 +124,48 @@ def test_the_report_tells_a_prediction_beside_what_was_measured(bore):
     text = html_report.report_of(found, prediction=predicted)
     measured = re.findall(r"<td>([^<]*)</td><td>[^<]*</td><td>[^<]* %</td><td>[^<]+</td>", text)
     assert measured == ["Profile of a surface in the datum"]
+
+
+def texts_of(page):
+    """What a reader of the page sees of words, its picture's too."""
+    found = re.findall(r'>([^<>]+)<|alt="([^"]*)"', page.split("</style>")[1])
+    return {html.unescape(text or alt) for text, alt in found if (text or alt).strip()}
+
+
+def in_language(page, language, monkeypatch):
+    """The texts of page() where FreeCAD's window has a language."""
+    with monkeypatch.context() as patch:
+        patch.setattr(translation, "translator", translator(language))
+        text = page()
+    assert '<html lang="%s">' % language in text
+    return texts_of(text)
+
+
+@pytest.mark.parametrize(
+    "language, words",
+    [
+        ("de", {"Au\u00dferhalb der Toleranz", "Zylindrizit\u00e4t", "Nachweis"}),
+        ("hu", {"T\u0171r\u00e9sen k\u00edv\u00fcl", "Hengeress\u00e9g", "Bizony\u00edt\u00e1s"}),
+    ],
+)
+def test_in_the_window_the_report_is_in_the_users_language(bore, language, words, monkeypatch):
+    cut = inspection.Cut(0.15, 0.08, 0.3, 5, 8, 5100)
+    predicted = inspection.prediction("CV", 90, 3, cut)
+    measured = as_measured(wall_points(24, 0.05 * numpy.eye(24)[5]))
+    datum = (0, 0, 0), (0, 0, 1)
+    for found in (
+        face_inspection.evaluate(bore, measured, "cylinder", 0.03),
+        face_inspection.evaluate(bore, measured, "profile", 0.01, (), datum),
+    ):
+
+        def page(found=found):
+            return html_report.report_of(found, "wall.csv", "mm", predicted)
+
+        told = in_language(page, language, monkeypatch)
+        same = {each for each in told & texts_of(page()) if re.search("[a-z]{3}", each)}
+        assert same <= {"Radius"}
+        assert found.kind == "profile" or words <= told
+    assert '<html lang="en">' in page()
 
 
 # ---- job files ----

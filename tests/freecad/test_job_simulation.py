@@ -240,7 +240,10 @@ def test_a_bull_nosed_tool_is_taken_for_a_flat_one_with_a_note(square):
 def test_a_tool_that_is_no_end_mill_is_refused(square):
     op = square.done(square.operation())
     square.controller.Tool = host.create_tool("ballend", {"Diameter": 6.0})
-    with pytest.raises(ValueError, match="a ball end mill: choose a flat"):
+    with pytest.raises(ValueError, match="whose loads are not simulated: EvenLoad Show Surface"):
+        job_simulation.read(op)
+    square.controller.Tool = host.create_tool("v-bit", {"Diameter": 6.0})
+    with pytest.raises(ValueError, match="a V bit: choose a flat"):
         job_simulation.read(op)
 
 
@@ -578,6 +581,20 @@ def test_a_drill_that_does_not_tell_its_point_has_one_of_118_degrees(square):
     drill = _controller(square, 10.0, "drill")
     drill.Tool.TipAngle = 0
     assert tool.point_length(drill) == pytest.approx(5 / math.tan(math.radians(59)))
+
+
+def test_a_ball_before_has_cut_as_discs_within_it(square):
+    ball = _controller(square, 10.0, "ballend")
+    foreign(square, *CUTS, name="Round", controller=ball)
+    found = job_simulation.read(square.done(square.operation()))
+    assert found.notes == []
+    assert [diameter for _, diameter in found.earlier][0] == 10
+    tips = ends(job_simulation.earlier.moves_of(square.doc.getObject("Round"))[0])
+    for path, diameter in found.earlier:
+        # At that height the ball is as wide as the disc.
+        above = 5 - math.sqrt(25 - diameter**2 / 4)
+        assert [z - above for *_, z in ends(path)] == pytest.approx([z for *_, z in tips])
+    assert min(diameter for _, diameter in found.earlier) < 2.5
 
 
 def test_a_bull_nosed_tool_before_leaves_its_corner(square):

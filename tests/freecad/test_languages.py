@@ -17,8 +17,8 @@ from languages import FILES, translations  # noqa: E402
 
 NAMES = {"de": "German", "hu": "Hungarian"}  # as FreeCAD has them
 COMMANDS = (
-    *("Adaptive", "Trochoid", "LameSpiral", "Finishing", "ShowLoad", "Simulation"),
-    *("StabilityChart", "Optimise", "Inspect", "FinishingAdvisor"),
+    *("Adaptive", "Trochoid", "LameSpiral", "Finishing", "ShowLoad", "Simulation", "Compare"),
+    *("Report", "StabilityChart", "Optimise", "Inspect", "FinishingAdvisor", "ShowSurface"),
 )
 CONTEXT = "EvenLoad"
 ENGLISH = re.compile(r"\b(the|of|and|with|from|which|shows?|its)\b")
@@ -100,7 +100,7 @@ def test_panels_have_no_english_texts(panels, known):
 
 
 def test_docks_have_no_english_texts(docks, known):
-    assert len(docks["docks"]) == 7
+    assert len(docks["docks"]) == 8
     for name, texts in docks["docks"].items():
         assert len(texts) > 10 and _in_english(texts, known) == [], name
 

@@ -69,10 +69,13 @@ def test_the_side_step_sets_the_engagement_and_the_length_of_the_path(pocket, st
 def test_the_cut_mode_decides_on_which_side_the_wall_lies(pocket, mode, side):
     op = cleared(pocket(ROUND), CutMode=mode)
     check_path(op, [ROUND.translated(Vector(0, 0, -DEPTH))])
-    along_wall = [m for m in arcs(of_feed(op, CUT)) if radius_of(m) == pytest.approx(17, abs=2e-3)]
+    along_wall = [
+        m
+        for m in arcs(of_feed(op, CUT))
+        if radius_of(m) == pytest.approx(17, abs=2e-3) and math.hypot(*m[3]) < 0.01
+    ]
     assert sum(map(length_of, along_wall)) > 2 * math.pi * 16.9  # all the way round
     for move in along_wall:
-        assert math.hypot(*move[3]) < 0.01
         assert side * sweep_of(*move[:4]) > 0  # counter-clockwise: the wall lies to the right
 
 
@@ -291,6 +294,24 @@ def test_the_automatic_entry_takes_an_open_side_then_a_hole_then_a_helix_then_a_
     assert {m[0] for m in first_descent(cleared(b))} == {"G1", "G3"}
     ramp = first_descent(cleared(pocket(face_of(rectangle(0, 0, 30, 6.1)))))
     assert {m[0] for m in ramp} == {"G1"} and all(m[1][:2] != m[2][:2] for m in ramp)
+
+
+@pytest.mark.parametrize("kind", ["adaptive", "trochoid"])
+def test_the_tool_comes_in_over_the_open_side_that_is_nearest_to_a_place(bench, kind):
+    block = Part.makeBox(40, 30, 10, Vector(0, 0, -10))
+    b = bench(block.cut(Part.makeBox(40, 20, 3, Vector(0, 5, -3))))
+    b.controller.VertFeed = "%g mm/min" % PLUNGE
+    for wish, side in (((-4, 15), -1), ((44, 12), 1), ((1, 24), -1)):
+        op = cleared(b, kind=kind, ChooseOpenSide=True, OpenSideAt=Vector(*wish, 7))
+        down = first_descent(op)[0][2]
+        assert (down[0] < -3) if side < 0 else (down[0] > 43)
+        assert 5 < down[1] < 25
+        assert op.UncutArea.Value < 0.01
+
+
+def test_a_lame_spiral_has_no_open_side(pocket):
+    op = pocket(face_of(SQUARE)).operation(kind="lame_spiral")
+    assert not hasattr(op, "ChooseOpenSide") and not hasattr(op, "OpenSideAt")
 
 
 def test_a_hole_in_one_pocket_leaves_the_others_their_own_entry(pocket):

@@ -44,7 +44,7 @@ PATIENCE = 360  # s of the clock: to judge 150 m of path at a small angle takes 
 AGAIN = 10  # each tenth case is cleared twice: the moves must be the same
 REFUSALS = ("tool too large", "no lame curve")  # codes of errors that a random shape may deserve
 OUTSIDE = "entry outside"  # the code where nothing can begin in a hole
-IN_PASSAGE = "lies in a narrow passage that is skipped"
+IN_PASSAGE = "hole_in_skipped_passage"  # the kind of that error in a passage that is to be skipped
 CHOSEN = ("choices", "open_edges", "hole", "rest_of", "open")
 
 
@@ -96,7 +96,7 @@ def is_bad_place(case, error):
     """
     if error.code != OUTSIDE or not case.get("hole"):
         return False
-    return case.get("operation") == "lame_spiral" or IN_PASSAGE in str(error)
+    return case.get("operation") == "lame_spiral" or error.kind == IN_PASSAGE
 
 
 def _wrong(error):

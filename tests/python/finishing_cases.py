@@ -88,13 +88,32 @@ def options(**others):
 
 
 def places_along(moves, kinds, spacing=0.05):
-    """Points on moves of some kinds, at both ends of each and between."""
+    """Points on moves of some kinds, at both ends of each and between; on arcs and helices, too."""
     points, before = [], None
-    for kind, x, y, z, *_ in moves:
+    for kind, x, y, z, sweep, cx, cy, _ in moves:
         end = numpy.array((x, y, z))
         if kind in kinds and before is not None:
-            count = max(1, math.ceil(numpy.linalg.norm(end - before) / spacing))
-            shares = numpy.arange(count + 1) / count
-            points.append(before + shares[:, None] * (end - before))
+            length = abs(sweep) * math.hypot(x - cx, y - cy) if sweep else math.dist(end, before)
+            count = max(1, math.ceil(length / spacing))
+            shares = numpy.arange(count + 1)[:, None] / count
+            points.append(before + shares * (end - before))
+            if sweep:
+                turns = sweep * shares[1:-1, 0]
+                arm = before[:2] - (cx, cy)
+                aside = numpy.array((-arm[1], arm[0]))
+                turned = numpy.outer(numpy.cos(turns), arm) + numpy.outer(numpy.sin(turns), aside)
+                points[-1][1:-1, :2] = turned + (cx, cy)
         before = end
     return numpy.vstack(points)
+
+
+def as_lines(moves, spacing=0.05):
+    """The same moves, short lines in place of arcs and helices, corners of which lie on them."""
+    found = []
+    for before, move in zip([None, *moves], moves):
+        kind, feed = move[0], move[7]
+        ends = [move[1:4]]
+        if move[4]:
+            ends = places_along([before, move], (kind,), spacing)[1:]
+        found += [(kind, *end, 0.0, 0.0, 0.0, feed) for end in ends]
+    return found

@@ -256,7 +256,10 @@ def test_a_cancelled_path_is_empty(surface, parts, others):
         ({"floor": 46.0}, "touches none of the picked faces"),
         ({"stepover": 1e-5}, "too many passes"),
         ({"pattern": "spiral"}, "pattern"),
-        ({"pattern": "contours inwards", "cusp_height": 0.01}, "Only parallel passes follow"),
+        (
+            {"pattern": "between guides", "guides": [[], []], "cusp_height": 0.01},
+            "between guides follow no cusp height",
+        ),
     ],
 )
 def test_what_cannot_be_is_refused(surface, parts, others, sentence):

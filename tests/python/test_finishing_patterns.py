@@ -47,7 +47,8 @@ def off(moves, is_convex, kinds=(CUT, LINK)):
 
 
 def steps(moves, *kinds):
-    """[(kind, start, end), ...] of the moves of some kinds."""
+    """[(kind, start, end), ...] of the moves of some kinds, arcs as lines."""
+    moves = cases.as_lines(moves)
     pairs = zip(moves, moves[1:])
     return [(m[0], numpy.array(b[1:4]), numpy.array(m[1:4])) for b, m in pairs if m[0] in kinds]
 
@@ -102,6 +103,71 @@ def test_spirals_turn_as_the_cut_mode_says(surface, parts, pattern, mode):
     for _, start, end in steps(moves.toolpath.moves, CUT):
         turn = start[0] * end[1] - start[1] * end[0]
         assert turn <= 1e-9 if is_clockwise else turn >= -1e-9
+
+
+# ---- even cusps ----
+
+
+def stands_at(moves, places):
+    """What stands at places of the part, in mm: how far the nearest of the balls is from them."""
+    points = cases.places_along(moves, (CUT,), 0.05)
+    centres = points[:, :3] + [0, 0, BALL]
+    size = 0.5
+    cells = numpy.floor(centres[:, :2] / size).astype(int)
+    keys = cells[:, 0] * 100003 + cells[:, 1]
+    order = numpy.argsort(keys, kind="stable")
+    centres, keys = centres[order], keys[order]
+    result = []
+    for place in places:
+        home = numpy.floor(place[:2] / size).astype(int)
+        near = []
+        for i in range(-8, 9):
+            row = (home[0] + i) * 100003 + home[1]
+            low, high = numpy.searchsorted(keys, (row - 8, row + 9))
+            near.append(centres[low:high])
+        result.append(numpy.linalg.norm(numpy.vstack(near) - place, axis=1).min() - BALL)
+    return numpy.array(result)
+
+
+@pytest.mark.parametrize("pattern", ["contours inwards", "contours outwards", *SPIRALS])
+@pytest.mark.parametrize("is_convex", [True, False], ids=["CX", "CV"])
+def test_even_cusps_are_nowhere_higher_than_the_wish(surface, is_convex, pattern):
+    wish = 0.02
+    mesh = surface.FacetMesh(*cases.triangles(is_convex, DEFLECTION))
+    # Lines of 0.5 um: what stands is what the distances leave.
+    arguments = fine(pattern=pattern, cusp_height=wish, tolerance=0.0005)
+    found = surface.finish(mesh, **arguments)
+    plan_ = numpy.random.default_rng(5).uniform(-40, 40, (3000, 2))
+    places = numpy.column_stack([plan_, cases.height(plan_[:, 1], is_convex)])
+    stands = stands_at(found.toolpath.moves, places)
+    assert stands.max() < 1.12 * wish
+    # Places are spread evenly across strips, on which cusps rise as a square: those above 0.81 of
+    # the wish are a tenth where all cusps are as high as that.
+    assert 0.06 < (stands > 0.81 * wish).mean() < 0.12
+    assert found.least_stepover < 0.8 * found.largest_stepover
+
+
+@pytest.mark.parametrize("pattern", ["contours inwards", "spiral inwards"])
+def test_rows_of_even_cusps_are_the_same_on_any_number_of_threads(surface, parts, pattern):
+    one, three = (
+        surface.finish(parts[True], **fine(pattern=pattern, cusp_height=0.1, threads=n))
+        for n in (1, 3)
+    )
+    assert one.toolpath.moves == three.toolpath.moves
+    assert one.toolpath.report.passes > 10
+
+
+def test_contours_of_even_cusps_reach_into_sharp_corners_and_the_middle(surface):
+    # A level triangle whose corners are as sharp as 26 degrees.
+    mesh = surface.FacetMesh([(0, 0, 0), (40, 0, 0), (6, 18, 0)], [(0, 1, 2)], [True])
+    wish = 0.05
+    arguments = fine(pattern="contours inwards", cusp_height=wish, top=1.0)
+    found = surface.finish(mesh, **arguments)
+    shares = numpy.random.default_rng(4).dirichlet((1, 1, 1), 2000)
+    places = shares @ numpy.array([(0, 0, 0), (40, 0, 0), (6, 18, 0)])
+    assert stands_at(found.toolpath.moves, places).max() < 1.12 * wish
+    level = 2 * math.sqrt(wish * (2 * BALL - wish))
+    assert found.least_stepover == pytest.approx(level, rel=0.01)
 
 
 # ---- between guides ----

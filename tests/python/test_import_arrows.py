@@ -15,17 +15,21 @@ ARROWS = {
     "settings": {"ground"},
     "geometry": {"ground"},
     "simulation": {"host", "ground", "settings", "geometry"},
-    "pictures": {"ground", "simulation"},
+    "pictures": {"ground", "settings", "simulation"},
     "optimisation": {"ground", "simulation", "dynamics"},
     "dynamics": {"ground", "pictures"},
-    "ball_end": {"ground"},
+    "ball_end": {"host", "ground"},
     "inspection": {"ground"},
-    "face_inspection": {"host", "ground", "geometry", "inspection", "pictures"},
+    "face_inspection": {"host", "ground", "settings", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "suggestion": {"host", "ground", "simulation", "stability", "optimisation"},
     "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
     "advisor": {
         *("host", "ground", "settings", "geometry", "operations", "ball_end", "face_inspection"),
+    },
+    "surface_simulation": {
+        *("host", "ground", "settings", "geometry", "operations", "simulation", "pictures"),
+        "advisor",
     },
     "job_files": {
         *("host", "ground", "settings", "operations", "simulation", "stability", "pictures"),
@@ -43,13 +47,14 @@ ARROWS = {
         "inspection",
         "face_inspection",
         "advisor",
+        "surface_simulation",
         "optimisation",
         "suggestion",
     },
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
-    *("findings", "planar", "tool", "translation", "waiting", "window", "words"),
+    *("findings", "planar", "refusals", "tool", "translation", "waiting", "window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
 DOORS = {"__init__", "batch", "job_simulation", "job_stability", "proof", "simulation_pictures"}
@@ -68,12 +73,14 @@ LATE = {
     ("job_files.job", "evenload.pictures.simulation_pictures"),
     ("job_files.job", "evenload.stability.picture"),
     ("simulation.__init__", "evenload.simulation.job"),  # needs FreeCAD
+    ("surface_simulation.result", "evenload.surface_simulation.picture"),  # needs matplotlib
 }
 # Rooms and modules that run without FreeCAD, and what they must not import therefore.
 WITHOUT_FREECAD = {
     *(
         "dynamics",
-        "ball_end",
+        *("ball_end.__init__", "ball_end.chips", "ball_end.loads", "ball_end.places"),
+        *("ball_end.regressions", "ball_end.sections", "ball_end.source", "ball_end.surfaces"),
         "inspection",
         "pictures.figure",
         "optimisation",

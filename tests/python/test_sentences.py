@@ -3,11 +3,12 @@
 import re
 
 import pytest
-from evenload import findings, translation
+from evenload import findings, refusals, translation
 from evenload.settings import notes, sentences
 from evenload.settings.labels import told
 from languages import FILES, translator
 from test_findings import NUMBERS
+from test_refusals import NUMBERS as OF_REFUSALS
 
 import collect  # noqa: I100
 
@@ -32,11 +33,23 @@ def test_without_a_window_sentences_stay_as_they_are():
 @pytest.mark.parametrize("language", LANGUAGES)
 @pytest.mark.parametrize("code", sorted(findings.SENTENCES))
 def test_each_finding_is_shown_in_the_language_with_all_that_it_tells(code, language, speak):
-    said = told(findings.sentence(code, (1.5, -2.25), NUMBERS.get(code, ())))
+    _is_shown(told(findings.sentence(code, (1.5, -2.25), NUMBERS.get(code, ()))), speak, language)
+
+
+@pytest.mark.parametrize("is_one_of_several", [False, True])
+@pytest.mark.parametrize("language", LANGUAGES)
+@pytest.mark.parametrize("kind", sorted(refusals.SENTENCES))
+def test_each_refusal_is_shown_in_the_language(kind, language, is_one_of_several, speak):
+    given = kind, (1.5, -2.25), OF_REFUSALS.get(kind, ()), is_one_of_several
+    _is_shown(told(refusals.sentence(*given)), speak, language)
+
+
+def _is_shown(said, speak, language):
+    """A sentence is shown in a language, with all that it tells."""
     speak(language)
     shown = sentences.shown(said)
     assert shown != said and not re.search(r"\b(the|near|is|where)\b", shown), shown
-    assert ("(1.50, -2.25)" in shown) == ("(1.50, -2.25)" in said)
+    assert re.findall(r"\([\d., -]+\)", shown) == re.findall(r"\([\d., -]+\)", said)
     assert sorted(re.findall(r"\d+\.\d+", shown)) == sorted(re.findall(r"\d+\.\d+", said))
     assert not re.search(r"\[[A-Z]|%\d", shown), shown
 

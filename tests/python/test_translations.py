@@ -24,7 +24,7 @@ ENDS = ".", "…", " "
 SAME = {
     "de": {
         *("Operation", "Simulation", "Zone", "Matrix", "EvenLoad Simulation", "Helix"),
-        *("horizontal", "Mode %d: %s"),
+        *("horizontal", "Mode %d: %s", "Radius"),
     },
     "hu": set(),
 }

@@ -9,7 +9,7 @@ both. Lengths in mm, times in s, speeds in m/min, the force impulse in N s. docs
 what is told, and its limits.
 """
 
-from evenload.advisor.answering import PLACES, Advice, advice, answers
+from evenload.advisor.answering import PLACES, Advice, advice, answers, loads_along
 from evenload.advisor.reading import STOCK, Question, read
 from evenload.advisor.strategies import STRATEGIES, Strategy
 
@@ -22,5 +22,6 @@ __all__ = [
     "Strategy",
     "advice",
     "answers",
+    "loads_along",
     "read",
 ]

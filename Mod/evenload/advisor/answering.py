@@ -57,8 +57,9 @@ def advice(owner, faces=None, strategies=STRATEGIES, **asked):
 
 def answers(question, strategies=STRATEGIES):
     """Yields the Advice on a Question's faces for one strategy after the other; any thread may do
-    it.
+    it. Raises ValueError with a sentence where the faces can be finished by none.
     """
+    question.facets  # once and here: what is wrong with them is no strategy's own
     for number, strategy in enumerate(strategies):
         yield _answer(question, strategy, number, len(strategies))
 
@@ -98,10 +99,22 @@ def advice_on(question, strategy, watch=None):
 def _loads(question, arguments, made):
     """(Loads at those of PLACES that lie on the faces, mm of cuts) along a Computation's path."""
     stepover = max(made.finish.largest_stepover, arguments["stepover"])
-    found = places.places_along(made.toolpath.moves, PLACES, stepover)
+    found, felt = loads_along(
+        question, question.facets.mesh, arguments, made.toolpath.moves, stepover, PLACES
+    )
+    return felt, found.length
+
+
+def loads_along(question, mesh, arguments, moves, stepover, count):
+    """(Places, Loads) at those of `count` places along a path that lie on a Question's faces.
+
+    mesh: the core's, of the faces; arguments: of the core's finish(); moves: as the core has them;
+    stepover: mm in plan, the largest. Raises ValueError with a sentence where there is none.
+    """
+    found = places.places_along(moves, count, stepover)
     allowance = arguments["allowance"]
     contacts = compiled.core().surface.contacts(
-        question.facets.mesh,
+        mesh,
         *(arguments["tool_diameter"] + 2 * allowance, arguments["corner_radius"] + allowance),
         *(found.tips[:, :2], arguments["floor"]),
     )
@@ -115,7 +128,8 @@ def _loads(question, arguments, made):
     if not is_face.any():
         raise ValueError("The tool touches the faces nowhere but at edges.")
     found, bends = found.only(is_face), bends.only(is_face)
-    return loads.loads_at(found, bends, question.cutting), found.length
+    felt = loads.loads_at(found, bends, question.cutting)
+    return found.only(felt.rows), felt
 
 
 def _told(question, strategy, made, felt, length):

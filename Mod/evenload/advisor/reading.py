@@ -2,6 +2,7 @@
 
 import math
 from dataclasses import dataclass
+from functools import cached_property
 from types import SimpleNamespace
 
 import FreeCAD
@@ -24,13 +25,20 @@ SAME = 1e-9  # mm
 class Question:
     """What is asked, as it was read: no document is needed from here on."""
 
-    facets: object  # facets.Facets
+    models: object  # facets.Models
     faces: object  # face_inspection.FacesPart: the same faces, exact
     settings: object  # by their names, as operations.finishing has them
     tool: object  # tool.Tool
     data: object  # tool.CuttingData
     cutting: object  # loads.Cutting
     machine: object  # a profile as machines.load has it, or None
+
+    @cached_property
+    def facets(self):
+        """The facets.Facets to the settings' tolerance, made where they are first asked for, in any
+        thread. Raises ValueError with a sentence.
+        """
+        return facets.of_triangles(self.models.triangles(self.settings.Tolerance.Value))
 
 
 def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine=None, **settings):
@@ -60,11 +68,11 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
     _set(found, settings, tool.diameter / 2)
     finishing.check(found, tool)
     base = finishing.faces_of(finishing.of_models(job, faces))
-    triangles = facets.of(base, job.Model.Group, found.Tolerance.Value)
+    models = facets.read(base, job.Model.Group)
     picked = face_inspection.picked(base)
     row = materials.load(materials.names()[0] if material is None else material)
     return Question(
-        triangles,
+        models,
         face_inspection.FacesPart(picked),
         found,
         tool,

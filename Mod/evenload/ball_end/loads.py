@@ -59,7 +59,8 @@ class Cutting:
 class Loads:
     """At n places: mean_thickness, the source's h_m, and max_thickness, mm [Varga 2023, 4.1];
     tip_share, 0 to 1; least_speed, m/min; cusp, mm, not a number where no pass is beside; force, N;
-    feeds, mm/min. refusals: sentences on places that have no chip and are left out.
+    feeds, mm/min; rows: which of the places that were asked for they are. refusals: sentences on
+    places that have no chip and are left out.
     """
 
     mean_thickness: numpy.ndarray
@@ -69,6 +70,7 @@ class Loads:
     cusp: numpy.ndarray
     force: numpy.ndarray
     feeds: numpy.ndarray
+    rows: numpy.ndarray
     refusals: tuple
 
 
@@ -108,6 +110,7 @@ def loads_at(places, bends, cutting):
         cusps[rows],
         forces(found, cutting),
         places.feeds[rows],
+        rows,
         tuple(dict.fromkeys(refusals)),
     )
 

@@ -4,7 +4,7 @@ from dataclasses import dataclass
 
 import numpy
 
-from evenload.planar import CUT
+from evenload.planar import CUT, as_lines
 
 REACH = 1.5  # of the largest stepover: a pass further away is no neighbour
 OWN = 0.02  # of the reach: nearer than this it is the same pass
@@ -55,7 +55,7 @@ def places_along(moves, count, stepover):
 
     Raises ValueError for a path that cuts nothing.
     """
-    rows = numpy.array(moves, float).reshape(-1, 8)
+    rows = as_lines(moves)
     is_cut = rows[1:, 0] == CUT
     starts, ends = rows[:-1, 1:4][is_cut], rows[1:, 1:4][is_cut]
     lengths = numpy.linalg.norm(ends - starts, axis=1)
@@ -63,7 +63,8 @@ def places_along(moves, count, stepover):
         raise ValueError("The path of this strategy cuts nothing.")
     until = numpy.cumsum(lengths)
     # Not all in the middle of their shares: passes of one length would be met at the same places.
-    within = numpy.arange(count) * GOLDEN % 1
+    # Nor is the first one the beginning of the path, at the border of the faces.
+    within = (numpy.arange(count) + 0.5) * GOLDEN % 1
     along = (numpy.arange(count) + within) / count * until[-1]
     own = numpy.minimum(numpy.searchsorted(until, along, side="right"), len(until) - 1)
     ways = (ends - starts)[own] / lengths[own, None]

@@ -9,6 +9,8 @@ from evenload.face_inspection.mesh import between, mesh_of, nearest_of
 from evenload.inspection.points import SHOWN, length_told, mm_per
 from evenload.pictures.figure import new_figure
 from evenload.pictures.figure import save as save_figure
+from evenload.settings.sentences import shown_name
+from evenload.translation import filled, translate
 
 SIZE = 7.5, 6.2  # inches, of one view
 ONE_SIDED = 0.3  # of the mean normal: below it the faces look to all sides
@@ -20,7 +22,9 @@ COLOURS = "viridis"  # its lightness rises evenly: the map can be read in grey
 
 def save_samples(faces, samples, path, unit="mm"):
     """Draws Samples on PickedFaces into a PNG or SVG file. unit: "mm" or "inch", of the axes."""
-    figure, views = _views("%d points on %s" % (len(samples.points), faces.name), faces, unit)
+    count, name = str(len(samples.points)), shown_name(faces.name)
+    title = filled(translate("%1 points on %2"), (count, name))
+    figure, views = _views(title, faces, unit)
     for view in views:
         view.draw(colour=GROUND)
         view.mark(samples.points, "o", color=INK, markersize=3.5)
@@ -35,7 +39,8 @@ def save_map(evaluation, path, unit="mm"):
     "inch", of all lengths.
     """
     zone = length_told(evaluation.zone, unit)
-    title = "%s: %s %s" % (evaluation.faces.name, evaluation.error, zone)
+    error = translate(evaluation.error)
+    title = "%s: %s %s" % (shown_name(evaluation.faces.name), error, zone)
     figure, views = _views(title, evaluation.faces, unit)
     points, deviations = evaluation.measured.points, evaluation.deviations / mm_per(unit)
     largest = float(numpy.abs(deviations).max()) or 1.0
@@ -45,16 +50,18 @@ def save_map(evaluation, path, unit="mm"):
         colours = view.draw(points, deviations, largest)
         view.mark(points, "o", color=INK, markersize=2.5)
         hollow = {"markerfacecolor": "none", "markeredgecolor": INK, "markersize": 9}
-        view.mark(contacts, "s", label="contact", **hollow)
+        view.mark(contacts, "s", label=translate("contact"), **hollow)
         if beyond is not None and beyond.any():
-            label = "beyond the tolerance"
+            label = translate("beyond the tolerance")
             view.mark(points[beyond], "o", color=BAD, markersize=4, label=label)
-    meaning = "too much material" if evaluation.kind == PROFILE else "outside of the feature"
+    above = translate(
+        "too much material" if evaluation.kind == PROFILE else "outside of the feature"
+    )
     figure.colorbar(
         colours,
         ax=[view.axes for view in views],
         shrink=0.8,
-        label="deviation, %s; above 0: %s" % (SHOWN[unit][0], meaning),
+        label=translate("deviation, %s; above 0: %s") % (SHOWN[unit][0], above),
     )
     views[0].axes.legend(loc="upper left", bbox_to_anchor=(0, -0.1), ncols=2, frameon=False)
     save_figure(figure, path)

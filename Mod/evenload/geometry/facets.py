@@ -20,6 +20,17 @@ MESH = "'%s' is a mesh without faces: make a solid of it (Part, Create Shape fro
 
 
 @dataclass
+class Triangles:
+    points: object  # n x 3, mm
+    numbers: object  # m x 3, of each triangle's corners
+    picked: object  # m booleans: whether it belongs to the picked faces
+    deflection: float  # mm by which they leave the part, measured
+    names: list  # of the picked faces, as in 'Face7 of Model'
+    lowest: float  # mm, of the picked faces
+    highest: float  # mm, of the models
+
+
+@dataclass
 class Facets:
     mesh: object  # the core's FacetMesh
     deflection: float  # mm by which it leaves the part, measured
@@ -28,30 +39,95 @@ class Facets:
     highest: float  # mm, of the models
 
 
+@dataclass(frozen=True)
+class Model:
+    """One model as it was read."""
+
+    label: str
+    brep: str  # OpenCASCADE's text of its shape, where it is in the world
+    is_round: bool
+    is_solid: bool
+    names: tuple  # of its picked faces; None: whatever looks up is picked
+
+
+@dataclass(frozen=True)
+class Models:
+    """Models and which of their faces are picked, as they were read: no document is needed from
+    here on, and any thread may make triangles of them.
+    """
+
+    models: tuple
+
+    def triangles(self, tolerance):
+        """The Triangles of them, nearer than the tolerance in mm. Raises ValueError with a sentence
+        that names what cannot be machined from above.
+        """
+        points, triangles, flags, deflection, lowest = [], [], [], 0.0, []
+        for model in self.models:
+            corners, numbers, faces, off = _triangles(model, tolerance)
+            deflection = max(deflection, off)
+            flags.append(_flags(model, faces, _normals(corners, numbers)))
+            heights = corners[numbers[flags[-1]].ravel(), 2]
+            lowest += [heights.min()] if len(heights) else []
+            triangles.append(numbers + sum(map(len, points)))
+            points.append(corners)
+        points = numpy.vstack(points)
+        return Triangles(
+            points,
+            numpy.vstack(triangles),
+            numpy.hstack(flags),
+            deflection,
+            [_full_name(model, name) for model in self.models for name in model.names or ()],
+            min(lowest, default=0.0),
+            points[:, 2].max(),
+        )
+
+
+def read(base, models):
+    """The Models of document objects, of which the faces in `base`, [(model, names of faces), ...],
+    are picked; base None: whatever looks up is. Raises ValueError with a sentence.
+    """
+    picked = _picked(base, models) if base is not None else {}
+    found = []
+    for model in models:
+        shape = _shape_of(model)
+        names = tuple(picked.get(model, ())) if base is not None else None
+        text = shape.exportBrepToString()
+        found.append(Model(model.Label, text, is_round(shape), bool(shape.Solids), names))
+    return Models(tuple(found))
+
+
 def of(base, models, tolerance):
     """The Facets of `models`, document objects, of which the faces in `base`, [(model, names of
     faces), ...], are picked; nearer than the tolerance in mm. Raises ValueError with a sentence
     that names what cannot be machined from above.
     """
-    picked = _picked(base, models)
-    points, triangles, flags, deflection, lowest = [], [], [], 0.0, []
-    for model in models:
-        shape = _shape_of(model)
-        corners, numbers, faces, off = _triangles(model, shape, tolerance)
-        deflection = max(deflection, off)
-        normals = _normals(corners, numbers)
-        for name in picked.get(model, ()):
-            own = faces == int(name[len("Face") :]) - 1
-            _refuse_unseen(normals[own], bool(shape.Solids), "%s of %s" % (name, model.Label))
-            lowest.append(corners[numbers[own].ravel(), 2].min())
-        wanted = [int(name[len("Face") :]) - 1 for name in picked.get(model, ())]
-        flags.append(numpy.isin(faces, wanted))
-        triangles.append(numbers + sum(map(len, points)))
-        points.append(corners)
-    points = numpy.vstack(points)
-    mesh = compiled.core().surface.FacetMesh(points, numpy.vstack(triangles), numpy.hstack(flags))
-    names = ["%s of %s" % (name, model.Label) for model in picked for name in picked[model]]
-    return Facets(mesh, deflection, names, min(lowest), points[:, 2].max())
+    return of_triangles(read(base, models).triangles(tolerance))
+
+
+def of_triangles(found):
+    """The Facets of Triangles."""
+    mesh = compiled.core().surface.FacetMesh(found.points, found.numbers, found.picked)
+    return Facets(mesh, found.deflection, found.names, found.lowest, found.highest)
+
+
+def is_round(shape):
+    """Whether a face of a shape bends in two directions, so that fine triangles are many."""
+    return any(not isinstance(face.Surface, BENT_ONE_WAY) for face in shape.Faces)
+
+
+def _flags(model, faces, normals):
+    """Whether each triangle is picked; those of no solid may be turned either way."""
+    if model.names is None:
+        return (normals if model.is_solid else numpy.abs(normals)) > UPRIGHT
+    wanted = [int(name[len("Face") :]) - 1 for name in model.names]
+    for name, number in zip(model.names, wanted):
+        _refuse_unseen(normals[faces == number], model.is_solid, _full_name(model, name))
+    return numpy.isin(faces, wanted)
+
+
+def _full_name(model, name):
+    return "%s of %s" % (name, model.label)
 
 
 def _picked(base, models):
@@ -89,20 +165,19 @@ def _shape_of(model):
     return shape
 
 
-def _triangles(model, shape, tolerance):
+def _triangles(model, tolerance):
     waiting.go_on()
     occt = compiled.occt()
-    is_round = any(not isinstance(face.Surface, BENT_ONE_WAY) for face in shape.Faces)
-    wished = (ROUND_SHARE if is_round else SHARE) * tolerance
+    wished = (ROUND_SHARE if model.is_round else SHARE) * tolerance
     try:
-        found = occt.triangles_from_brep(shape.exportBrepToString(), wished, TURN)
+        found = occt.triangles_from_brep(model.brep, wished, TURN)
     except occt.ShapeError as error:
-        raise ValueError("'%s': %s" % (model.Label, error)) from None
+        raise ValueError("'%s': %s" % (model.label, error)) from None
     waiting.go_on()
     if found[3] > MOST_SHARE * tolerance:
         raise ValueError(
             "The triangles of '%s' leave it by %.4f mm, too much for the Tolerance of %g mm: "
-            "raise it." % (model.Label, found[3], tolerance)
+            "raise it." % (model.label, found[3], tolerance)
         )
     return found
 

@@ -6,6 +6,7 @@ from evenload.operations import adaptive
 
 class OperationPage(panel.OperationPage):
     kind = adaptive.Adaptive
+    manual_page = "adaptive_operation"
 
 
 def create():

@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials
-from evenload.gui import colours, fields
+from evenload.gui import colours, fields, manual
 from evenload.gui.advisor_table import ON_MACHINE, REMARK, AdviceModel, table_of
 from evenload.gui.docks import add_below
 from evenload.gui.length_box import FineLengthBox, LengthBox
@@ -31,13 +31,14 @@ class StepBox(LengthBox):
     digits, steps = fields.FINE_DECIMALS, (0.05, 0.002 * fields.INCH)
 
 
-class AdvisorDock(QtGui.QDockWidget):
+class AdvisorDock(manual.Dock):
     """view: whose methods the widgets call, an AdvisorView."""
 
     def __init__(self, view):
         window = FreeCADGui.getMainWindow()
         super().__init__(_translate("EvenLoad", "EvenLoad Finishing Advisor"), window)
         self.setObjectName(NAME)
+        self.set_page("finishing_advisor")
         self.faces, self.told = _label(), _label()
         self.asked = _asked()
         self.model = AdviceModel(self)

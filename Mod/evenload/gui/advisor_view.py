@@ -16,7 +16,7 @@ from evenload.operations import finishing
 from evenload.operations.base import SENTENCES
 from evenload.settings.labels import told
 from evenload.settings.sentences import shown, shown_name
-from evenload.settings.table import EVEN_CUSPS, PARALLEL
+from evenload.settings.table import EVEN_CUSPS
 from evenload.words import name_of as name_of_faces
 
 _translate = FreeCAD.Qt.translate
@@ -243,10 +243,7 @@ class AdvisorView:
     def _set(self, operation, strategy):
         if operation.ToolController != self.controller():
             operation.ToolController = self.controller()
-        settings = {**self._settings(), **strategy.settings}
-        if strategy.pattern not in PARALLEL:
-            settings.pop("CuspHeight", None)  # contours have an even stepover
-        for name, value in settings.items():
+        for name, value in {**self._settings(), **strategy.settings}.items():
             setattr(operation, name, value)
 
     # ---- what happens meanwhile ----

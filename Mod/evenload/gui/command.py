@@ -6,6 +6,7 @@ import FreeCAD
 import FreeCADGui
 
 from evenload import compiled, host
+from evenload.gui import manual
 from evenload.settings.properties import is_ours
 from evenload.settings.sentences import shown
 
@@ -15,16 +16,24 @@ class Command:
     an operation and opens its panel, or opens a window.
     """
 
-    def __init__(self, module, icon, menu_text, tool_tip, does="create"):
-        """module: of evenload.gui, does: its function, icon: a name without the file's ending."""
-        self.module, self.does = module, does
-        self.resources = icon, menu_text, tool_tip
+    def __init__(self, module, icon, menu_text, tool_tip, page, keys, does="create"):
+        """module: of evenload.gui, does: its function, icon: a name without the file's ending;
+        page: its name in the documentation, keys: its shortcut at first.
+        """
+        self.module, self.does, self.page = module, does, page
+        self.resources = {
+            "Pixmap": icon,
+            "MenuText": menu_text,
+            "ToolTip": tool_tip,
+            "WhatsThis": manual.address(page),
+            "Accel": keys,
+        }
 
     def GetResources(self):
         """In English: FreeCAD translates them, in a context of the command's name, and does so
         anew where the user takes another language.
         """
-        return dict(zip(("Pixmap", "MenuText", "ToolTip"), self.resources))
+        return dict(self.resources)
 
     def IsActive(self):
         doc = FreeCAD.ActiveDocument
@@ -54,13 +63,60 @@ class OfPath(Command):
         return (_selected_path(),)
 
 
+def _selected_paths():
+    """The selected operations, dressups and arrays; none where anything else is selected, or one of
+    them has no path.
+    """
+    selected = FreeCADGui.Selection.getSelection()
+    return selected if all(map(_has_path, selected)) else []
+
+
+def _has_path(obj):
+    path = getattr(obj, "Path", None)
+    return getattr(path, "Size", 0) > 0 and not hasattr(obj, "Operations")  # no job
+
+
 def _selected_path():
     """The one selected operation, dressup or array that has a path; None without."""
+    selected = _selected_paths()
+    return selected[0] if len(selected) == 1 else None
+
+
+class OfTwoPaths(Command):
+    """For two selected operations, dressups or arrays that have paths, or for one whose job has
+    another.
+    """
+
+    def IsActive(self):
+        selected = _selected_paths()
+        if len(selected) == 1:
+            return any(each != selected[0] for each in host.with_path(host.parent_job(selected[0])))
+        return len(selected) == 2
+
+    def arguments(self):
+        return _selected_paths()
+
+
+class OfJob(Command):
+    """For the selected job, or the only one, where an operation of it has a path."""
+
+    def IsActive(self):
+        return _chosen_job() is not None
+
+    def arguments(self):
+        return (_chosen_job(),)
+
+
+def _chosen_job():
+    """The selected job or that of the selected operations, or the only one of the document; None
+    without, or without a path in it.
+    """
+    doc = FreeCAD.ActiveDocument
+    jobs = [o for o in doc.Objects if getattr(o, "Operations", None) is not None] if doc else []
     selected = FreeCADGui.Selection.getSelection()
-    if len(selected) != 1 or hasattr(selected[0], "Operations"):  # a job
-        return None
-    path = getattr(selected[0], "Path", None)
-    return selected[0] if getattr(path, "Size", 0) > 0 else None
+    owners = [o if o in jobs else host.parent_job(o) for o in selected if o in jobs or _has_path(o)]
+    chosen = list(dict.fromkeys(owner for owner in owners if owner is not None)) or jobs
+    return chosen[0] if len(chosen) == 1 and host.with_path(chosen[0]) else None
 
 
 class OfCut(OfPath):
@@ -97,24 +153,31 @@ def _is_finishing(obj):
     return type(getattr(obj, "Proxy", None)).__module__ == "evenload.operations.finishing"
 
 
+# Two keys, as FreeCAD has them; the first is that of no command in 0.20, 1.0 and 1.1.
 COMMANDS = {
     "EvenLoad_Adaptive": Command(
         "adaptive",
         "EvenLoad_Adaptive",
         "EvenLoad Adaptive",
         "Clears pockets at constant engagement of the tool",
+        page="adaptive_operation",
+        keys="Y, A",
     ),
     "EvenLoad_Trochoid": Command(
         "trochoid",
         "EvenLoad_Trochoid",
         "EvenLoad Trochoid",
         "Cuts slots by trochoids at constant engagement of the tool",
+        page="trochoid_operation",
+        keys="Y, T",
     ),
     "EvenLoad_LameSpiral": Command(
         "lame_spiral",
         "EvenLoad_LameSpiral",
         "EvenLoad Lamé Spiral",
         "Clears round, square and many-sided pockets, and round islands of such shapes, by spirals",
+        page="lame_spiral_operation",
+        keys="Y, L",
     ),
     "EvenLoad_ShowLoad": OfPath(
         "load_view",
@@ -122,6 +185,18 @@ COMMANDS = {
         "EvenLoad Show Load",
         "Colours the path of the selected operation by engagement, removal rate, feed, chip "
         "thickness or force, or takes the colours away again",
+        page="load_view",
+        keys="Y, W",
+        does="toggle",
+    ),
+    "EvenLoad_ShowSurface": OfPath(
+        "surface",
+        "EvenLoad_ShowSurface",
+        "EvenLoad Show Surface",
+        "Colours the faces below the selected operation by cusps, gouges, what is left, chip "
+        "thickness or the tip's share, or takes the colours away again",
+        page="surface_view",
+        keys="Y, V",
         does="toggle",
     ),
     "EvenLoad_Simulation": OfPath(
@@ -130,13 +205,36 @@ COMMANDS = {
         "EvenLoad Simulation",
         "Shows engagement, removal rate and force of the selected operation over time, beside "
         "another one if wished, with a cursor in the 3D view",
+        page="simulation_window",
+        keys="Y, S",
         does="show",
+    ),
+    "EvenLoad_Compare": OfTwoPaths(
+        "simulation",
+        "EvenLoad_Compare",
+        "EvenLoad Compare",
+        "Shows the load of two selected operations over time on one scale; of one, asks which "
+        "other one to set beside it",
+        page="simulation_window",
+        keys="Y, C",
+        does="compare",
+    ),
+    "EvenLoad_Report": OfJob(
+        "report",
+        "EvenLoad_Report",
+        "EvenLoad Report",
+        "Simulates the operations of the job, writes a report to print and opens it in the browser",
+        page="simulation_window",
+        keys="Y, R",
+        does="write",
     ),
     "EvenLoad_Finishing": Command(
         "finishing",
         "EvenLoad_Finishing",
         "EvenLoad Finishing",
         "Finishes faces by passes of a ball end, bull-nosed or flat tool",
+        page="finishing_operation",
+        keys="Y, F",
     ),
     "EvenLoad_FinishingAdvisor": OfFinishing(
         "advisor",
@@ -144,6 +242,8 @@ COMMANDS = {
         "EvenLoad Finishing Advisor",
         "Compares ten strategies for the selected faces or finishing operation by time, chips, "
         "cusps, tip and force, and makes an operation of one",
+        page="finishing_advisor",
+        keys="Y, D",
         does="show",
     ),
     "EvenLoad_StabilityChart": Command(
@@ -151,6 +251,8 @@ COMMANDS = {
         "EvenLoad_StabilityChart",
         "EvenLoad Stability Chart",
         "Shows at which spindle speeds and depths an operation chatters, and finds the best cut",
+        page="stability_chart",
+        keys="Y, B",
     ),
     "EvenLoad_Optimise": OfCut(
         "optimise",
@@ -158,6 +260,8 @@ COMMANDS = {
         "EvenLoad Optimise",
         "Suggests engagement angle, step down, spindle speed and feeds within what tool and "
         "machine stand, beside what is set now",
+        page="optimisation",
+        keys="Y, O",
         does="show",
     ),
     "EvenLoad_Inspect": OfFaces(
@@ -165,5 +269,7 @@ COMMANDS = {
         "EvenLoad_Inspect",
         "EvenLoad Inspect",
         "Tells where to measure the selected faces, and how far measured points lie from them",
+        page="inspect",
+        keys="Y, I",
     ),
 }

@@ -1,8 +1,9 @@
 """The finishing operation's panel."""
 
 import FreeCAD
+import FreeCADGui
 
-from evenload.gui import panel
+from evenload.gui import panel, surface
 from evenload.gui.base_page import SurfaceGeometryPage
 from evenload.operations import finishing
 from evenload.words import clock
@@ -12,7 +13,22 @@ _translate = FreeCAD.Qt.translate
 
 class OperationPage(panel.OperationPage):
     kind = finishing.Finishing
+    manual_page = "finishing_operation"
     taskPanelBaseGeometryPage = SurfaceGeometryPage
+
+    def getForm(self):
+        form = super().getForm()
+        self.load.setIcon(FreeCADGui.getIcon("EvenLoad_ShowSurface"))
+        self.load.setToolTip(
+            _translate(
+                "EvenLoad", "Colours the faces by what the path leaves on them, or ends that"
+            )
+        )
+        self.load.setVisible(True)
+        return form
+
+    def toggle_view(self):
+        surface.toggle(self.obj)
 
     def figures(self, values):
         if not values["CuttingTime"] > 0:

@@ -1,4 +1,4 @@
-"""Picking a hole for the tool's entry in the 3D view."""
+"""Picking a hole, or a place, for the tool's entry in the 3D view."""
 
 import math
 
@@ -70,26 +70,28 @@ def _ends_in(edge, vertex):
     return any(vertex.Point.isEqual(each.Point, SAME) for each in edge.Vertexes)
 
 
-class HolePick:
-    """A button that stays down until a hole is picked. taken: a bound method that is called with
-    (x, y, diameter or None) and not kept alive.
+def place_at(view, pixel):
+    """(x, y) of the foremost that is in a view at a pixel; None where nothing is."""
+    info = view.getObjectInfo(pixel)
+    return (info["x"], info["y"]) if info else None
+
+
+class PlacePick:
+    """A button that stays down until a place is picked. taken: a bound method that is called with
+    (x, y) and not kept alive.
     """
 
-    def __init__(self, document, taken):
-        """document: in whose 3D view a hole is picked."""
+    found_at = staticmethod(place_at)  # what is picked by a click at a pixel of a view
+
+    def __init__(self, document, taken, text, tooltip):
+        """document: in whose 3D view a place is picked; text, tooltip: the button's."""
         self._document, self._taken = document, telling_slot(taken)
         self._clicks = Clicks(telling_slot(self._clicked))
         self._view = self._scene = None  # while picking
         self._pixel = None  # that was clicked on
-        self.button = QtGui.QPushButton(_translate("EvenLoad", "Pick the Hole"))
+        self.button = QtGui.QPushButton(text)
         self.button.setCheckable(True)
-        self.button.setToolTip(
-            _translate(
-                "EvenLoad",
-                "A click on the rim or the wall of a hole in the 3D view takes its centre and "
-                "diameter, one elsewhere the place alone",
-            )
-        )
+        self.button.setToolTip(tooltip)
         self.button.toggled.connect(telling_slot(self._toggled))
         # After the event: while Coin goes through the scene nothing may be taken out of it.
         self._soon = QtCore.QTimer(self.button)
@@ -122,7 +124,25 @@ class HolePick:
         self._soon.start(0)
 
     def _take(self):
-        found = picked_at(self._view, self._pixel) if self._view is not None else None
+        found = self.found_at(self._view, self._pixel) if self._view is not None else None
         if found is not None:
             self._taken(found)
             self.end()
+
+
+class HolePick(PlacePick):
+    """The same for a hole: taken is called with (x, y, diameter or None)."""
+
+    found_at = staticmethod(picked_at)
+
+    def __init__(self, document, taken):
+        super().__init__(
+            document,
+            taken,
+            _translate("EvenLoad", "Pick the Hole"),
+            _translate(
+                "EvenLoad",
+                "A click on the rim or the wall of a hole in the 3D view takes its centre and "
+                "diameter, one elsewhere the place alone",
+            ),
+        )

@@ -1,4 +1,4 @@
-"""Where our icons and translations lie."""
+"""Where our icons, translations and documentation lie."""
 
 import os
 
@@ -7,3 +7,4 @@ ADDON = os.path.dirname(
 )
 ICONS = os.path.join(ADDON, "Resources", "icons")
 LANGUAGES = os.path.join(ADDON, "Resources", "translations")
+DOCS = os.path.join(ADDON, "docs")

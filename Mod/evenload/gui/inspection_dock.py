@@ -4,7 +4,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import load_colours
+from evenload.gui import load_colours, manual
 from evenload.gui import inspection_rows as rows
 from evenload.gui.inspection_alignment import Alignment
 from evenload.gui.inspection_labels import label, unit
@@ -38,13 +38,14 @@ class DeviationLegend(Legend):
         return [(load_colours.BEYOND, words)] if self.has_beyond else []
 
 
-class InspectionDock(QtGui.QDockWidget):
+class InspectionDock(manual.Dock):
     """view: whose methods the buttons call, an InspectionView."""
 
     def __init__(self, view):
         window = FreeCADGui.getMainWindow()
         super().__init__(_translate("EvenLoad", "Inspect"), window)
         self.setObjectName(NAME)
+        self.set_page("inspect")
         self.faces, self.told_samples, self.told = label(), label(), label()
         self.predicted = label()
         self.file = label(_translate("EvenLoad", "No file is open."))

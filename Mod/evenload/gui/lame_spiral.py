@@ -6,6 +6,7 @@ from evenload.operations import lame_spiral
 
 class OperationPage(panel.OperationPage):
     kind = lame_spiral.LameSpiral
+    manual_page = "lame_spiral_operation"
 
 
 def create():

@@ -80,7 +80,9 @@ class Legend(QtGui.QWidget):
 def told(measure, value):
     """A value with its unit."""
     unit = measure.unit if measure.unit == "°" else " " + measure.unit
-    return "%.*f%s" % (measure.digits, value, unit)
+    locale = QtCore.QLocale()  # FreeCAD's: the decimal sign is the user's
+    locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
+    return locale.toString(float(value), "f", measure.digits) + unit
 
 
 def _qt(colour):

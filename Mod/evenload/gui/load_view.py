@@ -8,7 +8,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host, simulation
-from evenload.gui import load_colours, preferences, progress, view3d
+from evenload.gui import load_colours, manual, preferences, progress, view3d
 from evenload.gui.load_legend import Legend, told
 from evenload.gui.load_node import LoadNode
 from evenload.gui.observer import Observer
@@ -135,10 +135,9 @@ class LoadView:
 
     def _make_dock(self):
         window = FreeCADGui.getMainWindow()
-        self.dock = QtGui.QDockWidget(
-            _translate("EvenLoad", "Load of %s") % self.operation.Label, window
-        )
+        self.dock = manual.Dock(_translate("EvenLoad", "Load of %s") % self.operation.Label, window)
         self.dock.setObjectName(NAME)
+        self.dock.set_page("load_view")
         content = QtGui.QWidget()
         column = QtGui.QVBoxLayout(content)
         self.choice = QtGui.QComboBox()

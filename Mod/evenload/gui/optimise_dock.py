@@ -6,7 +6,7 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours
+from evenload.gui import colours, manual
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.docks import add_below
 from evenload.gui.optimise_table import CandidateModel, beside, columns
@@ -20,7 +20,7 @@ LEFT, TABLE, HEIGHT, SPACING = 300, 110, 470, 16  # pixels; table and dock are s
 BAR = 1000  # steps of the progress bar
 
 
-class OptimiseDock(QtGui.QDockWidget):
+class OptimiseDock(manual.Dock):
     """view: whose methods the widgets call, an OptimiseView. `chosen` is told with the candidate
     that is to be compared.
     """
@@ -32,6 +32,7 @@ class OptimiseDock(QtGui.QDockWidget):
         title = _translate("EvenLoad", "EvenLoad Optimise: %s") % view.operation.Label
         super().__init__(title, window)
         self.setObjectName(NAME)
+        self.set_page("optimisation")
         self.limits, self.tool = asking.limits_box(), asking.tool_box()
         self.to_try = asking.TryBox()
         self.compared, self.told = _label(), _label()

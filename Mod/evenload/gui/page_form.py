@@ -5,9 +5,9 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import engagement, fields, preferences
+from evenload.gui import engagement, fields, manual, preferences
 from evenload.gui.folds import Fold, form_in
-from evenload.gui.hole_pick import HolePick
+from evenload.gui.hole_pick import HolePick, PlacePick
 from evenload.gui.marks import Marks
 from evenload.gui.slots import slot
 from evenload.gui.status import Status
@@ -43,9 +43,11 @@ class FormPage(_gui.op.TaskPanelPage):
     """
 
     kind = None  # the operation's proxy class
+    manual_page = None  # the name of that in the documentation
     engagement = None  # the row of the engagement angle; None where an operation has none
     suggest = None  # the button that opens the dock Optimise; None where that knows no such cut
     hole = None  # the HolePick; None where an operation enters by no hole
+    open_side = None  # the PlacePick; None where an operation enters over no open side
 
     def follow(self, piece):
         """Goes to what a Piece of a sentence in the status names."""
@@ -53,6 +55,10 @@ class FormPage(_gui.op.TaskPanelPage):
 
     def take_hole(self, hole):
         """Takes a hole that was picked: (x, y, diameter or None), mm."""
+        raise NotImplementedError
+
+    def take_open_side(self, place):
+        """Takes a place near an open side that was picked: (x, y), mm."""
         raise NotImplementedError
 
     def show_status(self):
@@ -67,7 +73,8 @@ class FormPage(_gui.op.TaskPanelPage):
         self.widgets, self.labels, self.folds = {}, {}, {}
         self.status = Status(self.follow)
         self.marks = Marks()
-        form = QtGui.QWidget()
+        form = manual.Widget()
+        form.set_page(self.manual_page)
         form.destroyed.connect(_forget_the_panel)
         # Whether an operation is valid shows only after the recompute that sets its results.
         self._refresh = QtCore.QTimer(form)
@@ -132,8 +139,22 @@ class FormPage(_gui.op.TaskPanelPage):
             elif title == HOLE_IN:
                 self.hole = HolePick(self.obj.Document, self.take_hole)
                 rows.addRow(self.hole.button)
+                if "OpenSideAt" in self.settings:
+                    self.open_side = self._open_side_pick()
+                    rows.addRow(self.open_side.button)
         layout.addStretch(1)
         return content
+
+    def _open_side_pick(self):
+        return PlacePick(
+            self.obj.Document,
+            self.take_open_side,
+            _translate("EvenLoad", "Pick the Open Side"),
+            _translate(
+                "EvenLoad",
+                "A click near an open side in the 3D view: over that side the tool comes in first",
+            ),
+        )
 
     def _head(self, form):
         """The choice of the tool controller, which FreeCAD knows by the form."""

@@ -90,7 +90,7 @@ class OperationPage(PreviewPage):
         super().registerSignalHandlers(obj)
         self.form.toolController.activated.connect(slot(self._tool_chosen))
         self.form.coolantController.activated.connect(slot(self._coolant_chosen))
-        self.load.clicked.connect(slot(self._toggle_load))
+        self.load.clicked.connect(slot(self.toggle_view))
         if self.engagement is not None:
             self.engagement.share.editingFinished.connect(slot(self._share_edited))
         for name, widget in self.widgets.items():
@@ -134,8 +134,9 @@ class OperationPage(PreviewPage):
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
         self._refresh.stop()
-        if self.hole is not None:
-            self.hole.end()
+        for pick in (self.hole, self.open_side):
+            if pick is not None:
+                pick.end()
 
     def setDirty(self):
         super().setDirty()
@@ -198,7 +199,14 @@ class OperationPage(PreviewPage):
         self._show_settings(self.obj)
         self.setDirty()
 
-    def _toggle_load(self):
+    def take_open_side(self, place):
+        self.obj.ChooseOpenSide = True
+        self.obj.OpenSideAt = FreeCAD.Vector(*place, self.obj.OpenSideAt.z)
+        self._show_settings(self.obj)
+        self.setDirty()
+
+    def toggle_view(self):
+        """Shows what the simulator tells of the path, or ends that."""
         load_view.toggle(self.obj)
 
     def _suggest(self):
@@ -288,6 +296,8 @@ class OperationPage(PreviewPage):
             self.engagement.show_cut(obj)
         if self.hole is not None:
             self.hole.button.setEnabled(obj.Entry in HOLE_ENTRIES)
+        if self.open_side is not None:
+            self.open_side.button.setEnabled(obj.Entry == "Automatic")
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 

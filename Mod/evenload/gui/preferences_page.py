@@ -3,7 +3,7 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui import fields, load_colours, preferences
+from evenload.gui import fields, load_colours, manual, preferences
 from evenload.gui.machine_box import MachineBox
 from evenload.settings.setting import ANGLE, BOOL, LENGTH
 
@@ -17,7 +17,8 @@ class PageWidgets:
     """The page's widgets: `form` is all of them, `defaults` those of settings by their names."""
 
     def __init__(self):
-        self.form = QtGui.QWidget()
+        self.form = manual.Widget()
+        self.form.set_page("preferences")
         # FreeCAD's dialog shows this as the page's name.
         self.form.setWindowTitle(_translate("EvenLoad", "General"))
         self._shown = {}  # values of settings as they were shown, rounded

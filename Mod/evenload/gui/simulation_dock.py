@@ -7,7 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials
-from evenload.gui import colours
+from evenload.gui import colours, manual
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.docks import add_below
 from evenload.gui.machine_box import MachineBox
@@ -28,13 +28,14 @@ SIGN = '<span style="color: %s">\u25a0</span> '  # of the areas in the 3D view
 CELL = '<td align="right" style="padding-left: 8px">%s</td>'
 
 
-class SimulationDock(QtGui.QDockWidget):
+class SimulationDock(manual.Dock):
     """view: whose methods the widgets call, a SimulationView."""
 
     def __init__(self, view):
         window = FreeCADGui.getMainWindow()
         super().__init__(_translate("EvenLoad", "EvenLoad Simulation"), window)
         self.setObjectName(NAME)
+        self.set_page("simulation_window")
         self.asked, self.limits = _asked(), _limits()
         self.plot = PlotView()
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
@@ -58,17 +59,21 @@ class SimulationDock(QtGui.QDockWidget):
         self.setWidget(content)
         add_below(window, self, HEIGHT)
 
-    def list_operations(self, operations, chosen):
-        """Lists operations to choose from, one of which is chosen; tells nobody."""
+    def list_operations(self, operations, chosen, against=None):
+        """Lists operations to choose from, one of which is chosen, and one or None beside it; tells
+        nobody.
+        """
         for widget in (self.asked.operation, self.asked.against):
             widget.blockSignals(True)
         self.asked.against.addItem(_translate("EvenLoad", "None"), "")
-        for each in dict.fromkeys((*operations, chosen)):
+        listed = (*operations, chosen) if against is None else (*operations, chosen, against)
+        for each in dict.fromkeys(listed):
             self.asked.operation.addItem(each.Label, each.Name)
             self.asked.against.addItem(each.Label, each.Name)
         for widget in (self.asked.operation, self.asked.against):
             widget.blockSignals(False)
-        self.asked.show_values(operation=chosen.Name)
+        beside = "" if against is None else against.Name
+        self.asked.show_values(operation=chosen.Name, against=beside)
 
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""

@@ -5,6 +5,7 @@ import FreeCAD
 from evenload import host, materials
 from evenload.gui import colours, files, simulation_task
 from evenload.gui.running import Running
+from evenload.gui.slots import telling_slot
 from evenload.pictures import html_page
 from evenload.pictures.job_report import Reported, report_of
 from evenload.simulation.limits import limits_of
@@ -12,11 +13,18 @@ from evenload.simulation.limits import limits_of
 _translate = FreeCAD.Qt.translate
 
 
-class JobReport:
-    """Of one job at a time. dock: shows the progress and tells what becomes of it."""
+def asked_file(parent):
+    """The file that a report is to be written into, '' where the user cancels."""
+    return files.asked_name(parent, "Save Report", "HTML (*.html)", ".html")
 
-    def __init__(self, dock):
-        self._dock = dock
+
+class JobReport:
+    """Of one job at a time. dock: a widget that shows the progress and tells what becomes of it;
+    written: a bound method that gets the file when it is there, and is not kept alive.
+    """
+
+    def __init__(self, dock, written=None):
+        self._dock, self._written = dock, written and telling_slot(written)
         self._job = self._machine = self._material = self._path = self._reported = None
         self.task = Running(dock, dock.show_progress, self._refuse, completed=self._write)
 
@@ -62,6 +70,8 @@ class JobReport:
                 each.notes = each.run.simulation.notes
         if files.write(self._write_page, self._dock.tell):
             self._dock.tell(_translate("EvenLoad", "The report is written."))
+            if self._written:
+                self._written(self._path)
 
     def _write_page(self):
         text = report_of(self._job, self._reported, self._machine or "", self._material)

@@ -21,7 +21,7 @@ from evenload.gui.observer import Observer
 from evenload.gui.running import Running
 from evenload.gui.simulation_dock import CM3, SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
-from evenload.gui.simulation_report import JobReport
+from evenload.gui.simulation_report import JobReport, asked_file
 from evenload.gui.slots import slot, telling_slot
 from evenload.pictures import load_rows
 from evenload.pictures.figure import save
@@ -32,11 +32,11 @@ _translate = FreeCAD.Qt.translate
 
 
 class SimulationView:
-    """Of one operation, and another beside it where one is chosen. closed: called when it is to be
-    removed.
+    """Of one operation, and another beside it where one is given or chosen. closed: called when it
+    is to be removed.
     """
 
-    def __init__(self, operation, closed):
+    def __init__(self, operation, closed, against=None):
         self.operation, self._closed = operation, closed
         self.runs = []
         self._view = view3d.view_of(operation.Document)
@@ -51,7 +51,8 @@ class SimulationView:
         self._again.setSingleShot(True)
         self._connect()
         self._scene.addChild(self._clicks.root)
-        self._list_operations()
+        listed = host.with_path(host.parent_job(operation))
+        self.dock.list_operations(listed, operation, against)
         self.dock.asked.machine.show_machine(preferences.machine())
         self._show_defaults()
         self.dock.show()
@@ -69,6 +70,7 @@ class SimulationView:
 
     def remove(self):
         """Removes it from the scene and the window, and stops what is under way."""
+        self._again.stop()  # it would read a document that may be closed
         self.task.cancel()
         self.report.task.cancel()
         self._observe([])
@@ -78,11 +80,6 @@ class SimulationView:
         self.dock.deleteLater()
 
     # ---- what is asked ----
-
-    def _list_operations(self):
-        job = host.parent_job(self.operation)
-        listed = [each for each in host.operations(job) if each.Path.Size > 1] if job else []
-        self.dock.list_operations(listed, self.operation)
 
     def _show_defaults(self):
         """The material and the limits of the operation."""
@@ -227,7 +224,7 @@ class SimulationView:
 
     def save_report(self):
         job, machine = host.parent_job(self.operation), self.dock.asked.machine.machine()
-        path = self._asked_name("Save Report", "HTML (*.html)", ".html")
+        path = asked_file(self.dock) if self.runs else ""
         if path and job is not None:
             self.report.start(job, self.dock.asked.material.currentData(), machine, path)
 

@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
-from evenload.gui import steps
+from evenload.gui import manual, steps
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
@@ -27,7 +27,7 @@ LEAST_DEPTH = 0.002  # of the chart's largest: where it begins
 RED, GREEN, GREY = "#c5221f", "#137333", "#5f6368"
 
 
-class StabilityWindow(QtGui.QDialog):
+class StabilityWindow(manual.Dialog):
     """Of one operation; others of the job can be chosen. `closed` is told at its end."""
 
     closed = QtCore.Signal()
@@ -35,6 +35,7 @@ class StabilityWindow(QtGui.QDialog):
     def __init__(self, operation, parent=None):
         super().__init__(parent or FreeCADGui.getMainWindow())
         self.setWindowTitle(_translate("EvenLoad", "Stability chart"))
+        self.set_page("stability_chart")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.operation = self.read = self.best = None
         self.worker, self.searcher = Worker(), Worker()

@@ -6,6 +6,7 @@ from evenload.operations import trochoid
 
 class OperationPage(panel.OperationPage):
     kind = trochoid.Trochoid
+    manual_page = "trochoid_operation"
 
 
 def create():

@@ -21,7 +21,9 @@ def forget_the_dead():
     if _shiboken is None:
         return
     # By the type: an object of others may be asked for its class, and fail.
-    wrappers = [each for each in gc.get_objects() if issubclass(type(each), QtCore.QObject)]
+    objects = gc.get_objects()
+    kinds = {kind for kind in set(map(type, objects)) if issubclass(kind, QtCore.QObject)}
+    wrappers = [each for each in objects if type(each) in kinds]
     for wrapper in wrappers:
         if not _shiboken.isValid(wrapper):
             _shiboken.invalidate(wrapper)

@@ -31,8 +31,10 @@ from evenload.host.ops import (
     register_operation,
     surface_features,
     turned_work_plane,
+    with_path,
 )
 from evenload.host.posts import named, post, post_processors, text_of
+from evenload.host.program import without_window
 from evenload.host.window import (
     INACTIVE_ICON,
     LIST_MAKES_CONTROLLERS,
@@ -44,6 +46,7 @@ from evenload.host.window import (
     gui,
     show_controller,
     show_field,
+    show_help,
     show_job,
     show_value,
 )
@@ -91,9 +94,12 @@ __all__ = [
     "set_stock_margin",
     "show_controller",
     "show_field",
+    "show_help",
     "show_job",
     "show_value",
     "surface_features",
     "text_of",
     "turned_work_plane",
+    "with_path",
+    "without_window",
 ]

@@ -114,6 +114,11 @@ def operations(job):
     return list(job.Operations.Group)
 
 
+def with_path(job):
+    """The operations of a job that have a path, in their order; none of no job."""
+    return [each for each in operations(job) if each.Path.Size > 1] if job else []
+
+
 def call_after_recompute(function):
     """Has function(document) called after each recompute of a document, from now on."""
 

@@ -1,5 +1,7 @@
 """FreeCAD's window: for evenload.gui, and for what is made while there is one."""
 
+import importlib
+import importlib.util
 from types import SimpleNamespace
 
 from evenload.host.versions import ASSETS, CAM, MOVED
@@ -96,6 +98,18 @@ def show_job(job):
         # FreeCAD takes it for the view of a job that is just being made, and Cancel in its first
         # panel would delete the job with all its operations.
         view.Proxy.deleteOnReject = False
+
+
+def show_help(address):
+    """Opens a page of a documentation as FreeCAD does for What's This: by its module Help, which
+    1.0 and 1.1 bring along and 0.20 has as an addon, or in the browser.
+    """
+    if importlib.util.find_spec("Help") is not None:
+        importlib.import_module("Help").show(address)
+        return
+    from PySide import QtCore, QtGui
+
+    QtGui.QDesktopServices.openUrl(QtCore.QUrl(address))
 
 
 def add_to_workbench(commands):

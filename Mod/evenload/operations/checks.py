@@ -131,3 +131,19 @@ def hole(obj, tool, floors):
             % (at.x, at.y, listed([floor.name for floor in floors], " and ", "others"))
         )
     return at.x, at.y, diameter
+
+
+def open_side_at(obj):
+    """(x, y) of the place near the open side over which the tool comes in, or None."""
+    is_chosen = getattr(obj, "ChooseOpenSide", False) and obj.Entry == "Automatic"
+    return (obj.OpenSideAt.x, obj.OpenSideAt.y) if is_chosen else None
+
+
+def open_side(obj, floors):
+    """Raises ValueError where the tool shall come in over an open side and there is none."""
+    chains = [chain for floor in floors for chain in (floor.outer, *floor.islands)]
+    if open_side_at(obj) and not any(vertex[3] for chain in chains for vertex in chain):
+        raise ValueError(
+            "No side of %s is open, over which the tool could come in: turn ChooseOpenSide off."
+            % listed([floor.name for floor in floors], " and ", "others")
+        )

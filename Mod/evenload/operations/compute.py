@@ -41,6 +41,7 @@ def read(proxy, op, seen=None):
     if matters:
         rest.wait_for_earlier(op, is_linked=seen is None)
     hole = checks.hole(obj, tool, floors)
+    checks.open_side(obj, floors)
     return Task(
         proxy,
         settings_of(obj, proxy.settings),
@@ -92,6 +93,7 @@ def _parameters(proxy, obj, tool, data, hole, slack):
         "maximum_feed": max(60 * obj.MaximumFeed.Value, data.feed),
         "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
         "entry_point": hole[:2] if hole else None,
+        "open_side": checks.open_side_at(obj),
         "hole_diameter": hole[2] if hole else 0.0,
         "stock_to_leave": obj.StockToLeave.Value + slack,
         "tolerance": obj.Tolerance.Value - 2 * slack,

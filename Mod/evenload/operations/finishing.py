@@ -13,7 +13,7 @@ from evenload.operations.seen import settings_of
 from evenload.settings import parameters, ranges
 from evenload.settings.notes import KEPT_OFF
 from evenload.settings.results import FINISHING_RESULTS
-from evenload.settings.table import BETWEEN_GUIDES, EVEN_CUSPS, FINISHING, PARALLEL
+from evenload.settings.table import BETWEEN_GUIDES, BY_CUSPS, EVEN_CUSPS, FINISHING
 from evenload.waiting import Stopped
 
 NAME = "EvenLoad Finishing"
@@ -183,9 +183,9 @@ def _end_radius(obj):
     return tools.end_radius(obj.ToolController) if obj.ToolController else 0.0
 
 
-def _wants_even_cusps(obj):
-    """Whether the passes' distances follow a cusp height; those along the outline keep theirs."""
-    return obj.Spacing == EVEN_CUSPS and obj.Strategy in PARALLEL
+def wants_even_cusps(obj):
+    """Whether the passes' distances follow a cusp height; those between guides keep theirs."""
+    return obj.Spacing == EVEN_CUSPS and obj.Strategy in BY_CUSPS
 
 
 def of_models(job, picked):
@@ -209,7 +209,7 @@ def _lines(base, strategy):
     """{"guides": the lines of what is no face} where the strategy has guides; others leave them
     aside.
     """
-    if strategy != BETWEEN_GUIDES:
+    if strategy not in BETWEEN_GUIDES:
         return {}
     return {"guides": guides.of([each for each in base if not each[1][0].startswith("Face")])}
 
@@ -224,7 +224,7 @@ def check(obj, tool):
             "Stepover is %g mm, more than the tool's diameter of %g mm: lower it."
             % (obj.Stepover.Value, tool.diameter)
         )
-    if not _wants_even_cusps(obj):
+    if not wants_even_cusps(obj):
         return
     corner = tool.end_radius
     if not corner > 0:
@@ -271,7 +271,7 @@ def arguments_of(obj, tool, data, found):
         "rapid_feed": data.rapid_feed or tools.ASSUMED_RAPID,
         "cut_mode": compute.core_cut_mode(obj, data),
     }
-    if _wants_even_cusps(obj):
+    if wants_even_cusps(obj):
         arguments["cusp_height"] = obj.CuspHeight.Value
     return arguments
 

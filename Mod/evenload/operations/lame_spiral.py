@@ -3,7 +3,7 @@
 from evenload.operations import base, registry
 from evenload.settings import parameters as words
 from evenload.settings.results import RESULTS_OF_LAME_SPIRAL, RESULT_SETTINGS
-from evenload.settings.table import OF_LAME_SPIRAL, SETTINGS
+from evenload.settings.table import OF_LAME_SPIRAL, SETTINGS, without_open_sides
 
 NAME = "EvenLoad Lame Spiral"  # FreeCAD makes names of properties from it
 
@@ -15,7 +15,7 @@ class LameSpiral(base.Operation):
 
     name = NAME
     partly_open = False
-    settings = (*SETTINGS, *OF_LAME_SPIRAL)
+    settings = (*without_open_sides(SETTINGS), *OF_LAME_SPIRAL)
     results = (*RESULT_SETTINGS, *RESULTS_OF_LAME_SPIRAL)
 
     def generate(self, settings, core, regions, parameters):

@@ -13,6 +13,8 @@ from evenload.optimisation.result import LIMITS, Candidate, Optimisation
 from evenload.optimisation.scaled_path import Loads, ScaledPath
 from evenload.waiting import Stopped
 
+ROUNDING = 1e-9  # a share of a feed
+
 
 def optimise(
     region,
@@ -233,7 +235,8 @@ class _LevelOf:
         else:
             wanted, at = self.task.feed / per_minute, "At %.5g mm/min" % self.task.feed
             row.feed_per_tooth = wanted
-        if feed < wanted:
+        # The largest feed itself, per minute and back, may come out larger by rounding.
+        if feed < wanted * (1 - ROUNDING):
             _refuse(row, row.bound_by, "%s %s" % (at, self._too_much(row)))
         elif self.task.feed is not None:
             row.bound_by = ""

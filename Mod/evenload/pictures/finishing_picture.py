@@ -2,6 +2,7 @@
 
 from evenload import planar
 from evenload.pictures import path_picture
+from evenload.translation import translate
 
 
 def picture(op, path):
@@ -12,13 +13,13 @@ def picture(op, path):
     last = op.Proxy.last
     if last is None:
         raise ValueError("%s has no path to draw: recompute it first." % op.Label)
-    title = "%s: %d s, %d passes" % (op.Label, round(op.CuttingTime), op.Passes)
+    title = translate("%s: %d s, %d passes") % (op.Label, round(op.CuttingTime), op.Passes)
     draw(path, last.toolpath.moves, title)
 
 
 def draw(path, moves, title):
     """The same for moves as the core returns them."""
     lowest = min(move[3] for move in moves if move[0] == planar.CUT)
-    samples = [(x, y, z - lowest, kind) for kind, x, y, z, *_ in moves]
-    meaning = "height of the tool's tip above z = %.3f, mm" % lowest
+    samples = [(x, y, z - lowest, kind) for (x, y, z), kind in zip(*planar.drawn(moves))]
+    meaning = translate("height of the tool's tip above z = %.3f, mm") % lowest
     path_picture.draw(path, samples, [], None, title, meaning)

@@ -4,6 +4,8 @@ import base64
 import html
 import io
 
+from evenload.translation import language
+
 STYLE = """
 body { font: 10pt/1.4 sans-serif; color: #202124; max-width: 180mm; margin: 10mm auto; }
 h1 { font-size: 16pt; margin: 0 0 2mm; } h2 { font-size: 12pt; margin: 6mm 0 2mm; }
@@ -21,14 +23,17 @@ tr.bad td { font-weight: bold; }
 
 
 def page(title, parts):
-    """The text of a page of parts in HTML, under its title.
+    """The text of a page of parts in HTML, in the user's language as its texts, under its title.
 
     The same parts give the same bytes: a browser prints the day itself.
     """
     return (
-        '<!DOCTYPE html>\n<html lang="en"><head><meta charset="utf-8"><title>%s</title>'
+        '<!DOCTYPE html>\n<html lang="%s"><head><meta charset="utf-8"><title>%s</title>'
         "<style>%s</style></head>\n<body>%s</body></html>\n"
-        % (html.escape(title), STYLE, "\n".join(["<h1>%s</h1>" % html.escape(title), *parts]))
+        % (
+            *(html.escape(language()), html.escape(title), STYLE),
+            "\n".join(["<h1>%s</h1>" % html.escape(title), *parts]),
+        )
     )
 
 
@@ -36,6 +41,11 @@ def write(text, path):
     """Writes a page. Raises OSError."""
     with open(path, "w", encoding="utf-8") as file:
         file.write(text)
+
+
+def heading(text):
+    """What stands over a section."""
+    return "<h2>%s</h2>" % html.escape(text)
 
 
 def verdict(kind, text):

@@ -1,11 +1,15 @@
-"""A report of the simulations of a job as one HTML file, made to be printed. Needs no FreeCAD."""
+"""A report of the simulations of a job as one HTML file, made to be printed. Needs no FreeCAD.
 
-import html
+It is in the user's language where it is made in FreeCAD's window, else in English.
+"""
+
 from dataclasses import dataclass, field
 
 from evenload.pictures import html_page, load_rows, simulation_pictures
 from evenload.pictures.figure import save
-from evenload.words import clock, listed
+from evenload.settings.sentences import shown
+from evenload.translation import filled, translate
+from evenload.words import MOST_NAMES, clock, listed
 
 MOST_INCIDENTS = 50  # of an operation, that are listed one by one
 CM3 = 1e3  # mm3
@@ -13,6 +17,9 @@ HEAD = (
     *("Operation", "Tool", "Time", "On the machine", "Engagement, \u00b0"),
     *("Removal rate, cm\u00b3/min", "Force, N", "Rest, mm\u00b2", "Incidents"),
 )
+AXES = "x, mm", "y, mm", "z, mm"  # the same in each language
+INCIDENT_HEAD = ("Incident", "Command", *AXES, "Amount, mm")
+KINDS = ("Gouge", "Fixture", "Rapid in material", "Plunge in material")  # the core's, of incidents
 
 
 @dataclass
@@ -25,7 +32,7 @@ class Reported:
     stock: object = ()  # in the words that `simulate` takes, as the part
     part: object = ()  # None: what must stay is not known
     limits: dict = field(default_factory=dict)  # as load_rows.draw takes them
-    notes: list = field(default_factory=list)  # sentences
+    notes: list = field(default_factory=list)  # sentences in English
 
 
 def report_of(job, reported, machine="", material=""):
@@ -35,34 +42,45 @@ def report_of(job, reported, machine="", material=""):
     parts = [_verdict(reported), _facts(reported, machine, material), _table(reported)]
     for each in reported:
         parts += _section(each)
-    return html_page.page("Simulation of %s" % job, parts)
+    return html_page.page(translate("Simulation of %s") % job, parts)
 
 
 def _verdict(reported):
     count = sum(len(each.run.simulation.incidents) for each in reported if each.run)
     unknown = [each.name for each in reported if each.run is None]
     if count:
-        return html_page.verdict("bad", "Incidents: %d, see below." % count)
+        return html_page.verdict("bad", translate("Incidents: %d, see below.") % count)
     if not reported:
-        return html_page.verdict("open", "The job has no active operation.")
+        return html_page.verdict("open", translate("The job has no active operation."))
     if unknown:
-        return html_page.verdict("open", "Not simulated: %s." % listed(unknown))
+        return html_page.verdict("open", translate("Not simulated: %s.") % _listed(unknown))
     unchecked = [each.name for each in reported if each.part is None]
     if unchecked:
-        words = "No incidents; what must stay is not known for %s." % listed(unchecked)
-        return html_page.verdict("open", words)
-    return html_page.verdict("good", "No gouge, no rapid or plunge in material.")
+        words = translate("No incidents; what must stay is not known for %s.")
+        return html_page.verdict("open", words % _listed(unchecked))
+    return html_page.verdict("good", translate("No gouge, no rapid or plunge in material."))
+
+
+def _listed(names):
+    """As listed(), in the user's language."""
+    names = list(dict.fromkeys(names))
+    beyond = len(names) - MOST_NAMES
+    if beyond <= 0:
+        return listed(names)
+    return filled(translate("%1 and %2 more"), (listed(names[:MOST_NAMES]), str(beyond)))
 
 
 def _facts(reported, machine, material):
     found = [each.run.simulation for each in reported if each.run]
-    rows = [("Time at the programmed feeds", clock(sum(each.time_total_s for each in found)))]
+    time = clock(sum(each.time_total_s for each in found))
+    rows = [(translate("Time at the programmed feeds"), time)]
     if machine:
         times = (each.machine_time_total_s for each in found)
-        rows.append(("Time on the machine", "%s, %s" % (clock(sum(times)), machine)))
+        rows.append((translate("Time on the machine"), "%s, %s" % (clock(sum(times)), machine)))
     if material:
-        rows.append(("Material of the forces", material))
-    rows.append(("Not in the times", "Tool changes, dwells of the spindle, coolant"))
+        rows.append((translate("Material of the forces"), material))
+    left_out = translate("Tool changes, dwells of the spindle, coolant")
+    rows.append((translate("Not in the times"), left_out))
     return html_page.facts(rows)
 
 
@@ -72,7 +90,11 @@ def _table(reported):
         for each in reported
     ]
     bad = {n for n, each in enumerate(reported) if each.run and each.run.simulation.incidents}
-    return "<h2>Operations</h2>" + html_page.table(HEAD, rows, bad)
+    return html_page.heading(translate("Operations")) + html_page.table(_head(HEAD), rows, bad)
+
+
+def _head(texts):
+    return [translate(each) for each in texts]
 
 
 def _row(reported, found):
@@ -89,8 +111,8 @@ def _row(reported, found):
 
 
 def _section(reported):
-    parts = ["<h2>%s</h2>" % html.escape(reported.name)]
-    parts.append(html_page.sentences(reported.notes))
+    parts = [html_page.heading(reported.name)]
+    parts.append(html_page.sentences(map(shown, reported.notes)))
     if reported.run is None:
         return parts
     found, name = reported.run.simulation, reported.name
@@ -98,14 +120,15 @@ def _section(reported):
     parts += [
         html_page.picture(
             lambda file: save(load_rows.picture([reported.run], reported.limits), file),
-            "Load of %s over time" % name,
+            translate("Load of %s over time") % name,
         ),
         html_page.picture(
-            lambda file: simulation_pictures.path(found, file), "Engagement along %s" % name
+            lambda file: simulation_pictures.path(found, file),
+            translate("Engagement along %s") % name,
         ),
         html_page.picture(
             lambda file: simulation_pictures.rest(found, file, reported.stock, reported.part or ()),
-            "Rest and incidents of %s" % name,
+            translate("Rest and incidents of %s") % name,
         ),
     ]
     return parts
@@ -113,12 +136,11 @@ def _section(reported):
 
 def _incidents(found):
     if not found.incidents:
-        return html_page.sentences(["No incidents."])
+        return html_page.sentences([translate("No incidents.")])
     rows = [
-        (what.capitalize(), "%d" % line, *("%.3f" % each for each in (x, y, z, amount)))
+        (translate(what.capitalize()), "%d" % line, *("%.3f" % each for each in (x, y, z, amount)))
         for what, x, y, z, _, line, amount in found.incidents[:MOST_INCIDENTS]
     ]
     more = len(found.incidents) - len(rows)
-    head = ("Incident", "Command", "x, mm", "y, mm", "z, mm", "Amount, mm")
-    told = html_page.sentences(["Not listed: %d more." % more]) if more else ""
-    return html_page.table(head, rows, set(range(len(rows)))) + told
+    told = html_page.sentences([translate("Not listed: %d more.") % more]) if more else ""
+    return html_page.table(_head(INCIDENT_HEAD), rows, set(range(len(rows)))) + told

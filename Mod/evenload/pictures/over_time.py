@@ -4,6 +4,7 @@ import numpy
 
 from evenload import planar
 from evenload.pictures.path_picture import ENTRY_COLOUR, LINK_COLOUR
+from evenload.translation import translate
 
 LOAD_COLOUR, LIMIT_COLOUR, PEAK_COLOUR = "#1a73e8", "#d93025", "#e8710a"
 KINDS = (
@@ -18,28 +19,30 @@ COLUMNS = 1200  # of a plot over time: more samples are drawn as their least, me
 def draw_load(upper, lower, simulation, target_deg, nominal_rate):
     time = simulation.time_s
     draw_band(upper, time, simulation.engagement_deg)
-    upper.set_ylabel("engagement, degrees")
-    draw_limit(upper, target_deg, "target %.4g\u00b0")
+    upper.set_ylabel(translate("engagement, degrees"))
+    draw_limit(upper, target_deg, translate("target %.4g\u00b0"))
     draw_kinds(upper, time, simulation.kind)
     draw_band(lower, time, numpy.asarray(simulation.removal_rate) / 1000.0)
-    lower.set_ylabel("removal rate, cm\u00b3/min")
-    draw_limit(lower, nominal_rate / 1000.0 if nominal_rate else None, "nominal %.4g cm\u00b3/min")
+    lower.set_ylabel(translate("removal rate, cm\u00b3/min"))
+    nominal = translate("nominal %.4g cm\u00b3/min")
+    draw_limit(lower, nominal_rate / 1000.0 if nominal_rate else None, nominal)
     for axes in (upper, lower):
         dress(axes, time)
     upper.tick_params(labelbottom=False)
-    lower.set_xlabel("time, s")
+    lower.set_xlabel(translate("time, s"))
     _legend_above(upper)
     if nominal_rate:
         _legend_above(lower)
 
 
 def draw_force(axes, simulation, reference):
-    draw_band(axes, simulation.time_s, simulation.force_peak, colour=PEAK_COLOUR, label="peak")
-    draw_band(axes, simulation.time_s, simulation.force_mean, label="mean of a revolution")
-    draw_limit(axes, reference, "reference %.4g N")
-    dress(axes, simulation.time_s)
-    axes.set_ylabel("force in XY, N")
-    axes.set_xlabel("time, s")
+    time, peak, mean = simulation.time_s, translate("peak"), translate("mean of a revolution")
+    draw_band(axes, time, simulation.force_peak, colour=PEAK_COLOUR, label=peak)
+    draw_band(axes, time, simulation.force_mean, label=mean)
+    draw_limit(axes, reference, translate("reference %.4g N"))
+    dress(axes, time)
+    axes.set_ylabel(translate("force in XY, N"))
+    axes.set_xlabel(translate("time, s"))
     _legend_above(axes)
 
 
@@ -114,7 +117,7 @@ def draw_kinds(axes, time, kind):
             (time[a], time[b] - time[a]) for a, b in zip(starts, ends) if kind[a + 1] == number
         ]
         if spans:
-            axes.broken_barh(
-                spans, (-1.6 * height, height), facecolors=colour, linewidth=0, label=label
-            )
+            place = -1.6 * height, height
+            words = translate(label)
+            axes.broken_barh(spans, place, facecolors=colour, linewidth=0, label=words)
     axes.set_ylim(bottom=-2.0 * height)

@@ -8,6 +8,7 @@ from matplotlib.patches import Circle
 
 from evenload import compiled, planar
 from evenload.pictures.figure import legend_below, new_figure, save, seen_from_above
+from evenload.translation import translate
 
 PROFILE_GAP = (
     0.35  # mm: points of the core's profile further apart than this have a retract between
@@ -35,14 +36,14 @@ def picture(op, path):
     chains = [c for floor in last.floors for c in (floor.outer, *floor.islands)]
     title = "%s: %d s" % (op.Label, round(op.CuttingTime))
     if op.IdealTime > 0:
-        title += ", %.2f of the ideal" % (op.CuttingTime / op.IdealTime)
+        title += translate(", %.2f of the ideal") % (op.CuttingTime / op.IdealTime)
     draw(
         path,
         samples,
         [outline(chain) for chain in chains],
         last.hole,
         title,
-        "engagement angle, degrees",
+        translate("engagement angle, degrees"),
         largest=1.15 * op.EngagementAngle.Value,
         gap=PROFILE_GAP,
     )
@@ -113,12 +114,12 @@ def draw(path, samples, outlines, hole, title, meaning, largest=None, gap=None):
     save(figure, path)
 
 
-def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, walls="pocket"):
+def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, walls=None):
     """Draws samples (x, y, value, kind): cuts coloured by value, the rest by kind.
 
-    outlines: lists of (x, y), black, and `walls` what they are; hole: (x, y, diameter) or None;
-    meaning: of the value; largest: value at the colours' end, by default the largest there is; gap:
-    samples further apart than this are joined as rapids are. mm.
+    outlines: lists of (x, y), black, and `walls` what they are, a pocket by default; hole:
+    (x, y, diameter) or None; meaning: of the value; largest: value at the colours' end, by default
+    the largest there is; gap: samples further apart than this are joined as rapids are. mm.
     """
     for line in outlines:
         axes.plot(*zip(*line), color=WALL_COLOUR, linewidth=1.6, zorder=4)
@@ -138,9 +139,9 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
     axes.add_collection(cuts)
     axes.figure.colorbar(cuts, ax=axes, label=meaning, shrink=0.8)
     for kind, colour, label, style in (
-        (planar.LINK, LINK_COLOUR, "links", "-"),
-        (planar.ENTRY, ENTRY_COLOUR, "entry", "-"),
-        (planar.RAPID, LINK_COLOUR, "rapids", ":"),
+        (planar.LINK, LINK_COLOUR, translate("links"), "-"),
+        (planar.ENTRY, ENTRY_COLOUR, translate("entry"), "-"),
+        (planar.RAPID, LINK_COLOUR, translate("rapids"), ":"),
     ):
         lines = pieces[kind][0]
         if lines:
@@ -157,13 +158,20 @@ def draw_path(axes, samples, outlines, hole, meaning, largest=None, gap=None, wa
     if hole:
         axes.add_patch(
             Circle(
-                hole[:2], hole[2] / 2, fill=False, linestyle="--", color=WALL_COLOUR, label="hole"
+                hole[:2],
+                hole[2] / 2,
+                fill=False,
+                linestyle="--",
+                color=WALL_COLOUR,
+                label=translate("hole"),
             )
         )
     first = next((s for s in samples if s[3] != planar.RAPID), None)
     if first:
-        axes.plot(*first[:2], "o", color=START_COLOUR, markersize=7, zorder=5, label="start")
+        axes.plot(
+            *first[:2], "o", color=START_COLOUR, markersize=7, zorder=5, label=translate("start")
+        )
     if outlines:
-        axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label=walls)
+        axes.plot([], [], color=WALL_COLOUR, linewidth=1.6, label=walls or translate("pocket"))
     seen_from_above(axes)
     legend_below(axes)

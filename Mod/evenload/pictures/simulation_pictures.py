@@ -15,16 +15,18 @@ from evenload.pictures import path_picture
 from evenload.pictures.figure import legend_below, new_figure, save, seen_from_above
 from evenload.pictures.over_time import LIMIT_COLOUR, draw_force, draw_load
 from evenload.simulation import Simulation, prisms_of
+from evenload.translation import translate
 
 REST_COLOUR, WAY_COLOUR = "#e8710a", "#c5cbd3"
 
 PART_COLOURS = "#f1ece0", "#b7a88a"  # of the lowest and of the highest top
+LABELS = "gouge", "in a fixture", "rapid in material", "plunge in material"  # of incidents
 # (beginning of an incident's name, label, marker, colour)
 INCIDENTS = (
-    ("gouge", "gouge", "X", "#d93025"),
-    ("fixture", "in a fixture", "s", "#202124"),
-    ("rapid", "rapid in material", "^", "#7b3fa0"),
-    ("plunge", "plunge in material", "v", "#1a73e8"),
+    ("gouge", LABELS[0], "X", "#d93025"),
+    ("fixture", LABELS[1], "s", "#202124"),
+    ("rapid", LABELS[2], "^", "#7b3fa0"),
+    ("plunge", LABELS[3], "v", "#1a73e8"),
 )
 MOST_LABELS = 8  # rests that are named by their area, the largest first
 
@@ -38,7 +40,7 @@ def path(simulation, file, outlines=(), hole=None, target_deg=None, title="Engag
     figure = new_figure(9, 8, layout="constrained")
     axes = figure.add_subplot()
     _draw_path(axes, simulation, outlines, hole, target_deg)
-    axes.set_title(title)
+    axes.set_title(translate(title))
     return _saved(figure, file)
 
 
@@ -50,7 +52,7 @@ def load(simulation, file, target_deg=None, nominal_rate=None, title="Load"):
     figure = new_figure(10, 6.5, layout="constrained")
     upper, lower = figure.subplots(2, 1, sharex=True)
     draw_load(upper, lower, simulation, target_deg, nominal_rate)
-    upper.set_title(title, loc="left")
+    upper.set_title(translate(title), loc="left")
     return _saved(figure, file)
 
 
@@ -64,7 +66,7 @@ def force(simulation, file, reference=None, title="Force"):
     figure = new_figure(10, 4.5, layout="constrained")
     axes = figure.add_subplot()
     draw_force(axes, simulation, reference)
-    axes.set_title(title, loc="left")
+    axes.set_title(translate(title), loc="left")
     return _saved(figure, file)
 
 
@@ -76,7 +78,7 @@ def rest(simulation, file, stock=(), part=(), title="Rest and incidents"):
     figure = new_figure(9, 8, layout="constrained")
     axes = figure.add_subplot()
     _draw_rest(axes, simulation, *_prisms(simulation, stock, part))
-    axes.set_title(title)
+    axes.set_title(translate(title))
     return _saved(figure, file)
 
 
@@ -104,21 +106,22 @@ def sheet(
     walls = [region for region, top in part if top == max(tops)]
     _draw_path(left, simulation, walls, hole, target_deg)
     _draw_rest(right, simulation, stock, part)
-    left.set_title("Engagement")
-    right.set_title("Rest and incidents")
+    left.set_title(translate("Engagement"))
+    right.set_title(translate("Rest and incidents"))
     grid = below.add_gridspec(2, 2)
     upper = below.add_subplot(grid[0, 0])
     lower = below.add_subplot(grid[1, 0], sharex=upper)
     draw_load(upper, lower, simulation, target_deg, nominal_rate)
-    upper.set_title("Load", loc="left")
+    upper.set_title(translate("Load"), loc="left")
     axes = below.add_subplot(grid[:, 1])
-    axes.set_title("Force", loc="left")
+    axes.set_title(translate("Force"), loc="left")
     if simulation.force_peak is None:
-        axes.text(0.5, 0.5, "no material, no forces", ha="center", transform=axes.transAxes)
+        words = translate("no material, no forces")
+        axes.text(0.5, 0.5, words, ha="center", transform=axes.transAxes)
         axes.set_axis_off()
     else:
         draw_force(axes, simulation, reference)
-    figure.suptitle("%s\n%s" % (title, summary(simulation)), fontsize=12)
+    figure.suptitle("%s\n%s" % (translate(title), summary(simulation)), fontsize=12)
     return _saved(figure, file)
 
 
@@ -126,14 +129,14 @@ def summary(simulation):
     """The figures in one line."""
     words = ["%.0f s" % simulation.time_total_s]
     if simulation.machine_time_total_s is not None:
-        words.append("%.0f s on the machine" % simulation.machine_time_total_s)
-    words.append("largest engagement %.1f\u00b0" % simulation.max_engagement_deg)
-    words.append("rest %.2f mm\u00b2" % simulation.rest_area)
-    words.append("gouge %.3f mm" % simulation.gouge_mm)
-    words.append("rapids in material %.1f mm" % simulation.rapid_in_material_mm)
-    words.append("plunges in material %.1f mm" % simulation.plunge_in_material_mm)
+        words.append(translate("%.0f s on the machine") % simulation.machine_time_total_s)
+    words.append(translate("largest engagement %.1f\u00b0") % simulation.max_engagement_deg)
+    words.append(translate("rest %.2f mm\u00b2") % simulation.rest_area)
+    words.append(translate("gouge %.3f mm") % simulation.gouge_mm)
+    words.append(translate("rapids in material %.1f mm") % simulation.rapid_in_material_mm)
+    words.append(translate("plunges in material %.1f mm") % simulation.plunge_in_material_mm)
     if simulation.force_peak_max is not None:
-        words.append("largest force %.0f N" % simulation.force_peak_max)
+        words.append(translate("largest force %.0f N") % simulation.force_peak_max)
     return ", ".join(words)
 
 
@@ -154,9 +157,9 @@ def _draw_path(axes, simulation, outlines, hole, target_deg):
         samples,
         [_closed(polygon) for item in outlines for polygon in _polygons(item)],
         hole,
-        "engagement angle, degrees",
+        translate("engagement angle, degrees"),
         largest=1.15 * target_deg if target_deg else None,
-        walls="part",
+        walls=translate("part"),
     )
 
 
@@ -169,7 +172,7 @@ def _draw_rest(axes, simulation, stock, part):
     _fill_part(axes, part)
     _draw_way(axes, simulation)
     for number, outline in enumerate(simulation.rest_outlines):
-        label = "rest" if number == 0 else None
+        label = translate("rest") if number == 0 else None
         points = numpy.array(outline)
         # Edges in the same colour: the tiles of one patch show no seams.
         axes.fill(*points.T, color=REST_COLOUR, lw=0.6, zorder=5, label=label)
@@ -196,11 +199,11 @@ def _draw_rest(axes, simulation, stock, part):
                 edgecolors="white",
                 linewidths=0.8,
                 zorder=6,
-                label="%s (%d)" % (label, len(places)),
+                label="%s (%d)" % (translate(label), len(places)),
             )
     seen_from_above(axes)
     if not simulation.incidents and not len(simulation.rest_outlines):
-        axes.plot([], [], " ", label="no rest, no incidents")
+        axes.plot([], [], " ", label=translate("no rest, no incidents"))
     legend_below(axes, columns=3)
 
 
@@ -211,7 +214,7 @@ def _fill_part(axes, part):
     for item, top in sorted(part, key=lambda prism: prism[1]):
         loops = [Path(_closed(polygon), closed=True) for polygon in _polygons(item)]
         rank = tops.index(round(top, 4))
-        label = "part, top at z = %g" % tops[rank]
+        label = translate("part, top at z = %g") % tops[rank]
         axes.add_patch(
             PathPatch(
                 Path.make_compound_path(*loops),

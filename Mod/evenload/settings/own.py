@@ -201,17 +201,20 @@ OF_LAME_SPIRAL = (
 
 EVEN_CUSPS = "Constant cusp height"
 PARALLEL = ["Zig-zag", "One way"]  # strategies with passes side by side
+CONTOURS = ["Contours inwards", "Contours outwards"]
 SPIRALS = ["Spiral inwards", "Spiral outwards"]
-BETWEEN_GUIDES = "Between guides"
+BETWEEN_GUIDES = ["Between guides", "One way between guides"]
+BY_CUSPS = [*PARALLEL, *CONTOURS, *SPIRALS]  # whose distances may follow a cusp height
 
 OF_FINISHING = (
     Setting(
         "Strategy",
         CHOICE,
-        [*PARALLEL, "Contours inwards", "Contours outwards", *SPIRALS, BETWEEN_GUIDES],
+        [*BY_CUSPS, *BETWEEN_GUIDES],
         "Parallel passes to and fro, or all in one direction with a way back over the part; passes "
         "along the outline of the faces, or a spiral round their middle, from the outside or from "
-        "the inside on; or passes between two picked edges, from the shape of one to the other's",
+        "the inside on; or passes between two picked edges, from the shape of one to the other's, "
+        "to and fro or all in one direction",
         label="Strategy",
         box="Passes",
         is_first=True,
@@ -221,7 +224,8 @@ OF_FINISHING = (
         "inwards, Contours outwards: along the faces' outline as it is seen from above, from the "
         "border or from the middle on; or Spiral inwards, Spiral outwards: one spiral round the "
         "middle of the faces, for round ones; or Between guides: to and fro, from one of two "
-        "edges, chains of edges or sketches picked beside the faces to the other",
+        "edges, chains of edges or sketches picked beside the faces to the other; or One way "
+        "between guides: the same as One way",
     ),
     Setting(
         "PassAngle",
@@ -239,14 +243,15 @@ OF_FINISHING = (
         "Spacing",
         CHOICE,
         ["Constant stepover", EVEN_CUSPS],
-        "What is the same between all parallel passes: their distance seen from above, or the "
-        "height of what stands between them",
+        "What is the same between all passes: their distance seen from above, or the height of "
+        "what stands between them",
         label="Spacing",
         box="Passes",
         is_first=True,
-        when=("Strategy", PARALLEL),
-        page="parallel passes at even distances, seen from above; or Constant cusp height: as far "
-        "apart as the surface's slope and curvature allow ([how](finishing.md#2-spacing_by_cusp))",
+        when=("Strategy", BY_CUSPS),
+        page="passes at even distances, seen from above; or Constant cusp height: as far apart as "
+        "the surface's slope and curvature allow ([how](finishing.md#2-spacing_by_cusp)), along "
+        "contours and spirals at each place of them; not between guides",
     ),
     Setting(
         "Stepover",
@@ -290,6 +295,20 @@ OF_FINISHING = (
         keyword="boundary",
         page="what stays on the picked faces: the point where the tool touches; or Tool centre: "
         "its axis, seen from above",
+    ),
+    Setting(
+        "Extension",
+        LENGTH,
+        0.0,
+        "How far passes go on beyond the border of the faces, seen from above: along what goes on "
+        "there or falls away, not up what rises",
+        label="Extension",
+        box="Passes",
+        keyword="extension",
+        range=NOT_NEGATIVE,
+        unset="none",
+        page="how far passes go on beyond the border of the faces, seen from above "
+        "([where](finishing.md#3-extension))",
     ),
     Setting(
         "Allowance",

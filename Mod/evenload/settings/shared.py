@@ -237,6 +237,30 @@ SETTINGS = (
         "that no post stays in its middle: Report says so",
     ),
     Setting(
+        "ChooseOpenSide",
+        BOOL,
+        False,
+        "Whether the open side over which the tool first comes in is chosen by a place",
+        label="Choose the open side",
+        box="Entry",
+        when=("Entry", ["Automatic"]),
+        page="whether OpenSideAt tells over which open side the tool first comes in; without one "
+        "the operation is refused then",
+    ),
+    Setting(
+        "OpenSideAt",
+        POINT,
+        (0.0, 0.0, 0.0),
+        "The tool first comes in over the open side that is nearest to this place",
+        label="Open side at",
+        box="Entry",
+        when=("Entry", ["Automatic"]),
+        needs="ChooseOpenSide",
+        default="(0, 0)",
+        page="the place: the tool first comes in over the open side that is nearest to it; regions "
+        "without one are entered by a hole, helix or ramp",
+    ),
+    Setting(
         "EntryPoint",
         POINT,
         (0.0, 0.0, 0.0),

@@ -10,6 +10,7 @@ from dataclasses import replace
 
 from evenload.settings.own import (
     BETWEEN_GUIDES,
+    BY_CUSPS,
     EVEN_CUSPS,
     OF_ADAPTIVE,
     OF_FINISHING,
@@ -25,6 +26,7 @@ __all__ = [
     "ALL",
     "BETWEEN_GUIDES",
     "BOXES",
+    "BY_CUSPS",
     "CONSTANT_FORCE",
     "EVEN_CUSPS",
     "FINISHING",
@@ -40,6 +42,7 @@ __all__ = [
     "TOLERANCE",
     "boxes_of",
     "sections_of",
+    "without_open_sides",
 ]
 
 ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL, *OF_FINISHING)
@@ -47,6 +50,7 @@ ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL, *OF_FINISHING)
 BOXES = ("Slot", "Spiral", "Passes", "Cut", "Feeds", "Entry", "Path")  # of the panels, from the top
 
 (_CUT_MODE,) = (row for row in SETTINGS if row.name == "CutMode")
+(_ARCS,) = (row for row in SETTINGS if row.name == "Arcs")
 # All settings of the operation that finishes surfaces.
 FINISHING = (
     *OF_FINISHING,
@@ -59,6 +63,7 @@ FINISHING = (
         "surface included; into the part it goes by a third of it at the most, by a fifth where no "
         "face is round in two directions",
     ),
+    replace(_ARCS, page="no: lines only, also along contours and spirals"),
 )
 
 
@@ -76,3 +81,8 @@ def sections_of(settings):
     folded = [(title, [row for row in rows if not row.is_first]) for title, rows in boxes]
     first = [row for _, rows in boxes for row in rows if row.is_first]
     return first, [(title, rows) for title, rows in folded if rows]
+
+
+def without_open_sides(settings):
+    """The same settings for an operation that comes in over no open side."""
+    return tuple(row for row in settings if row.name not in ("ChooseOpenSide", "OpenSideAt"))

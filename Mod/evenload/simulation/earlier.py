@@ -90,7 +90,8 @@ def cut_before(operation, notes, without=()):
         if not host.is_active(other) or controller is None or not controller.Tool:
             continue
         kind, diameter = tools.other_shape(controller), tools.diameter(controller)
-        if not diameter > 0 or (kind and not tools.is_drill(controller)):
+        is_known = not kind or tools.is_drill(controller) or tools.is_ball(controller)
+        if not (diameter > 0 and is_known):
             notes.append(
                 "'%s' is left out: its tool is %s, which the simulator cannot follow."
                 % (other.Label, kind or "without a diameter")

@@ -8,6 +8,12 @@ from evenload import host
 from evenload import tool as tools
 from evenload.simulation import earlier, part, run
 
+# Loads are those of upright edges, and stock is made of levels.
+BALL = (
+    "'%s' has a ball end mill, whose loads are not simulated: EvenLoad Show Surface, or "
+    "evenload.surface_simulation, tells what it leaves on the faces."
+)
+
 
 @dataclass
 class Setup:
@@ -94,7 +100,10 @@ def read(operation, after_earlier=True, without=()):
         raise ValueError("'%s' belongs to no job: put it into one." % operation.Label)
     if job.Stock is None or job.Stock.Shape.isNull():
         raise ValueError("The job '%s' has no stock: give it one." % job.Label)
-    tool, data = tools.read(host.controller_of(operation))
+    controller = host.controller_of(operation)
+    if controller is not None and controller.Tool and tools.is_ball(controller):
+        raise ValueError(BALL % operation.Label)
+    tool, data = tools.read(controller)
     notes = []
     moves, lines = earlier.moves_of(operation)
     if len(moves) < 2:

@@ -4,14 +4,9 @@
 #include <cmath>
 
 #include "strategy/moves/move_ends.h"
+#include "support/tolerances.h"
 
 namespace evenload {
-namespace {
-
-constexpr double kSame = 1e-6;  // mm and mm^2
-
-}  // namespace
-
 MadePasses::Key MadePasses::key_of(const Pass& pass) {
   const Vec2 from = pass.moves.front().a, to = pass.moves.back().b;
   const std::array<double, 6> values{from.x,       from.y, to.x, to.y, length_of(pass.moves),

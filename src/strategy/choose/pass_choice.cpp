@@ -8,13 +8,12 @@
 #include "feed/load_profile.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/steer/gap_pass.h"
-#include "toolpath/small_arc.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
 
-// mm: a place of one stage's wall this near to another's is the same place.
-constexpr double kSamePlace = 1e-4;
 // Share of the tool's radius: mm of cutting that take as long as what a pass costs besides.
 constexpr double kPassPrice = 0.3;
 // mm: no pass turns more tightly in a corner where a stage that does not can enter; nor so tightly
@@ -158,7 +157,7 @@ Pass PassChoice::best_corner_pass(const PassStart& start, double* turn_radius) {
   double most = best.empty() ? 0 : worth(best);
   const auto value_of = [&](std::size_t k) {
     const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-    if (hit.distance > kSamePlace) return 0.0;
+    if (hit.distance > kOnWall) return 0.0;
     Pass pass = steering_at(k).from_wall({hit.curve, hit.segment, hit.t});
     take_back(ground_, pass);
     const double value = pass.empty() ? 0 : worth(pass);
@@ -201,8 +200,7 @@ Pass PassChoice::latest_wall_pass(const PassStart& start, double* turn_radius) {
   for (int tries = 1; low < high; ++tries) {
     const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
     Pass pass;
-    if (hit.distance < kSamePlace)
-      pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
+    if (hit.distance < kOnWall) pass = steering_at(k).along_wall({hit.curve, hit.segment, hit.t});
     if (pass.empty()) {
       high = k;
     } else {
@@ -264,7 +262,7 @@ Pass PassChoice::from_wall(const PassStart& start, double* turn_radius) {
     if (k != start.stage) {
       if (stages_[k].turn_radius <= 0) break;
       const BoundaryIndex::Hit hit = stages_[k].centres.nearest(start.pose.p);
-      if (hit.distance > kSamePlace) break;
+      if (hit.distance > kOnWall) break;
       place = {hit.curve, hit.segment, hit.t};
     }
     *turn_radius = stages_[k].turn_radius;

@@ -22,6 +22,7 @@
 #include "strategy/steer/steering.h"
 #include "strategy/steer/wall_samples.h"
 #include "support/errors.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -30,9 +31,6 @@ namespace {
 // room's radius: a region that is narrow everywhere is turned in more tightly. The exact border
 // clears what is narrower, bit by bit.
 constexpr double kTightestInRoom = 0.3;
-// mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where such a
-// room narrows.
-constexpr double kTightestPosted = 0.012;
 // Share of the tool's radius: the tightest turn that the walls do not need.
 constexpr double kSpareTurn = 0.03;
 // mm: a corner is left to the exact border once it is so short that the mean engagement over 0.1 mm
@@ -237,10 +235,7 @@ class RegionClearing {
     if (task_.hole) {
       enter_hole();
       if (result_.passes > 0 || !leftover_to_cut()) return;
-      if (hole_first)
-        throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole),
-                            "The pre-drilled hole is too tight to start from: drill it wider, or "
-                            "choose the entry 'Automatic' or 'Helix'.");
+      if (hole_first) throw GeometryError(Refusal::kHoleTooTight, shown(*task_.hole));
       result_.runs.clear();
       result_.findings.push_back({FindingCode::kHoleTooTight});
     }
@@ -250,10 +245,7 @@ class RegionClearing {
       return;
     }
     const std::optional<Pose> start = descend_in(widest());
-    if (!start)
-      throw GeometryError(GeometryErrorCode::kToolTooLarge, shown(widest().centre),
-                          "The tool has no room to descend in this pocket: drill a hole first and "
-                          "choose the entry 'Predrilled hole', or take a smaller tool.");
+    if (!start) throw GeometryError(Refusal::kNoRoomToDescend, shown(widest().centre));
     samples_.update(everywhere.low, everywhere.high);
     cut_from(*start);
   }
@@ -266,16 +258,22 @@ class RegionClearing {
     here_ = starts.front().pose;
   }
 
-  // Over an open edge: where a wall leads into the material, or straight at it. False when the tool
-  // finds no room outside.
+  // Over an open edge: where a wall leads into the material, or straight at it; of both what is
+  // nearer to the place that is wished. False when the tool finds no room outside.
   bool enter_from_outside() {
     const std::vector<PassStart> starts = samples_.starts();
-    if (!starts.empty()) {
-      begin_run({DescentKind::kPlunge, starts.front().pose.p, {}, 0, {}, false});
-      here_ = starts.front().pose;
+    const std::optional<Vec2>& wish = params_.open_side;
+    const auto off = [&wish](const Pose& pose) { return wish ? distance(pose.p, *wish) : 0; };
+    const auto first = std::min_element(
+        starts.begin(), starts.end(),
+        [&](const PassStart& a, const PassStart& b) { return off(a.pose) < off(b.pose); });
+    std::optional<Pose> start;
+    if (wish || starts.empty()) start = start_outside(exact_, task_.material, ground_, wish);
+    if (first != starts.end() && (!start || off(first->pose) <= off(*start))) {
+      begin_run({DescentKind::kPlunge, first->pose.p, {}, 0, {}, false});
+      here_ = first->pose;
       return true;
     }
-    const std::optional<Pose> start = start_outside(exact_, task_.material, ground_);
     if (!start) return false;
     begin_run({DescentKind::kPlunge, start->p, {}, 0, {}, false});
     here_ = *start;

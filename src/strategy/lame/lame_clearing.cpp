@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iomanip>
-#include <sstream>
 #include <stdexcept>
 #include <string>
 #include <utility>
@@ -12,16 +10,17 @@
 #include "strategy/lame/lame_opening.h"
 #include "strategy/pocket/pocket.h"
 #include "support/errors.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
 
-constexpr double kRounding = 1e-3;  // of areas
-constexpr double kStraight = 1e-9;  // steps of a course
+constexpr double kSameArea = 1e-3;  // of areas
 constexpr double kSlow = 1.3;       // ideal times
 // Along a spiral the load changes all the time, a little; its curve is chosen with blocks at this
 // price (lame_opening.cpp), and means gain nothing.
-constexpr FeedSteps kSpiralFeedSteps{0.02, 0.2, 1};
+constexpr FeedSteps kSpiralFeedSteps{block_price::kSpiral, 0.2, 1};
 
 void require(bool condition, const char* sentence) {
   if (!condition) throw std::invalid_argument(sentence);
@@ -77,7 +76,7 @@ LameParams mirrored(LameParams p) {
 bool is_straight(const std::vector<double>& course) {
   for (std::size_t i = 0; i < course.size(); ++i)
     if (std::abs(course[i] * static_cast<double>(course.size() - 1) - static_cast<double>(i)) >
-        kStraight)
+        kRounding)
       return false;
   return true;
 }
@@ -115,7 +114,7 @@ void tell_missing_spirals(const std::vector<Region>& regions, const ClearingPara
   });
   if (!open && !left) {
     const double all = reached_area(regions, clearing);
-    if (result.figures && all < reached * (1 + kRounding)) return;
+    if (result.figures && all < reached * (1 + kSameArea)) return;
     reached = std::max(reached, all);
   } else if (result.figures) {
     return;
@@ -130,11 +129,7 @@ LameOpening opening_of(const RegionTask& task, const ClearingParams& clearing,
   try {
     return lame_opening(task, clearing, params, progress);
   } catch (const GeometryError& error) {
-    if (!of_several) throw;
-    std::ostringstream sentence;
-    sentence << std::fixed << std::setprecision(2) << "The region near (" << error.where().x << ", "
-             << error.where().y << "): " << error.what();
-    throw GeometryError(error.code(), error.where(), sentence.str());
+    throw GeometryError(error.refusal(), error.where(), error.numbers(), of_several);
   }
 }
 

@@ -10,6 +10,7 @@
 
 #include "geometry/boundary_index.h"
 #include "geometry/region.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -26,17 +27,15 @@ constexpr double kFirstExponent = 0.6;   // a rounded polygon
 constexpr double kStepOfExponent = 0.2;  // at most, in one step: far off the model is a bad one
 constexpr int kMostLooks = 60;           // for an exponent
 constexpr double kRadiusPlay = 1e-3;     // of the least radius: the corners may have so much more
-constexpr double kPerfect = 1e-9;        // a sum of squares: less is rounding
 // Of all first curves, by their plain least squares. One with a sum so much larger has not been the
 // better one in the end, and one with the same sum is the same curve.
 constexpr std::size_t kFinalists = 2;
-constexpr double kRival = 3, kSameSum = 1 + 1e-6;
+constexpr double kRival = 3;
 constexpr double kBetter = 1e-4;       // of the area: less is no reason for more segments
 constexpr double kGivenAway = 1e-4;    // mm of room that may be left unused
 constexpr int kCorrections = 5;        // of the semi-axes by what still sticks out
 constexpr double kNearlyWorst = 5e-3;  // semi-axes: so near to the worst, others are refined
 constexpr int kRefinements = 9;        // each halves the step
-constexpr double kResolution = 1e-6;   // mm, or of the exponent: what is searched for is found
 
 // The places of the parameters.
 enum { kX, kY, kRotation, kA, kB, kExponent, kParameters };
@@ -163,7 +162,7 @@ class Fit {
   // How far outside the curve a point of the outline lies, as a logarithm; and its derivatives.
   double residual(const LameCurve& curve, Vec2 p, Vector* gradient) const {
     const Vec2 d = p - curve.centre;
-    const double square = std::max(squared_norm(d), kResolution * kResolution);
+    const double square = std::max(squared_norm(d), kSame * kSame);
     const double angle = angle_of(d);
     if (!gradient) return 0.5 * std::log(square) - std::log(radius_at(curve, angle));
     const LameRadius at = lame_radius(curve, angle);
@@ -292,10 +291,10 @@ std::optional<LameCurve> on_its_side(LameCurve curve, const BoundaryIndex& outli
     if (fixed_a && fixed_b) return out <= 0 ? std::optional(curve) : std::nullopt;
     // The last corrections only go away from the outline.
     const double step =
-        sign * (i + 2 < kCorrections ? out : std::max(0.0, 1.5 * out)) + sign * kResolution / 2;
+        sign * (i + 2 < kCorrections ? out : std::max(0.0, 1.5 * out)) + sign * kSame / 2;
     if (!fixed_a) curve.a += step;
     if (!fixed_b) curve.b += step;
-    if (!(curve.a > 10 * kResolution) || !(curve.b > 10 * kResolution)) return std::nullopt;
+    if (!(curve.a > 10 * kSame) || !(curve.b > 10 * kSame)) return std::nullopt;
   }
   return sticking_out(curve, outline, task) <= 0 ? std::optional(curve) : std::nullopt;
 }
@@ -347,7 +346,7 @@ std::optional<LameCurve> fit_lame_curve(const Curve& outline, const LameFitTask&
     for (const LameCurve& first : first_curves(points, centre, m, w)) {
       Fit fit(points, task, first);
       const double sum = fit.start();
-      fits.emplace_back(sum > kPerfect ? sum : 0, fit);
+      fits.emplace_back(sum > kRounding ? sum : 0, fit);
     }
   }
   std::stable_sort(fits.begin(), fits.end(),
@@ -356,7 +355,7 @@ std::optional<LameCurve> fit_lame_curve(const Curve& outline, const LameFitTask&
   double best_area = 0;
   for (std::size_t i = 0; i < std::min(kFinalists, fits.size()); ++i) {
     const double least = fits.front().first, sum = fits[i].first;
-    if (best && (sum > kRival * least || sum <= kSameSum * least)) break;
+    if (best && (sum > kRival * least || sum <= (1 + kSame) * least)) break;
     std::optional<LameCurve> curve = on_its_side(fits[i].second.run(), index, task);
     if (!curve) continue;
     const double area = lame_area(*curve) * (task.side == LameSide::kInside ? 1 : -1);

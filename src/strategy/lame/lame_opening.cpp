@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "cutting/engagement.h"
+#include "cutting/load_budget.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/lame/lame_pace.h"
@@ -17,6 +18,7 @@
 #include "strategy/reach/entry.h"
 #include "strategy/reach/links.h"
 #include "support/errors.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -32,17 +34,10 @@ constexpr double kFirstChannel = 1, kLeastChannel = 0.05;
 constexpr double kLeastGrowth = 0.1;
 // What a spiral leaves takes this much longer than its area at the nominal removal rate, measured.
 constexpr double kRestTime = 1.3;
-// s: what a block counts where spirals are compared.
-constexpr double kBlockPrice = 0.02;
 // A pocket of which the closest curve clears less resembles no Lamé curve.
 constexpr double kResembling = 0.7;
 // Tool radii: of the first circle in a hole no wider than the tool.
 constexpr double kTightestCircle = 0.01;
-// By how much the angle is smaller at which what a spiral leaves is cleared: a share of the angle,
-// and rad for small ones, of which the same excess is a larger share, up to another share.
-constexpr double kBesideShare = 0.007, kBesideSmall = 0.42 * kPi / 180, kBesideMost = 0.03;
-// rad: a spiral that exceeds the engagement angle by more is none.
-constexpr double kMostOver = 1 * kPi / 180;
 // Of a radius: arcs of a turn are this much tighter than its curve, at most.
 constexpr double kRadius = 0.03;
 // Tool radii at which the first turn of a spiral from outside passes the stock.
@@ -93,7 +88,7 @@ class Opening {
     if (task_.centres.islands.empty() && !task_.has_open_edges)
       clear_pocket_of_one_wall();
     else if (task_.centres.islands.size() != 1)
-      refuse(kKinds);
+      refuse(Refusal::kNotForSpirals);
     else if (task_.has_open_edges)
       clear_stock_around_island();
     else
@@ -102,9 +97,12 @@ class Opening {
 
   Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
 
-  [[noreturn]] void refuse(const std::string& sentence) const {
-    throw GeometryError(GeometryErrorCode::kNoLameCurve,
-                        shown(task_.centres.outer.vertices().front().p), sentence);
+  [[noreturn]] void refuse(Refusal refusal, std::vector<double> numbers = {}) const {
+    throw GeometryError(refusal, shown(task_.centres.outer.vertices().front().p),
+                        std::move(numbers));
+  }
+  [[noreturn]] void refuse_hole(Refusal refusal) const {
+    throw GeometryError(refusal, shown(*task_.hole));
   }
 
   // The stock in which the region's island stands.
@@ -124,7 +122,7 @@ class Opening {
 
   std::vector<LameCurve> last_curves(const Curve& outline, LameSide side) const {
     const std::optional<LameCurve> last = shapes_.last(outline, side);
-    if (!last) refuse(no_curve_sentence(outline, shapes_.last_wishes()));
+    if (!last) refuse(no_curve(outline, shapes_.last_wishes()));
     check_courses(*last);
     // A constant removal rate makes good for uneven turns, but not for those between a ring's
     // curves, some of which hardly cut along its narrow sides; and where even the closest curve
@@ -137,7 +135,7 @@ class Opening {
   }
   LameCurve first_curve(const Curve& outline) const {
     const std::optional<LameCurve> first = shapes_.first(outline);
-    if (!first) refuse(no_curve_sentence(outline, shapes_.first_wishes()));
+    if (!first) refuse(no_curve(outline, shapes_.first_wishes()));
     return *first;
   }
 
@@ -152,7 +150,7 @@ class Opening {
         params_.feed_control == FeedControl::kConstantFeed ? params_.feed : params_.maximum_feed;
     turns.pace = pace_;
     turns.tolerance = arc_tolerance();
-    turns.block_price = kBlockPrice;
+    turns.block_price = block_price::kSpiral;
     turns.progress = &progress_;
     return turns;
   }
@@ -170,7 +168,7 @@ class Opening {
     if (task_.hole) {
       first.radius = enter_hole();
     } else if (params_.entry == EntryKind::kPredrilledHole) {
-      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(largest.centre), kHoleOutside);
+      throw GeometryError(Refusal::kHoleOutsidePocket, shown(largest.centre));
     } else {
       first.radius = helix_radius(params_, {first.centre, room});
       // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
@@ -178,7 +176,7 @@ class Opening {
     }
     if (shapes_.has_wished_size() &&
         std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
-      refuse(kSizeTooSmall);
+      refuse(Refusal::kSetSizeTooSmall);
     const PlannedGrowth growth = quickest(
         lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
         [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
@@ -199,7 +197,7 @@ class Opening {
   void check_courses(const LameCurve& last) const {
     if (last.segments != 4 && !lame_.semi_axis_a_course.empty() &&
         !lame_.semi_axis_b_course.empty() && lame_.semi_axis_a_course != lame_.semi_axis_b_course)
-      refuse(kTwoCourses);
+      refuse(Refusal::kTwoCourses);
   }
 
   // From one curve to another, with what courses are set.
@@ -246,7 +244,7 @@ class Opening {
   // Of what is within reach, by the spiral.
   void check_share(double share) {
     if (share >= kLeastShare) return;
-    if (!shapes_.has_wished_size()) refuse(small_share_sentence(share, lame_));
+    if (!shapes_.has_wished_size()) refuse(too_small(lame_), {share});
     tell(FindingCode::kSpiralOfSetSize, share);
   }
 
@@ -265,10 +263,7 @@ class Opening {
   // They are the last of the opening: its ground is asked for no more.
   void add_turns(const LameTurns& turns) {
     std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
-    for (std::size_t i = 0; i < turns.moves.size(); ++i) {
-      moves.push_back({MoveKind::kCut, turns.moves[i]});
-      moves.back().smooth_front = turns.smooth_front[i];
-    }
+    for (const Segment& move : turns.moves) moves.push_back({MoveKind::kCut, move});
   }
 
   // Returns the radius of the circle that the tool's centre can run on in the hole.
@@ -290,9 +285,7 @@ class Opening {
     first.centres = centres;
     first.around = {task_.centres};
     if (first.hole && !centres.contains(*first.hole)) {
-      if (params_.entry == EntryKind::kPredrilledHole)
-        throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*first.hole),
-                            kHoleBesideChannel);
+      if (params_.entry == EntryKind::kPredrilledHole) refuse_hole(Refusal::kHoleBesideChannel);
       first.hole.reset();
       tell(FindingCode::kHoleBesideIsland);
     }
@@ -311,7 +304,7 @@ class Opening {
   // The spiral through a growth, from where the tool is.
   void cut(const PlannedGrowth& growth, double start, bool inwards) {
     const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
-    if (turns.engagement > params_.engagement_angle + kMostOver) refuse_load();
+    if (turns.engagement > params_.engagement_angle + load_budget::kSpiralMost) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
     add_turns(turns);
     ++made_.result.passes;
@@ -334,9 +327,8 @@ class Opening {
   }
 
   [[noreturn]] void refuse_load() const {
-    if (task_.hole)
-      throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleTooTight);
-    refuse(lame_.has_courses() ? kNoLoadOfCourse : kNoLoad);
+    if (task_.hole) refuse_hole(Refusal::kHoleTooTightForSpiral);
+    refuse(lame_.has_courses() ? Refusal::kNoLoadByCourses : Refusal::kNoLoad);
   }
 
   // To the spiral's start: over cleared ground, or down beside it.
@@ -385,9 +377,9 @@ class Opening {
 void Opening::clear_stock_around_island() {
   const std::vector<Vertex>& outline = stock().outer.vertices();
   if (!std::all_of(outline.begin(), outline.end(), [](const Vertex& v) { return v.open; }))
-    refuse(kKinds);
+    refuse(Refusal::kNotForSpirals);
   if (task_.hole && params_.entry == EntryKind::kPredrilledHole)
-    throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleAtIsland);
+    refuse_hole(Refusal::kHoleAtIsland);
   if (task_.hole) tell(FindingCode::kHoleInOpenStock);
   const std::vector<LameCurve> lasts =
       last_curves(task_.centres.islands.front().reversed(), LameSide::kAround);
@@ -438,7 +430,7 @@ void Opening::clear_ring() {
     const bool closest = last == lasts.front();
     if (!closest && with_channel_to(last) < kLeastShare) return growths;
     const std::optional<LameCurve> first = within_channel(beside, last);
-    if (!first && closest) refuse(kNoRoom);
+    if (!first && closest) refuse(Refusal::kNoRoomForSpiral);
     if (first && !lame_.has_courses()) growths = growths_through_circles(*first, last);
     if (const std::optional<LameCurve> alike = shapes_.first_like(last, island))
       if (const std::optional<LameCurve> from = within_channel(*alike, last))
@@ -459,7 +451,7 @@ void Opening::clear_ring() {
   // A ring resembles its two curves, whatever the channel takes of it.
   check_share(with_channel_to(growth.growth.stages.back().to));
   const double by_spiral = by_spiral_to(growth.growth);
-  if (by_spiral < kLeastRingShare) refuse(small_share_sentence(by_spiral, lame_));
+  if (by_spiral < kLeastRingShare) refuse(too_small(lame_), {by_spiral});
   if (by_spiral < kLeastShare) tell(FindingCode::kSpiralAfterChannel, by_spiral);
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
   if (progress_.cancelled() || made_.result.runs.empty()) return;
@@ -470,10 +462,9 @@ void Opening::clear_ring() {
 }
 
 void Opening::refuse_growth() const {
-  if (lame_.has_courses()) refuse(kNoCourse);
-  if (task_.hole && task_.centres.islands.empty())
-    throw GeometryError(GeometryErrorCode::kEntryOutside, shown(*task_.hole), kHoleOffMiddle);
-  refuse(kNoGrowth);
+  if (lame_.has_courses()) refuse(Refusal::kNoGrowthByCourses);
+  if (task_.hole && task_.centres.islands.empty()) refuse_hole(Refusal::kHoleOffMiddle);
+  refuse(Refusal::kNoGrowth);
 }
 
 // The first curve of a ring, as far from the island's wall as a channel is cleared for it; nothing
@@ -498,7 +489,7 @@ double Opening::kept_area() const {
 ClearingParams beside_spiral(ClearingParams params) {
   params.feed_steps = FeedSteps();
   double& angle = params.engagement_angle;
-  angle -= std::max(kBesideShare * angle, std::min(kBesideSmall, kBesideMost * angle));
+  angle -= load_budget::spared_beside_spiral(angle);
   return params;
 }
 

@@ -10,6 +10,7 @@
 
 #include "cutting/engagement.h"
 #include "geometry/curve_looks.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -22,14 +23,12 @@ constexpr double kRampIn = 0.5;    // rad within which a spiral takes up its fir
 constexpr double kTurnOff = 0.15;  // rad within which it turns off its last curve
 constexpr double kMostBack = 0.1;  // of the last step: it turns off by no more
 constexpr double kLeastStep = 1e-4;  // share of the growth: less is no progress
-constexpr double kSameAngle = 1e-9;  // rad
 // Share of what semi-axes change by: fits of even shapes come as near to even curves.
 constexpr double kAlike = 1e-3;
 constexpr double kSmallStep = 1e-4;  // share of the growth: for its direction
 constexpr double kFirstStep = 2;     // side steps: no turn goes farther
 constexpr int kMostPitchLooks = 8;   // for one step
 constexpr double kEdge = 5e-4;       // tool radii: how well the edge of the engagement is met
-constexpr double kCrossing = 1e-6;   // of a radius: rounding
 constexpr double kLess = 0.95;       // by which a step is tried again that exceeds the pitch
 constexpr std::array<double, 2> kRuns = {1, 2.5};
 
@@ -65,7 +64,7 @@ std::vector<double> angles_to_look_at(const LameGrowth& growth, const LameCurve&
   std::vector<double> angles;
   const std::vector<double> all = lame_angles(curve);
   for (std::size_t i = 0; i < all.size(); i += kEveryAngle)
-    if (all[i] < curve.rotation + part - kSameAngle) angles.push_back(all[i]);
+    if (all[i] < curve.rotation + part - kRounding) angles.push_back(all[i]);
   return angles;
 }
 
@@ -164,7 +163,7 @@ bool stays_between(const LameGrowth& growth) {
     const LameCurve curve = growth.at(level);
     for (const double angle : angles_to_look_at(growth, inner)) {
       const Vec2 p = lame_point(inner, angle) - curve.centre;
-      if (radius_at(curve, angle_of(p)) < norm(p) * (1 - kCrossing)) return false;
+      if (radius_at(curve, angle_of(p)) < norm(p) * (1 - kSame)) return false;
     }
   }
   return true;
@@ -299,7 +298,7 @@ LameSpiral spiral_of(const LameGrowth& growth, const MonotoneSpline& steps, doub
     const double ramp = std::min(1.0, (turned.back() + knot / 2) / kRampIn);
     double by = ramp * step / kKnots;
     if (pitch && growth.courses().any())
-      while (growth.change(share + by, by) > (1 + kCrossing) * *pitch / kKnots) by *= kLess;
+      while (growth.change(share + by, by) > (1 + kSame) * *pitch / kKnots) by *= kLess;
     turned.push_back(turned.back() + knot);
     shares.push_back(std::min(1.0, share + by));
   }

@@ -6,6 +6,10 @@
 #include <utility>
 
 #include "cutting/engagement.h"
+#include "cutting/load_budget.h"
+#include "cutting/probe.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -17,8 +21,6 @@ constexpr int kMostRoundsOfCourses = 12;        // where courses may be steep
 constexpr int kWideningRounds = 1;              // of them may widen steps, too
 constexpr double kWiden = 1.15, kNarrow = 0.6;  // a correction is no larger than these
 constexpr double kCoarse = 3;                   // so much more coarsely the first round looks
-// rad: what is aimed at lies so far below the limit.
-constexpr double kAim = 0.2 * kPi / 180;
 
 constexpr double kLook = 0.4;            // tool radii between two looks, at most
 constexpr double kSure = 0.06;           // the same where the stock may have corners
@@ -30,8 +32,6 @@ constexpr double kLongestAgo = 2.5 * kPi, kLatestAgo = 1.5 * kPi;
 // Tolerances by which a spiral turns off its last curve: arcs of two turns on it leave so little
 // that the tool would stop in a cut of a degree.
 constexpr double kOff = 4;
-// rad: the tool's side is engaged where its engagement begins so near to it.
-constexpr double kAside = 1e-6;
 
 struct Look {
   double share;       // of the growth
@@ -46,7 +46,7 @@ class Looks {
         const ClearedGround& before)
       : ground_(before),
         closer_from_(0.5 * task.engagement),
-        aim_(task.engagement - kAim),
+        aim_(task.engagement - load_budget::kSpiralAim),
         sure_(sure),
         from_outside_(task.inwards) {
     // Where one arc goes over into the next it meets what the one before met there.
@@ -58,8 +58,7 @@ class Looks {
       };
       smooth_.push_back(is_smooth(turned, arcs.turned[i]));
       is_whole_ = true;
-      const int count =
-          std::max(1, static_cast<int>(std::ceil(move.length() / (kLook * ground_.tool_radius()))));
+      const int count = looks_along(move.length(), kLook * ground_.tool_radius());
       for (int k = 1; k <= count; ++k) {
         const double from = static_cast<double>(k - 1) / count, to = static_cast<double>(k) / count;
         const double here = engaged(move, to);
@@ -78,10 +77,9 @@ class Looks {
       smooth_.assign(smooth_.size(), false);
   }
 
+  Looks(const Looks&) = delete;  // probe_ looks at this one's ground
+
   const std::vector<Look>& found() const { return found_; }
-  // Of each arc: whether it meets only what was cut with the tool's side, so that no corner of the
-  // cleared ground is at an edge of the stock.
-  const std::vector<bool>& smooth() const { return smooth_; }
 
  private:
   bool is_smooth(double from, double to) const {
@@ -90,11 +88,11 @@ class Looks {
   }
 
   double engaged(const Segment& move, double t) {
-    const double heading = angle_of(move.tangent(t)), side = heading - kPi / 2;
-    ground_.uncovered(move.point(t), side, heading + kPi / 2, arcs_);
-    is_whole_ = is_whole_ && !arcs_.empty() && arcs_.front().low < side + kAside;
+    const double heading = angle_of(move.tangent(t));
+    const std::vector<AngularInterval>& arcs = probe_.arcs(move.point(t), heading, kCoverTolerance);
+    is_whole_ = is_whole_ && !arcs.empty() && arcs.front().low < heading - kPi / 2 + kSame;
     double sum = 0;
-    for (const AngularInterval& part : arcs_) sum += part.high - part.low;
+    for (const AngularInterval& part : arcs) sum += part.width();
     return sum;
   }
 
@@ -120,9 +118,11 @@ class Looks {
   bool from_outside_;
   bool is_whole_ = true;        // the engagement with the tool's side, along the arc looked at
   std::vector<double> partly_;  // rad turned: arcs where it is not
+  // Of each arc: whether it meets only what was cut with the tool's side, so that no corner of the
+  // cleared ground is at an edge of the stock.
   std::vector<bool> smooth_;
   std::vector<Look> found_;
-  std::vector<AngularInterval> arcs_;
+  Probe probe_{ground_};
 };
 
 int bands_of(const LameGrowth& growth) {
@@ -132,7 +132,8 @@ int bands_of(const LameGrowth& growth) {
 // The steps times what the looks within a turn of them ask for.
 MonotoneSpline corrected(const MonotoneSpline& steps, const std::vector<Look>& looks,
                          const TurnTask& task, double most, int bands) {
-  const double aim = 1 - std::cos(std::max(0.5 * task.engagement, task.engagement - kAim));
+  const double aim =
+      1 - std::cos(std::max(0.5 * task.engagement, task.engagement - load_budget::kSpiralAim));
   std::vector<double> shares, factors(bands + 1, most), values;
   for (const Look& look : looks) {
     const double factor =
@@ -194,11 +195,10 @@ LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double st
     const Looks looks(spiral, arcs, task, coarse * kSure, ground);
     double most = 0;
     for (const Look& look : looks.found()) most = std::max(most, look.engagement);
-    const bool good = most <= task.engagement + kTurnTolerance;
+    const bool good = most <= task.engagement + load_budget::kSpiral;
     if (round <= kWideningRounds || good || most < best.engagement) {
       const Range range = range_of(steps, growth);
-      best = {std::move(spiral), std::move(arcs.moves), looks.smooth(), most, range.least,
-              range.most};
+      best = {std::move(spiral), std::move(arcs.moves), most, range.least, range.most};
     }
     if (good && round >= kWideningRounds) break;
     steps = corrected(steps, looks.found(), task, round < kWideningRounds ? kWiden : 1,

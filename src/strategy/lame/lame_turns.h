@@ -13,8 +13,6 @@ namespace evenload {
 struct LameTurns {
   LameSpiral spiral;
   std::vector<Segment> moves;
-  // Of each move: it meets the front of one turn of the spiral alone, which has no cusps.
-  std::vector<bool> smooth_front;
   double engagement = 0;  // rad, the largest that was looked at
   // mm per turn of the larger change of the semi-axes
   double smallest_pitch = 0, largest_pitch = 0;
@@ -22,9 +20,8 @@ struct LameTurns {
 
 // The spiral through a growth, from the polar angle `start` on, as arcs within `tolerance` mm.
 // `ground`: what is cleared before. Law: the engagement at the arcs' ends and middles exceeds the
-// limit by no more than kTurnTolerance, unless the first curve itself does.
+// limit by no more than load_budget::kSpiral, unless the first curve itself does.
 LameTurns turns_of(const PlannedGrowth& planned, const TurnTask& task, double start,
                    double tolerance, const ClearedGround& ground);
-inline constexpr double kTurnTolerance = 0.5 * kPi / 180;
 
 }  // namespace evenload

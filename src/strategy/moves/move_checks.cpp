@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cutting/probe.h"
+#include "support/tolerances.h"
+
 namespace evenload {
 namespace {
 
@@ -56,7 +59,7 @@ class InsideCheck {
 
   // Whether both lie on one piece of the border.
   static bool is_on(const Look& a, const Look& b) {
-    return std::max(std::abs(a.inside), std::abs(b.inside)) < kOnBorder && a.curve == b.curve &&
+    return std::max(std::abs(a.inside), std::abs(b.inside)) < kSame && a.curve == b.curve &&
            a.piece == b.piece;
   }
 
@@ -74,7 +77,7 @@ bool is_tangent(const Segment& a, const Segment& b, double difference) {
 
 bool follows_border(const Segment& move, const Area& centres) {
   for (const double t : {0.25, 0.5, 0.75})
-    if (std::abs(centres.signed_distance(move.point(t))) > kOnBorder) return false;
+    if (std::abs(centres.signed_distance(move.point(t))) > kSame) return false;
   return true;
 }
 
@@ -92,28 +95,20 @@ std::size_t first_left_behind(const std::vector<Segment>& moves) {
   return first;
 }
 
-double engagement_ahead(const ClearedGround& ground, Vec2 p, double heading, double thin,
-                        std::vector<AngularInterval>& arcs) {
-  ground.uncovered(p, heading - kPi / 2, heading + kPi / 2, arcs, thin);
-  double engaged = 0;
-  for (const AngularInterval& arc : arcs) engaged += arc.width();
-  return engaged;
-}
-
 double idle_end_of(const std::vector<Segment>& moves, double most, ClearedGround& ground) {
   const std::size_t before = ground.size();
   for (const Segment& move : moves) ground.add(move);
-  std::vector<AngularInterval> arcs;
+  Probe probe(ground);
   double idle = 0, behind = 0;
-  for (std::size_t i = moves.size(); i-- > 0 && arcs.empty() && behind < most;) {
+  bool touches = false;
+  for (std::size_t i = moves.size(); i-- > 0 && !touches && behind < most;) {
     const Segment& move = moves[i];
     const double length = move.length();
-    const int looks = std::max(1, static_cast<int>(std::ceil(length / kContactLook)));
-    for (int k = looks; k >= 0 && arcs.empty(); --k) {
+    const int looks = looks_along(length, kContactLook);
+    for (int k = looks; k >= 0 && !touches; --k) {
       const double t = static_cast<double>(k) / looks;
-      const double right = angle_of(move.tangent(t)) - kPi / 2;
-      ground.uncovered(move.point(t), right, right + kPi, arcs, kCoverTolerance, before + i);
-      if (arcs.empty()) idle = behind + (1 - t) * length;
+      touches = probe.touches(move, t, kCoverTolerance, before + i);
+      if (!touches) idle = behind + (1 - t) * length;
     }
     behind += length;
   }

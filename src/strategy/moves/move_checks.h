@@ -11,12 +11,6 @@
 
 namespace evenload {
 
-// mm of path over which engagement is a mean, in the report and wherever it is held to the limit.
-inline constexpr double kMeanLength = 0.1;
-// rad: accepted above the limit between the ends of a step, or as that mean, for a smooth path.
-inline constexpr double kSmoothOverload = 0.9 * (kPi / 180);
-// mm: this near to the border a move follows it, and this far beyond a move counts as inside.
-inline constexpr double kOnBorder = 1e-6;
 // Into how many parts a move is divided by looks along it.
 inline constexpr int kMoveLooks = 8;
 
@@ -35,11 +29,6 @@ bool is_inside(const Segment& move, const Area& centres, double tolerance);
 // more or less than it was steered for.
 std::size_t first_left_behind(const std::vector<Segment>& moves);
 inline constexpr double kComesBack = 1.75 * kPi;
-
-// rad of the tool's leading half circle at `p`, led in the direction `heading` (rad), that touch
-// material thicker than `thin` mm. `arcs` is overwritten.
-double engagement_ahead(const ClearedGround& ground, Vec2 p, double heading, double thin,
-                        std::vector<AngularInterval>& arcs);
 
 // mm at the end of the moves along which the tool touches nothing, `most` at most. `ground`: before
 // the moves, and again in the end.

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <cstddef>
 
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -16,7 +16,7 @@ Segment joined(const Segment& a, const Segment& b);
 std::vector<Segment> joined(const std::vector<Segment>& moves);
 
 // Take `length` mm from the way's beginning, or its end, but never its last move, and nothing of an
-// arc of which the rest would be posted as lines (small_arc.h) while the whole is not. Condition:
+// arc of which the rest would be posted as lines (machinable.h) while the whole is not. Condition:
 // not empty.
 void drop_first(std::vector<Segment>& moves, double length);
 void drop_last(std::vector<Segment>& moves, double length);

@@ -8,7 +8,8 @@
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/turn_demands.h"
 #include "strategy/moves/wider_bi_arc.h"
-#include "toolpath/small_arc.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -119,7 +120,7 @@ class Widening {
     if (is_tight(arc)) return {};
     if (norm(arc.tangent(1) - after.tangent(to.t)) > kSameDirection) return {};
     too_far_ = !is_near({arc}, parts_between(moves_, from, to), demands_);
-    if (too_far_ || !is_inside(arc, demands_.centres, kOnBorder)) return {};
+    if (too_far_ || !is_inside(arc, demands_.centres, kSame)) return {};
     const std::vector<Segment> kept = parts_between(moves_, {0, 0}, from);
     too_far_ = meets_too_much(kept, {arc}, demands_);
     if (too_far_) return {};

@@ -3,19 +3,17 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cutting/load_budget.h"
+#include "cutting/probe.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/move_ends.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
 
-// mm: no rest of a move is shorter; rounded to 0.0001 mm it would be turned by half a degree.
-constexpr double kShortestRest = 0.01;
 // mm of path between two looks at the engagement.
 constexpr double kEngagementSpacing = 0.005;
-// mm: material thinner than this is not seen.
-constexpr double kThin = 1e-6;
 
 struct Look {
   double met = 0, length = 0;  // rad, mm
@@ -24,14 +22,12 @@ struct Look {
 // Looks along the move from its share `from` on, added to `looks`. The ground: before the move.
 void look_along(const Segment& move, double from, const ClearedGround& ground,
                 std::vector<Look>& looks) {
-  thread_local std::vector<AngularInterval> arcs;
+  Probe probe(ground);
   const double length = (1 - from) * move.length();
   const int n = std::max(1, static_cast<int>(std::lround(length / kEngagementSpacing)));
   for (int i = 0; i < n; ++i) {
     const double t = from + (1 - from) * (i + 0.5) / n;
-    const double met =
-        engagement_ahead(ground, move.point(t), angle_of(move.tangent(t)), kThin, arcs);
-    looks.push_back({met, length / n});
+    looks.push_back({probe.engagement(move, t, kThin), length / n});
   }
 }
 
@@ -58,7 +54,7 @@ double highest_mean(const std::vector<Look>& looks, std::size_t first, double wi
 
 bool can_stay(const Segment& move, double from, double to) {
   const double share = to - from;
-  return share * move.length() >= kShortestRest &&
+  return share * move.length() >= kShortestMove &&
          !(move.is_arc() && becomes_corners(move.radius, share * move.sweep));
 }
 
@@ -123,7 +119,7 @@ bool meets_too_much(const std::vector<Segment>& before, const std::vector<Segmen
   const std::vector<Look> own(looks.begin() + static_cast<std::ptrdiff_t>(first), looks.end());
   const double most = std::max(highest_mean(looks, first, kMeanLength),
                                highest_mean(own, 0, std::min(kMeanLength, length_of(way))));
-  return most > demands.engagement + kSmoothOverload;
+  return most > demands.engagement + load_budget::kSmooth;
 }
 
 }  // namespace evenload

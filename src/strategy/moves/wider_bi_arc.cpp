@@ -6,6 +6,7 @@
 
 #include "geometry/bi_arc.h"
 #include "strategy/moves/move_checks.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -91,7 +92,7 @@ std::vector<Segment> with_wider_bi_arc(const std::vector<Segment>& moves, std::s
       const std::vector<Segment> way{two->first, two->second};
       const bool fits = is_near(way, old, demands) &&
                         std::all_of(way.begin(), way.end(), [&](const Segment& arc) {
-                          return is_inside(arc, demands.centres, kOnBorder);
+                          return is_inside(arc, demands.centres, kSame);
                         });
       if (!fits) continue;
       if (!meets_too_much(parts_between(moves, {0, 0}, pair.from->cut), way, demands))

@@ -13,6 +13,7 @@
 #include "strategy/passage/passage_path.h"
 #include "strategy/passage/passage_walls.h"
 #include "strategy/reach/entry.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -21,7 +22,6 @@ namespace {
 constexpr double kFit = kAxisTolerance;
 // rad: the way from a hole to the middle turns by no more.
 constexpr double kMostTurn = 0.9 * kPi;
-constexpr std::size_t kNone = ~std::size_t{0};
 
 // The widest place of a passage's middle; an end, from which one way leads on, where that is as
 // wide.
@@ -55,7 +55,7 @@ class PassageClearing {
       begin();
       while (!progress_.cancelled()) {
         const std::size_t passage = next_passage();
-        if (passage == kNone) break;
+        if (passage == kNoIndex) break;
         cut_passage(passage);
       }
     } catch (const Cancelled&) {  // what is made is kept
@@ -71,21 +71,25 @@ class PassageClearing {
 
   void begin() {
     if (places_.rooms.empty()) return;
-    std::size_t first = kNone;
+    std::size_t first = kNoIndex;
+    double nearest = 0;  // mm, of its open side to the place that is wished
     for (std::size_t i = 0; i < places_.rooms.size(); ++i) {
       const Region& room = places_.rooms[i];
       if (task_.hole) {
         if (room.contains(*task_.hole)) first = i;
-      } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic &&
-                 start_outside(Area({room}), task_.material, path_.ground())) {
+      } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
+        const std::optional<Pose> start =
+            start_outside(Area({room}), task_.material, path_.ground(), params_.open_side);
+        const double off = start && params_.open_side ? distance(start->p, *params_.open_side) : 0;
+        if (!start || (first != kNoIndex && off >= nearest)) continue;
         first = i;
-        break;
+        nearest = off;
       }
     }
-    if (first == kNone && task_.hole) return;  // the hole is in a passage
-    if (first == kNone)
+    if (first == kNoIndex && task_.hole) return;  // the hole is in a passage
+    if (first == kNoIndex)
       for (std::size_t i = 0; i < places_.rooms.size(); ++i)
-        if (first == kNone || places_.rooms[i].area() > places_.rooms[first].area()) first = i;
+        if (first == kNoIndex || places_.rooms[i].area() > places_.rooms[first].area()) first = i;
     clear_room(first);
   }
 
@@ -100,7 +104,7 @@ class PassageClearing {
                                  [&](std::size_t room) { return room_done_[room]; }))
         return k;
     }
-    return kNone;
+    return kNoIndex;
   }
 
   void clear_room(std::size_t index) {
@@ -151,11 +155,11 @@ class PassageClearing {
       if (!progress_.cancelled()) ramp_through(places_.passages[k]);
       return;
     }
-    const std::size_t root = axis.points.empty() ? kNone : come_to(axis, k);
-    if (root != kNone) follow_middle(axis, root, number);
+    const std::size_t root = axis.points.empty() ? kNoIndex : come_to(axis, k);
+    if (root != kNoIndex) follow_middle(axis, root, number);
     const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
     if (!walls_first) clear_rooms_beside(k);
-    if (root != kNone && !progress_.cancelled())
+    if (root != kNoIndex && !progress_.cancelled())
       follow_walls(places_.passages[k], axis, number, params_, path_);
     if (walls_first) clear_rooms_beside(k);
   }
@@ -182,7 +186,7 @@ class PassageClearing {
     const bool is_new = path_.runs().empty();
     if (!is_new) {
       const std::size_t mouth = nearest_mouth(axis);
-      if (mouth != kNone) {
+      if (mouth != kNoIndex) {
         path_.reach(pose_at(axis, mouth, axis.points[mouth].next.front()));
         return mouth;
       }
@@ -192,12 +196,12 @@ class PassageClearing {
       return go_from_hole(axis, first_number_ + static_cast<int>(k));
     }
     if (const std::size_t outside = place_outside(axis);
-        outside != kNone && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
+        outside != kNoIndex && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
       const Vec2 at = axis.points[outside].p;
       path_.begin({DescentKind::kPlunge, at, {}, 0, {}, false}, {at, 0}, is_new);
       return outside;
     }
-    if (params_.entry == EntryKind::kPredrilledHole) return kNone;
+    if (params_.entry == EntryKind::kPredrilledHole) return kNoIndex;
     return descend(axis, is_new);
   }
 
@@ -209,10 +213,10 @@ class PassageClearing {
     const Vec2 at = axis.points[widest].p;
     const std::optional<Entry> entry =
         descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
-    if (!entry) return kNone;
+    if (!entry) return kNoIndex;
     path_.begin(entry->descent, entry->start, is_new);
     const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
-    return is_done ? kNone : widest;
+    return is_done ? kNoIndex : widest;
   }
 
   // At a point of the middle, on the way to its neighbour.
@@ -221,7 +225,7 @@ class PassageClearing {
   }
 
   std::size_t nearest_mouth(const PassageAxis& axis) const {
-    std::size_t best = kNone;
+    std::size_t best = kNoIndex;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
       const double d = distance(axis.points[i].p, path_.here().p);
@@ -234,7 +238,7 @@ class PassageClearing {
 
   // The last place of the middle before the material; any clear one where there is no such place.
   std::size_t place_outside(const PassageAxis& axis) const {
-    std::size_t any = kNone;
+    std::size_t any = kNoIndex;
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
       if (!path_.is_clear(axis.points[i].p)) continue;
       any = i;
@@ -247,7 +251,7 @@ class PassageClearing {
   // From a hole's centre by one arc that ends along the middle; straight where none has room.
   std::size_t go_from_hole(const PassageAxis& axis, int number) {
     const Vec2 hole = path_.here().p;
-    std::size_t best = kNone, nearest = 0;
+    std::size_t best = kNoIndex, nearest = 0;
     Segment way;
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
       const Vec2 to = axis.points[i].p - hole;
@@ -257,15 +261,15 @@ class PassageClearing {
             2 * wrap_signed(pose_at(axis, i, next).heading - (norm(to) > 0 ? angle_of(to) : 0));
         const Segment arc = Segment::from_bulge(hole, axis.points[i].p, std::tan(turn / 4));
         if (norm(to) < kZeroLength || std::abs(turn) > kMostTurn || !stays_inside(arc)) continue;
-        if (best != kNone && arc.length() >= way.length()) continue;
+        if (best != kNoIndex && arc.length() >= way.length()) continue;
         best = i;
         way = arc;
       }
     }
     if (norm(axis.points[nearest].p - hole) < kZeroLength) return nearest;
-    if (best == kNone) {
+    if (best == kNoIndex) {
       way = Segment::line(hole, axis.points[nearest].p);
-      if (!stays_inside(way)) return kNone;
+      if (!stays_inside(way)) return kNoIndex;
       best = nearest;
     }
     path_.follow({way}, number);
@@ -288,7 +292,7 @@ class PassageClearing {
     std::vector<std::size_t> reached{root};  // points with ways out, the newest last
     while (!reached.empty() && !progress_.cancelled()) {
       const std::size_t at = reached.back(), out = next_way(axis, at, used);
-      if (out == kNone) {
+      if (out == kNoIndex) {
         reached.pop_back();
         continue;
       }
@@ -300,7 +304,7 @@ class PassageClearing {
 
   // Straight on where the tool stands there, else the first that is not cut.
   std::size_t next_way(const PassageAxis& axis, std::size_t at, const Used& used) const {
-    std::size_t best = kNone;
+    std::size_t best = kNoIndex;
     double least = std::numeric_limits<double>::infinity();
     const bool stands_there = distance(path_.here().p, axis.points[at].p) < kFit;
     for (std::size_t i = 0; i < used[at].size(); ++i) {

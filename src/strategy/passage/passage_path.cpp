@@ -8,15 +8,13 @@
 #include "geometry/box_tree.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/links.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
 
 // Share of the tool's radius: no shorter parts of a move are told apart as clear.
 constexpr double kLook = 0.5;
-// mm and rad: poses this near to each other are one.
-constexpr double kSamePlace = 1e-6;
-constexpr double kSameHeading = 1e-3;
 
 double heading_at(const Segment& move, double t) { return angle_of(move.tangent(t)); }
 
@@ -50,8 +48,8 @@ void PassagePath::begin(const Descent& descent, const Pose& start, bool is_new) 
 
 void PassagePath::reach(const Pose& to) {
   const bool same_heading =
-      may_turn() || std::abs(wrap_signed(to.heading - here_.heading)) < kSameHeading;
-  if (distance(here_.p, to.p) < kSamePlace && same_heading) return;
+      may_turn() || std::abs(wrap_signed(to.heading - here_.heading)) < kSameDirection;
+  if (distance(here_.p, to.p) < kSame && same_heading) return;
   const double turn = std::min(params_.roll_radius, params_.minimum_radius);
   const std::vector<Segment> link =
       quicker_link({ground_, ground_.size()}, centres_, here_, to, turn, params_);
@@ -65,7 +63,7 @@ void PassagePath::reach(const Pose& to) {
 bool PassagePath::leads_on(const std::vector<Segment>& way) const {
   const Segment& first = way.front();
   const double turn = wrap_signed(heading_at(first, 0) - here_.heading);
-  return distance(first.a, here_.p) < kSamePlace && (may_turn() || std::abs(turn) < kSameHeading) &&
+  return distance(first.a, here_.p) < kSame && (may_turn() || std::abs(turn) < kSameDirection) &&
          length_of(way) <= length_of_retract(distance(first.a, way.back().b), params_);
 }
 

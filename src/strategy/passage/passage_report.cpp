@@ -11,7 +11,7 @@
 #include "strategy/reach/entry.h"
 #include "strategy/task/mirror.h"
 #include "toolpath/helix.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -7,6 +7,7 @@
 
 #include "geometry/bi_arc.h"
 #include "strategy/moves/move_checks.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -21,8 +22,6 @@ constexpr double kTightestRoll = 0.1;
 constexpr double kRollLengths[] = {1, 2, 4, 8, 16, 32};
 // rad: of one arc of two.
 constexpr double kMostWallTurn = 0.6 * kPi;
-// mm: how far beyond the wall's offset a roll may stand by rounding.
-constexpr double kWallTolerance = 1e-6;
 
 // In corners the tool meets more than between them: the ends get feeds of their own.
 void add_with_ends(std::vector<Segment>& moves, const Segment& wall, double tool_radius) {
@@ -184,7 +183,7 @@ class Walls {
     roll.radius = 2 * params_.minimum_radius;
     for (const Segment& arc : {pair->first, pair->second}) {
       if (arc.length() < kZeroLength) continue;
-      if (!is_inside(arc, path_.centres(), kWallTolerance)) return false;
+      if (!is_inside(arc, path_.centres(), kSame)) return false;
       if (arc.is_arc()) roll.radius = std::min(roll.radius, arc.radius);
       roll.arcs.push_back(arc);
       roll.length += arc.length();

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "support/tolerances.h"
+
 namespace evenload {
 namespace {
 
@@ -12,9 +14,6 @@ std::vector<Curve> curves_of(const std::vector<Region>& regions) {
     for (const Curve& curve : region.curves()) curves.push_back(curve);
   return curves;
 }
-
-// Of unit vectors along pieces that go on as one.
-constexpr double kSameDirection = 1e-3;
 
 double inward_curvature_of(const std::vector<Segment>& chain) {
   double most = 0;
@@ -45,8 +44,7 @@ double Area::signed_distance(Vec2 q, const BoundaryIndex::Hit& hit) const {
   bool inside = cross(chain[hit.segment].tangent(hit.t), v) >= 0;
   // At a corner the two pieces may disagree: at a corner that sticks out both must say inside, at
   // one that sticks in one is enough.
-  constexpr double kAtEnd = 1e-9;
-  const bool at_start = hit.t<kAtEnd, at_end = hit.t> 1 - kAtEnd;
+  const bool at_start = hit.t<kRounding, at_end = hit.t> 1 - kRounding;
   if (at_start || at_end) {
     const Segment& before = at_start ? chain[(hit.segment + n - 1) % n] : chain[hit.segment];
     const Segment& after = at_start ? chain[hit.segment] : chain[(hit.segment + 1) % n];

@@ -306,8 +306,4 @@ NarrowPlaces find_narrow_places(const Region& centres, double radius) {
   return find_narrow_places(centres, radius, kCornerDepth * radius);
 }
 
-double tightest_trochoid(double tool_radius) {
-  return std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
-}
-
 }  // namespace evenload

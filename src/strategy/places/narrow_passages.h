@@ -42,19 +42,4 @@ NarrowPlaces find_narrow_places(const Region& centres, double radius, double cor
 NarrowPlaces find_narrow_places(const Region& centres, double radius);
 inline constexpr double kShallow = 1e-5;
 
-// mm, or the share of the tool's radius where that is less: passes that turn more tightly take away
-// hundredths of a millimetre each, so that a slot takes minutes to compute, and programs are posted
-// with lines instead of their arcs.
-inline constexpr double kTightestTrochoid = 0.04;
-inline constexpr double kTightestTrochoidShare = 0.015;
-
-// mm, or the share of the tool's radius where that is less: passes that turn more tightly are
-// posted as lines, with a corner between each two. Their turns are steered in pieces of a fifth of
-// a radian and more, about a third of the engagement angle.
-inline constexpr double kTightestArc = 0.16;
-inline constexpr double kTightestArcShare = 0.055;
-
-// mm: half the room in which the tool has too little to turn for trochoids.
-double tightest_trochoid(double tool_radius);
-
 }  // namespace evenload

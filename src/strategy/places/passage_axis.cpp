@@ -6,6 +6,7 @@
 
 #include "geometry/medial_axis.h"
 #include "strategy/places/area.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -13,9 +14,6 @@ namespace {
 // A branch no longer than this times the distance to the walls where it begins leads into a corner
 // of 60 degrees or more.
 constexpr double kCornerBranch = 2.02;
-// mm: to which the place where the axis enters a room is found.
-constexpr double kMouthPlace = 1e-6;
-constexpr std::size_t kNone = ~std::size_t{0};
 
 class AxisBuilder {
  public:
@@ -30,7 +28,7 @@ class AxisBuilder {
     std::vector<std::size_t> nodes;  // in their passage's axis
     for (const MedialAxis::Node& node : axis.nodes) {
       const std::size_t home = home_of(node.p);
-      nodes.push_back(home == kNone ? kNone : add(home, node.p));
+      nodes.push_back(home == kNoIndex ? kNoIndex : add(home, node.p));
     }
     for (const MedialAxis::Edge& edge : axis.edges) follow(edge, nodes);
     for (PassageAxis& a : axes_) a = without_corner_branches(a);
@@ -38,11 +36,11 @@ class AxisBuilder {
   }
 
  private:
-  // The passage that holds a point of the axis; kNone in a room.
+  // The passage that holds a point of the axis; kNoIndex in a room.
   std::size_t home_of(Vec2 p) const {
-    if (!rooms_.empty() && rooms_.signed_distance(p) >= -kMouthPlace) return kNone;
+    if (!rooms_.empty() && rooms_.signed_distance(p) >= -kSame) return kNoIndex;
     if (passages_.size() == 1) return 0;
-    std::size_t best = kNone;
+    std::size_t best = kNoIndex;
     double nearest = std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < passages_.size(); ++i) {
       if (passages_[i].centres.contains(p)) return i;
@@ -55,7 +53,7 @@ class AxisBuilder {
           }
         }
     }
-    return nearest < kMouthPlace ? best : kNone;
+    return nearest < kSame ? best : kNoIndex;
   }
 
   std::size_t add(std::size_t home, Vec2 p, bool is_mouth = false) {
@@ -70,9 +68,9 @@ class AxisBuilder {
 
   // Where the line from `outside`, in a passage, enters a room.
   Vec2 mouth_between(Vec2 outside, Vec2 inside) const {
-    while (distance(outside, inside) > kMouthPlace) {
+    while (distance(outside, inside) > kSame) {
       const Vec2 middle = 0.5 * (outside + inside);
-      (rooms_.signed_distance(middle) >= -kMouthPlace ? inside : outside) = middle;
+      (rooms_.signed_distance(middle) >= -kSame ? inside : outside) = middle;
     }
     return inside;
   }
@@ -87,13 +85,13 @@ class AxisBuilder {
         const bool is_last = i + 1 == edge.points.size() && k == n;
         const Vec2 p = k == n ? to : from + (static_cast<double>(k) / n) * (to - from);
         const std::size_t next_home = home_of(p);
-        std::size_t next = kNone;
-        if (next_home != kNone) next = is_last ? nodes[edge.to] : add(next_home, p);
-        if (home != kNone && home == next_home) {
+        std::size_t next = kNoIndex;
+        if (next_home != kNoIndex) next = is_last ? nodes[edge.to] : add(next_home, p);
+        if (home != kNoIndex && home == next_home) {
           join(home, at, next);
         } else {
-          if (home != kNone) join(home, at, add(home, mouth_between(before, p), true));
-          if (next_home != kNone)
+          if (home != kNoIndex) join(home, at, add(home, mouth_between(before, p), true));
+          if (next_home != kNoIndex)
             join(next_home, next, add(next_home, mouth_between(p, before), true));
         }
         before = p;
@@ -109,12 +107,12 @@ class AxisBuilder {
                                          std::size_t* fork) {
     std::vector<std::size_t> points{end};
     *length = 0;
-    std::size_t before = kNone, at = end;
+    std::size_t before = kNoIndex, at = end;
     for (;;) {
-      std::size_t next = kNone;
+      std::size_t next = kNoIndex;
       for (const std::size_t candidate : axis.points[at].next)
         if (candidate != before) next = candidate;
-      if (next == kNone) return {};
+      if (next == kNoIndex) return {};
       *length += distance(axis.points[at].p, axis.points[next].p);
       if (axis.points[next].next.size() > 2) {
         *fork = next;
@@ -137,7 +135,7 @@ class AxisBuilder {
       for (const std::size_t k : points) gone[k] = 1;
     }
     PassageAxis kept;
-    std::vector<std::size_t> number(axis.points.size(), kNone);
+    std::vector<std::size_t> number(axis.points.size(), kNoIndex);
     for (std::size_t i = 0; i < axis.points.size(); ++i) {
       if (gone[i]) continue;
       number[i] = kept.points.size();

@@ -4,12 +4,14 @@
 #include <cmath>
 
 #include "cutting/engagement.h"
+#include "cutting/load_budget.h"
 #include "feed/feed_control.h"
 #include "feed/load_share.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/places/allowed_ground.h"
 #include "strategy/reach/entry_feeds.h"
 #include "strategy/trochoid/trochoid_period.h"
+#include "support/tolerances.h"
 #include "toolpath/helix.h"
 
 namespace evenload {
@@ -35,14 +37,13 @@ constexpr double kMostSlower = 0.04;
 
 // mm: the depths of cut, every size once.
 std::vector<double> depths_of(const ClearingParams& params) {
-  constexpr double kSameDepth = 1e-6;  // mm: rounding of the levels
   std::vector<double> depths;
   double above = params.top;
   for (const double level : params.levels) {
     const double depth = above - level;
     above = level;
     if (std::none_of(depths.begin(), depths.end(),
-                     [&](double known) { return std::abs(known - depth) < kSameDepth; }))
+                     [&](double known) { return std::abs(known - depth) < kSame; }))
       depths.push_back(depth);
   }
   return depths;

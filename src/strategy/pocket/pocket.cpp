@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 #include <stdexcept>
 
 #include "cutting/engagement.h"
+#include "cutting/load_budget.h"
 #include "feed/feed_limit.h"
 #include "feed/following_profile.h"
 #include "feed/load_profile.h"
@@ -50,6 +50,9 @@ void check(const ClearingParams& p) {
     require(std::isfinite(number), "Every parameter must be a finite number.");
   for (const double level : p.levels)
     require(std::isfinite(level), "Every level must be a finite number.");
+  if (p.open_side)
+    require(std::isfinite(p.open_side->x) && std::isfinite(p.open_side->y),
+            "The place near the open side must be finite numbers.");
   if (p.entry_point)
     require(std::isfinite(p.entry_point->x) && std::isfinite(p.entry_point->y),
             "The entry point must be finite.");
@@ -98,17 +101,6 @@ double largest_fitting_tool(const std::vector<Region>& regions, const ClearingPa
   for (const Region& region : regions) widest = std::max(widest, largest_tool({region}));
   const double width = widest - 2 * (params.stock_to_leave + kWallGap);
   return std::floor(width * 1000) / 1000;
-}
-
-std::string too_large(const std::vector<Region>& regions, const ClearingParams& params) {
-  const double largest = largest_fitting_tool(regions, params);
-  std::ostringstream sentence;
-  sentence << "The tool of " << params.tool_diameter << " mm does not fit into the pocket: ";
-  if (largest > 0)
-    sentence << "the largest tool that fits has " << largest << " mm.";
-  else
-    sentence << "no tool does, lower StockToLeave.";
-  return sentence.str();
 }
 
 // What is to be cleared, climb milling.
@@ -183,7 +175,8 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
   progress.report(0);
   const std::vector<Region> centres = places_of_tool(allowed, params);
   if (centres.empty())
-    throw GeometryError(GeometryErrorCode::kToolTooLarge, {}, too_large(regions, params));
+    throw GeometryError(Refusal::kToolFitsNowhere, {},
+                        {params.tool_diameter, largest_fitting_tool(regions, params)});
 
   if (regions.size() > 1)
     for (const Region& region : allowed)
@@ -215,13 +208,8 @@ Toolpath clear(const RegionClearer& clearer, const Work& work, Progress& progres
           {skipped ? FindingCode::kHoleInSkippedPassage : FindingCode::kHoleTooNearWall,
            shown(*params.entry_point)});
     if (!hole && params.entry == EntryKind::kPredrilledHole)
-      throw GeometryError(
-          GeometryErrorCode::kEntryOutside, shown(*params.entry_point),
-          skipped ? "The pre-drilled hole lies in a narrow passage that is skipped: choose the "
-                    "entry 'Automatic', or another NarrowPassages."
-                  : "The pre-drilled hole's centre lies outside the ground that the tool can "
-                    "reach: move EntryPoint into the pocket, at least a tool's radius from its "
-                    "walls.");
+      throw GeometryError(skipped ? Refusal::kHoleInSkippedPassage : Refusal::kHoleOutOfReach,
+                          shown(*params.entry_point));
   }
 
   if (rest && params.stock->empty()) return path;
@@ -351,6 +339,7 @@ Work work_of(const std::vector<Region>& regions, const ClearingParams& params) {
   if (params.cut_mode == CutMode::kClimb) return {regions, params};
   Work work{mirrored(regions), params};
   if (params.entry_point) work.params.entry_point = mirrored(*params.entry_point);
+  if (params.open_side) work.params.open_side = mirrored(*params.open_side);
   return work;
 }
 

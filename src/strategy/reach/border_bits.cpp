@@ -7,16 +7,14 @@
 #include "feed/feed_control.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/links.h"
-#include "toolpath/small_arc.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
 
 // mm: of a move that is divided.
 constexpr double kShortestPart = 0.006;
-// mm, and the cosine between directions: a start and the place where a cut ran through it.
-constexpr double kSamePlace = 1e-6;
-constexpr double kSameWay = 1 - 1e-6;
 // rad: by how much ways back turn off the cut. The first that serves: the more, the clearer posted
 // programs show it, rounded to 0.001 mm.
 constexpr double kAsides[] = {0.1, 0.05, kLeastAside};
@@ -37,8 +35,8 @@ WayBack way_back(const std::vector<PlanarMove>& moves, const Pose& to, double lo
   for (auto move = moves.rbegin(); move != moves.rend() && move->kind == MoveKind::kCut; ++move) {
     const Segment& cut = move->segment;
     const double t = cut.nearest(to.p);
-    const bool is_there = distance(cut.point(t), to.p) < kSamePlace &&
-                          dot(cut.tangent(t), unit(to.heading)) > kSameWay;
+    const bool is_there =
+        distance(cut.point(t), to.p) < kSame && dot(cut.tangent(t), unit(to.heading)) > 1 - kSame;
     const double kept = is_there ? t : 0;
     if (kept < 1) back.push_back(cut.part(kept, 1).reversed());
     length += (1 - kept) * cut.length();

@@ -8,6 +8,7 @@
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/reach/entry_feeds.h"
+#include "support/tolerances.h"
 #include "toolpath/helix.h"
 #include "toolpath/ramp.h"
 
@@ -25,7 +26,6 @@ constexpr double kNarrowRoom = 0.05;  // share of the tool's radius: of the larg
 constexpr double kRoundBorder = 1.15;
 // A helix takes this share of its room; and in narrow rooms, where it fills it.
 constexpr double kHelixRoom = 0.98;
-constexpr double kWholeRoom = 1 - 1e-6;
 // Share of a helix's radius that it keeps from the walls where it is stretched; and the share
 // between two looks for them, which no corner of a wall that is as far away at both can use up.
 constexpr double kStretchedRoom = 0.005;
@@ -38,13 +38,10 @@ constexpr double kWidestHelix = 0.98;
 constexpr int kRampDirections = 180;
 // rad: to which it is refined.
 constexpr double kRampAngle = 1e-4;
-// mm: by how much a line must be longer than another to be taken in its place.
-constexpr double kLonger = 1e-9;
 // Share of a helix's radius: it is not stretched by less.
 constexpr double kShortestStretch = 0.1;
 // mm: to which the stretch of a helix is found.
 constexpr double kStretch = 1e-3;
-constexpr double kSameTurns = 1e-6;
 // mm: a ramp shorter than this is a plunge.
 constexpr double kShortestRamp = 1e-3;
 // mm: the longest line of a ramp that is joined to others for being too short to descend.
@@ -54,6 +51,7 @@ constexpr double kLongestDrop = 0.01;
 constexpr double kStandingLook = 1.0 / 40;
 // Share of the tool's radius from the stock at which the tool comes down outside.
 constexpr double kBeside = 1.02;
+constexpr int kHalvedEdge = 12;  // times: to a hundredth of a millimetre of 40 mm
 
 // mm from `from` to where the border of `centres` is `room` mm away, `limit` at most.
 double free_length(const Area& centres, Vec2 from, Vec2 direction, double limit, double room = 0) {
@@ -89,7 +87,7 @@ double direction_of_longest(const Area& centres, Vec2 from, double turn, const L
   double best = 0, longest = -1;
   const auto look = [&](double angle) {
     const double found = length(angle);
-    if (found <= longest + kLonger) return;
+    if (found <= longest + kRounding) return;
     longest = found;
     best = angle;
   };
@@ -143,7 +141,7 @@ double slope_of(const ClearingParams& params) {
 // none of them flatter than it may be; 0 where that is not worth it.
 double stretch_of_half_turns(double helix_radius, double longest, const ClearingParams& params) {
   const double slope = slope_of(params), circle = kPi * helix_radius;
-  const double half_turns = std::ceil(slope / (circle + longest) - kSameTurns);
+  const double half_turns = std::ceil(slope / (circle + longest) - kSame);
   const double stretch = slope / half_turns - circle;
   return stretch < kShortestStretch * helix_radius ? 0 : stretch;
 }
@@ -313,26 +311,41 @@ void fill_narrow_room(Entry& entry, const Circle& room, const ClearingParams& pa
   Descent& helix = entry.descent;
   if (helix.kind != DescentKind::kHelix || norm(helix.stretch) > 0) return;
   if (room.radius >= kNarrowRoom * 0.5 * params.tool_diameter) return;
-  helix.radius = std::min(0.5 * params.helix_diameter, kWholeRoom * room.radius);
+  helix.radius = std::min(0.5 * params.helix_diameter, (1 - kSame) * room.radius);
   helix.at = helix.centre + Vec2{helix.radius, 0};
   entry.start = {helix.at, kPi / 2};
 }
 
 std::optional<Pose> start_outside(const Area& centres, const std::vector<Region>& material,
-                                  const ClearedGround& ground) {
+                                  const ClearedGround& ground, std::optional<Vec2> near) {
   const double beside = kBeside * ground.tool_radius();
-  std::optional<Segment> best;
+  std::optional<Pose> best;
+  double best_rank = 0;  // the larger the better: its length, or how near it is
   for (const Region& region : material)
     for (const Curve& curve : region.curves())
       for (const Segment& edge : curve.segments()) {
         if (!edge.open) continue;
-        const Vec2 p = edge.point(0.5) - beside * left_normal(edge.tangent(0.5));
-        if (centres.signed_distance(p) < 0 || !ground.is_clear(p)) continue;
-        if (!best || edge.length() > best->length() + 1e-9) best = edge;
+        const auto at = [&](double t) {
+          const Vec2 inwards = left_normal(edge.tangent(t));
+          return Pose{edge.point(t) - beside * inwards, angle_of(inwards) + kPi / 2};
+        };
+        const auto is_allowed = [&](double t) {
+          const Vec2 p = at(t).p;
+          return centres.signed_distance(p) >= 0 && ground.is_clear(p);
+        };
+        double refused = near ? edge.nearest(*near) : 0.5, t = refused;
+        if (!is_allowed(t)) {
+          t = 0.5;
+          if (!is_allowed(t)) continue;
+          for (int halved = 0; halved < kHalvedEdge; ++halved)
+            (is_allowed(0.5 * (refused + t)) ? t : refused) = 0.5 * (refused + t);
+        }
+        const double rank = near ? -distance(at(t).p, *near) : edge.length();
+        if (best && rank <= best_rank + 1e-9) continue;
+        best = at(t);
+        best_rank = rank;
       }
-  if (!best) return std::nullopt;
-  const Vec2 inwards = left_normal(best->tangent(0.5));
-  return Pose{best->point(0.5) - beside * inwards, angle_of(inwards) + kPi / 2};
+  return best;
 }
 
 }  // namespace evenload

@@ -66,8 +66,10 @@ std::optional<Entry> helix_within(const Area& centres, const Circle& room, Clear
 void fill_narrow_room(Entry& entry, const Circle& room, const ClearingParams& params);
 
 // A place outside the stock, beside the longest open edge of `material` from which the tool can go
-// straight in; the heading is along the edge. Empty when there is none.
+// straight in, or beside the edge that is nearest to a place, as near to that as it may; the
+// heading is along the edge. Empty when there is none.
 std::optional<Pose> start_outside(const Area& centres, const std::vector<Region>& material,
-                                  const ClearedGround& ground);
+                                  const ClearedGround& ground,
+                                  std::optional<Vec2> near = std::nullopt);
 
 }  // namespace evenload

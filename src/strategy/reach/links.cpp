@@ -4,9 +4,11 @@
 #include <cmath>
 #include <optional>
 
+#include "cutting/probe.h"
 #include "geometry/bi_arc.h"
 #include "strategy/moves/move_ends.h"
-#include "toolpath/small_arc.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -15,11 +17,6 @@ namespace {
 constexpr double kLinkTolerance = 3e-5;
 // mm: links stay this far from what is not cleared, but at their ends.
 constexpr double kLinkDistance = 1e-3;
-// mm: how far beyond the wall's offset a link may stand by rounding.
-constexpr double kWallTolerance = 1e-6;
-// mm: what one more block must shorten a link by. At 1500 mm/min that is the time that it must save
-// elsewhere, too.
-constexpr double kBlockPrice = 0.9;
 // rad: of one arc of two. Back to back takes half a turn; beyond, three pieces are shorter.
 constexpr double kMostTurn = 1.1 * kPi;
 // Shares of the tool's radius: between two looks for material, and for the wall.
@@ -38,9 +35,6 @@ constexpr double kTighter[] = {0.2, 0.05};
 constexpr double kTightest = kLeastArcRadius + kRadiusMargin;
 // Every so manieth look for material comes first.
 constexpr int kSparseLooks = 8;
-// s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
-// staying down is gentler.
-constexpr double kRetractPrice = 0.3;
 // A way along a wall, which is less gentle, counts so many times its length.
 constexpr double kGrazingPrice = 1.5;
 // Looks for the wall that a straight way cuts into; shares of the turn radius: how far beside it a
@@ -50,14 +44,11 @@ constexpr double kBerth = 0.3;
 constexpr double kTightestRound = 0.5;
 // mm: of the ends of a link that leaves a wall slowly.
 constexpr double kLongestEnds = 0.4;
-// mm: centres this near are one.
-constexpr double kSameCircle = 1e-6;
-// A turn of just under a full circle is a turn of nothing with a rounding error.
-constexpr double kFullTurn = 2 * kPi - 1e-6;
 
 double turn_angle(double side, double from, double to) {
   const double angle = wrap_positive(side * (to - from));
-  return angle > kFullTurn ? 0 : angle;
+  // A turn of just under a full circle is a turn of nothing with a rounding error.
+  return angle > 2 * kPi - kSame ? 0 : angle;
 }
 
 void push_turn(std::vector<Segment>& moves, Vec2 centre, double radius, double side, double heading,
@@ -100,7 +91,7 @@ bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segmen
     if (s.is_arc() && s.radius < tightest) return false;
   const Segment &one = pair->first, &two = pair->second;
   const bool same = one.is_arc() && two.is_arc() && one.sweep * two.sweep > 0 &&
-                    distance(one.centre, two.centre) < kSameCircle;
+                    distance(one.centre, two.centre) < kSame;
   if (same)
     moves = {Segment::arc(one.centre, one.radius, one.start_angle, one.sweep + two.sweep)};
   else
@@ -113,10 +104,10 @@ bool turn_turn(const Pose& a, const Pose& b, double tightest, std::vector<Segmen
 bool turn_onto(const Pose& from, Vec2 centre, double radius, Pose& on, Segment& arc) {
   const Vec2 to_left = left_normal(unit(from.heading)), apart = from.p - centre;
   const double denominator = 2 * (dot(apart, to_left) + radius);
-  if (std::abs(denominator) < kSameCircle) return false;
+  if (std::abs(denominator) < kSame) return false;
   // The centres are as far apart as the radii differ.
   const double own = (radius * radius - squared_norm(apart)) / denominator;
-  if (std::abs(radius - own) < kSameCircle || std::abs(own) < kSameCircle) return false;
+  if (std::abs(radius - own) < kSame || std::abs(own) < kSame) return false;
   const Vec2 own_centre = from.p + own * to_left;
   const Vec2 left = 1 / (radius - own) * (centre - own_centre);  // of the place where they meet
   on = {centre - radius * left, angle_of(left) - kPi / 2};
@@ -164,7 +155,7 @@ bool is_off_walls(const Segment& move, int n, const Area& centres) {
     const double t = static_cast<double>(i) / n;
     if (t * length < wall_free) continue;
     const double inside = centres.signed_distance(move.point(t));
-    if (inside < -kWallTolerance) return false;
+    if (inside < -kSame) return false;
     wall_free = t * length + inside;
   }
   return true;
@@ -177,15 +168,12 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
   if (moves.empty()) return true;
   const ClearedGround& ground = before.ground;
   const double look = kLinkLook * ground.tool_radius(), whole = length_of(moves);
-  std::vector<AngularInterval> scratch;
+  Probe probe(ground);
   // Where the tool stands, the end of the way that it came hides what lies ahead: the first looks
   // are nearby.
   for (const double share : kFirstLooks) {
     const double t = std::min(1.0, share * ground.tool_radius() / moves.front().length());
-    const double right = angle_of(moves.front().tangent(t)) - kPi / 2;
-    ground.uncovered(moves.front().point(t), right, right + kPi, scratch, kLinkTolerance,
-                     before.last);
-    if (!scratch.empty()) return false;
+    if (probe.touches(moves.front(), t, kLinkTolerance, before.last)) return false;
   }
   const double depth = kMissedDepth + (ends < whole ? kLinkDistance : 0);  // that can be missed
   const auto looks_along = [&](const Segment& move) {
@@ -199,11 +187,9 @@ bool is_free(const GroundBefore& before, const Area& centres, const std::vector<
     if (!is_off_walls(move, looks_along(move), centres)) return false;
   double done = 0;
   const auto touches = [&](const Segment& move, double t) {
-    const double right = angle_of(move.tangent(t)) - kPi / 2, at = done + t * move.length();
+    const double at = done + t * move.length();
     const bool at_end = at < ends || at > whole - ends;
-    ground.uncovered(move.point(t), right, right + kPi, scratch,
-                     at_end ? kLinkTolerance : -kLinkDistance, before.last);
-    return !scratch.empty();
+    return probe.touches(move, t, at_end ? kLinkTolerance : -kLinkDistance, before.last);
   };
   // Far apart first: most of what is in the way is found by those few.
   for (const bool sparse : {true, false}) {
@@ -232,7 +218,7 @@ std::vector<Candidate> candidates(const Pose& from, const Pose& to,
   std::vector<Candidate> result;
   const auto offer = [&](Candidate candidate) {
     const double length = length_of(candidate.moves);
-    candidate.cost = length + kBlockPrice * static_cast<double>(candidate.moves.size());
+    candidate.cost = length + block_price::kLink * static_cast<double>(candidate.moves.size());
     if (length <= longest) result.push_back(std::move(candidate));
   };
   for (const double radius : radii)

@@ -7,6 +7,7 @@
 #include <optional>
 #include <utility>
 
+#include "cutting/load_budget.h"
 #include "feed/load_profile.h"
 #include "geometry/box_tree.h"
 #include "strategy/moves/move_ends.h"
@@ -18,27 +19,22 @@
 #include "strategy/trochoid/slot.h"
 #include "strategy/trochoid/trochoid_pattern.h"
 #include "support/errors.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
 
 // Fewer periods are not worth a pattern.
 constexpr int kFewestPeriods = 4;
-// rad^3: below the limit, times its square, is what steering aims at here, since it may pass that
-// by kSmoothOverload, and by more where a cusp is met at a small angle.
-constexpr double kPassRoom = 0.3 * (kPi / 180) * (kPi / 3) * (kPi / 3);
-constexpr double kMostPassRoom = 0.05;  // of the limit
 // Half rooms: a junction reaches no further.
 constexpr double kLongestJunction = 8;
 // The same: so far beyond the corner inside where two ways meet both walls of a way are there.
 constexpr double kPastCorner = 1.1;
 // The same: a little narrower than expected, a helix needs so much more for as many turns.
 constexpr double kHelixRoom = 0.01;
-constexpr double kSameArea = 1e-6;  // mm^2
 
 ClearingParams for_passes(ClearingParams params) {
-  const double limit = params.engagement_angle;
-  params.engagement_angle -= std::min(kPassRoom / (limit * limit), kMostPassRoom * limit);
+  params.engagement_angle -= load_budget::spared_beside_patterns(params.engagement_angle);
   params.feed_steps = kSlotFeedSteps;
   params.move_price = kSlotFeedSteps.price;
   return params;
@@ -134,12 +130,17 @@ class SlotClearing {
       add_way(stretch.reversed(), use);
     }
     std::stable_sort(ways_.begin(), ways_.end(), comes_first);
+    if (task_.has_open_edges && params_.open_side)
+      std::stable_sort(
+          ways_.begin(), ways_.end(), [&wish = *params_.open_side](const Way& a, const Way& b) {
+            return distance(a.stretch.middle.a, wish) < distance(b.stretch.middle.a, wish);
+          });
     is_too_short_ = is_too_short_ && ways_.empty();
   }
 
   // The longest first, of those as long the widest, so that a turned slot is cut the same.
   static bool comes_first(const Way& a, const Way& b) {
-    if (std::abs(a.length() - b.length()) > kSameWall) return a.length() > b.length();
+    if (std::abs(a.length() - b.length()) > kOnWall) return a.length() > b.length();
     return a.stretch.half_room > b.stretch.half_room + kSameWidth;
   }
 
@@ -178,7 +179,7 @@ class SlotClearing {
   bool clear_first_room(Place place) {
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
       const double length = ways_[first].length();
-      while (last < ways_.size() && ways_[last].length() > length - kSameWall) ++last;
+      while (last < ways_.size() && ways_[last].length() > length - kOnWall) ++last;
       if (clear_smallest_end(first, last, place)) return true;
     }
     return false;
@@ -209,9 +210,9 @@ class SlotClearing {
                                           ? start_room_of(ways_[i], first_place(ways_[i]))
                                           : room_past_junction(ways_[i]);
       if (!room) continue;
-      const bool is_better = !best || (room->is_end != best->is_end
-                                           ? room->is_end
-                                           : room->room.area() < best->room.area() - kSameArea);
+      const bool is_better =
+          !best || (room->is_end != best->is_end ? room->is_end
+                                                 : room->room.area() < best->room.area() - kSame);
       if (!is_better) continue;
       best = std::move(room);
       way = &ways_[i];
@@ -246,7 +247,7 @@ class SlotClearing {
   }
 
   static bool is_reverse(const Segment& a, const Segment& b) {
-    return distance(a.a, b.b) < kSameWall && distance(a.b, b.a) < kSameWall;
+    return distance(a.a, b.b) < kOnWall && distance(a.b, b.a) < kOnWall;
   }
 
   bool clear_room_about_hole() {
@@ -255,7 +256,7 @@ class SlotClearing {
       if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
       const double at = middle.nearest(*task_.hole) * middle.length();
       // The way back has it nearer.
-      if (at > 0.5 * way.length() + kSameWall) continue;
+      if (at > 0.5 * way.length() + kOnWall) continue;
       const std::optional<StartRoom> start = start_room_of(way, std::max(first_place(way), at));
       return start && start->room.contains(*task_.hole) && clear_room(start->room);
     }

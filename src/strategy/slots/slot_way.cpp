@@ -13,7 +13,7 @@ constexpr double kLook = 0.1;
 // Share of a step: what is thinner in front of a period is a scallop.
 constexpr double kScallop = 0.25;
 // Share of a step: what is thinner is no material where a period shall cut nothing.
-constexpr double kThin = 0.002;
+constexpr double kNoMaterial = 0.002;
 // Of unit vectors: towards the front, not the walls.
 constexpr double kAcross = 0.5;
 
@@ -41,7 +41,7 @@ std::optional<int> first_to_cut(const Way& way, const ClearedGround& ground) {
   const double reach = way.reach.ahead - way.reach.back + 2 * ground.tool_radius();
   const double from = std::max(-way.reach.back - way.stretch.half_room, *edge - reach);
   const double spacing = way.pattern.step / kTriesInStep;
-  const double thin = kThin * way.pattern.step;
+  const double thin = kNoMaterial * way.pattern.step;
   // Places that are tried are counted as periods are, the furthest first.
   const auto place = [&](int i) { return way.last() - i * spacing; };
   const int furthest = static_cast<int>(std::ceil((way.last() - *edge) / spacing));

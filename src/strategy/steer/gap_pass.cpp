@@ -5,21 +5,20 @@
 #include <utility>
 #include <vector>
 
+#include "cutting/probe.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/steer/steering_parts.h"
-#include "toolpath/small_arc.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 
-using steering_parts::kInContact, steering_parts::kThin;
+using steering_parts::kInContact;
 
 namespace {
 
-// mm: so near to a wall a place is on it, and a circle touches it.
-constexpr double kOnWall = 1e-4;
+// mm: so near to a wall a circle touches it.
 constexpr double kTouches = 1e-7;
-// Of unit vectors: the way and the wall that it follows.
-constexpr double kSameDirection = 1e-3;
 // Shares of the tool's radius: half of the widest gap; the furthest reach along its wall, from a
 // start next to which there is material; between two looks along it; the first reach that is tried,
 // and to which the furthest one that will do is found.
@@ -178,7 +177,7 @@ class GapPass {
   }
 
   double met_on(const Segment& move, double t, double thin = kThin) {
-    return engagement_ahead(ground_, move.point(t), angle_of(move.tangent(t)), thin, arcs_);
+    return probe_.engagement(move, t, thin);
   }
 
   int looks_along(const Segment& wall) const {
@@ -200,8 +199,7 @@ class GapPass {
     };
     return std::all_of(way->turn.begin(), way->turn.end(),
                        [&](const Segment& arc) {
-                         return is_inside(arc, centres_, kOnBorder) &&
-                                keeps(arc, looks_along_arc(arc));
+                         return is_inside(arc, centres_, kSame) && keeps(arc, looks_along_arc(arc));
                        }) &&
            std::all_of(way->wall.begin(), way->wall.end(),
                        [&](const Segment& wall) { return keeps(wall, looks_along(wall)); });
@@ -239,7 +237,7 @@ class GapPass {
   bool is_on_wall_ = false;
   bool ends_short_ = false;  // some turn that was looked at, of the wall it leads to
   bool ends_wide_ = false;   // such turns, by a second arc, in place of that
-  std::vector<AngularInterval> arcs_;
+  Probe probe_{ground_};
 };
 
 }  // namespace

@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
+#include "cutting/load_budget.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/steer/steering_parts.h"
 #include "support/errors.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 
@@ -33,8 +36,6 @@ constexpr double kNearlyOut = 3 * kDegree;   // of engagement
 
 // rad: material that is thinner than a cut is kept by so much on the right of the feed.
 constexpr double kOnRight = 5 * kDegree;
-// rad: an arc that begins nearer to the right of the feed begins there.
-constexpr double kAtRight = 1e-9;
 // rad: less than this is thin stuff on either side.
 constexpr double kLeastLeaning = kDegree;
 
@@ -53,12 +54,12 @@ Steering::Steering(ClearedGround& ground, const Stage& stage, double engagement,
 Steering::Contact Steering::contact(const Pose& at) const {
   const double right = at.heading - kPi / 2;
   // Where the tool stands its own last move, which ends here, must not hide what lies ahead.
-  const bool here = !pass_.moves.empty() && distance(at.p, pass_.moves.back().b) < kHere;
-  ground_.uncovered(at.p, right, right + kPi, scratch_, kThin,
-                    here ? ground_.size() - 1 : ground_.size());
+  const bool here = !pass_.moves.empty() && distance(at.p, pass_.moves.back().b) < kRounding;
+  const std::vector<AngularInterval>& arcs =
+      probe_.arcs(at.p, at.heading, kThin, here ? ground_.size() - 1 : Probe::kNow);
   Contact result;
   double widest = 0, towards_left = 0, beside = 0;
-  for (const AngularInterval& piece : scratch_) {
+  for (const AngularInterval& piece : arcs) {
     result.total += piece.width();
     towards_left += piece.width() * (0.5 * (piece.low + piece.high) - at.heading);
     if (piece.width() > widest) {
@@ -71,7 +72,7 @@ Steering::Contact Steering::contact(const Pose& at) const {
   // Thin material with nothing beside it on the right could have its far end there and lie on the
   // left, where the limit is beyond a right angle: its middle stays on the right.
   if (theta_ > kPi / 2) result.steer += std::max(0.0, beside - (kPi - theta_) + kOnRight);
-  result.on_right = result.total > kInContact && beside < kAtRight;
+  result.on_right = result.total > kInContact && beside < kRounding;
   result.steer = std::max(result.steer, result.total);
   result.leans_left = towards_left > 0 && result.total > kLeastLeaning;
   return result;
@@ -79,10 +80,13 @@ Steering::Contact Steering::contact(const Pose& at) const {
 
 // True where the engagement does not peak between two places beside each other, as it would at a
 // cusp of the front. Where contact begins or ends on the way it is less than at the other place.
-bool Steering::is_smooth_between(const Contact& a, const Contact& b) const {
+// `apart`: they are not next to each other.
+bool Steering::is_smooth_between(const Contact& a, const Contact& b, bool apart) const {
   if (a.total <= kInContact || b.total <= kInContact) return true;
   const bool has_moved = !pass_.moves.empty();
-  return ground_.is_smooth_between(a.edge, b.edge, ground_.size() - (has_moved ? 1 : 0));
+  return ground_.is_smooth_between(
+      a.edge, b.edge, ground_.size() - (has_moved ? 1 : 0),
+      apart ? kMostTurnOfFront : std::numeric_limits<double>::infinity());
 }
 
 Pose Steering::pose() const { return pass_.moves.empty() ? start_ : end_of(pass_.moves.back()); }
@@ -119,10 +123,10 @@ void Steering::cut_back(double length) {
     }
   }
   if (pass_.moves.empty()) travelled_ = 0;
-  while (!met_.empty() && met_.back().until > travelled_ + kHere) {
+  while (!met_.empty() && met_.back().until > travelled_ + kRounding) {
     Met& last = met_.back();
     const double left = travelled_ - (last.until - last.length);
-    if (left <= kHere) {
+    if (left <= kRounding) {
       met_.pop_back();
       continue;
     }
@@ -134,13 +138,13 @@ void Steering::cut_back(double length) {
 
 // rad engaged before the last `length` mm of the path; 0 where that was nothing.
 double Steering::met_before(double length) const {
-  return has_cut() && met_.back().until > travelled_ - length - kHere ? met_.back().total : 0;
+  return has_cut() && met_.back().until > travelled_ - length - kRounding ? met_.back().total : 0;
 }
 
 // True where all of the last `length` mm of the path met material.
 bool Steering::was_met_for(double length) const {
   double from = travelled_;
-  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from - kHere; ++met) {
+  for (auto met = met_.rbegin(); met != met_.rend() && met->until > from - kRounding; ++met) {
     from = met->until - met->length;
     if (travelled_ - from >= length) return true;
   }
@@ -161,7 +165,7 @@ double Steering::contact_until(const Segment& move) const {
   const int n = static_cast<int>(std::ceil(move.length() / (kContactLook * radius_)));
   for (int i = n - 1; i >= 0; --i) {
     double low = static_cast<double>(i) / n, high = static_cast<double>(i + 1) / n;
-    if (i > 0 ? !touches(low) : !has_cut() || idle() > kHere) continue;
+    if (i > 0 ? !touches(low) : !has_cut() || idle() > kRounding) continue;
     // Never all of the move, or contact would seem to go on in steps however short.
     while (high - low > std::min(0.1, kContactEnd * radius_ / move.length())) {
       const double middle = 0.5 * (low + high);
@@ -218,9 +222,9 @@ double Steering::peak_of_left_turn(const Pose& from, TurnPart part, double* angl
   }
   // Another front that is touched on the way lets it rise and fall from one look to the next. As it
   // falls from there on, so it has fallen before.
-  for (std::size_t i = 1; i + 2 < met.size() && best <= theta_ + kOverload; ++i) {
+  for (std::size_t i = 1; i + 2 < met.size() && best <= theta_ + load_budget::kStepEnd; ++i) {
     const double highest = 2 * met[i + 1] - met[i + 2];
-    if (highest <= theta_ + kOverload || highest <= met[i]) continue;
+    if (highest <= theta_ + load_budget::kStepEnd || highest <= met[i]) continue;
     double low = static_cast<double>(i), high = low + 1;
     for (int k = 0; k < kPeakLooks; ++k) {
       const double middle = 0.5 * (low + high);
@@ -247,7 +251,7 @@ bool Steering::roll_in(TurnPart part) {
   double delta = 0.05 * turn_;
   Segment piece;
   bool cut = false;
-  while (peak > theta_ + kOverload) {
+  while (peak > theta_ + load_budget::kStepEnd) {
     if (travelled_ <= 1e-9) return false;
     const Segment last = pass_.moves.back();
     const double whole = last.length(), take = std::min(delta, whole);
@@ -267,7 +271,7 @@ bool Steering::roll_in(TurnPart part) {
       append(more);
       double angle = 0;
       const double value = peak_of_left_turn(pose(), part, &angle);
-      if (value <= theta_ + kOverload) {
+      if (value <= theta_ + load_budget::kStepEnd) {
         note_contact(contact(pose()).total, more.length());
         low = middle;
         turned = angle;
@@ -283,6 +287,7 @@ bool Steering::roll_in(TurnPart part) {
     note_contact(peak, turned * turn_);
   }
   mode_ = Mode::kFree;
+  free_from_ = pass_.moves.size();
   step_ = kFirstStep * radius_;
   curvature_ = 1 / turn_;
   return true;
@@ -341,7 +346,7 @@ void Steering::roll_out() {
   for (int i = 1; i <= looks; ++i) {
     const double heading = from.heading + turned * i / looks;
     const double total = contact({centre - turn_ * left_normal(unit(heading)), heading}).total;
-    if (total > theta_ + kOverload) {
+    if (total > theta_ + load_budget::kStepEnd) {
       overload();
       return;
     }
@@ -425,6 +430,7 @@ Pass Steering::from_pose(const Pose& start) {
   EVENLOAD_ASSERT(turn_ > 0);
   reset(start);
   mode_ = Mode::kFree;
+  free_from_ = 0;
   return run();
 }
 

@@ -23,6 +23,7 @@
 #include <vector>
 
 #include "cutting/cleared_ground.h"
+#include "cutting/probe.h"
 #include "strategy/moves/pass.h"
 #include "strategy/steer/stage.h"
 
@@ -103,7 +104,7 @@ class Steering {
   Pose pose() const;
   void append(const Segment& move);
   void cut_back(double length);
-  bool is_smooth_between(const Contact& a, const Contact& b) const;
+  bool is_smooth_between(const Contact& a, const Contact& b, bool apart = false) const;
   bool changes_between(const Contact& a, const Contact& b) const;
   bool may_peak_between(const Contact& a, const Contact& b) const;
   double peak_of_left_turn(const Pose& from, TurnPart part, double* angle) const;
@@ -158,12 +159,13 @@ class Steering {
     double total = 0;   // rad engaged at the end
   };
   std::vector<Met> met_;
-  double step_ = 0;         // mm, adaptive
-  double curvature_ = 0;    // of the last free step
-  bool rises_ = false;      // the engagement, on its way
-  double trouble_at_ = -1;  // mm travelled where the furthest overload was met
+  double step_ = 0;            // mm, adaptive
+  double curvature_ = 0;       // of the last free step
+  std::size_t free_from_ = 0;  // moves of the pass before the free steps
+  bool rises_ = false;         // the engagement, on its way
+  double trouble_at_ = -1;     // mm travelled where the furthest overload was met
   int troubles_ = 0;
-  mutable std::vector<AngularInterval> scratch_;
+  mutable Probe probe_{ground_};
 };
 
 }  // namespace evenload

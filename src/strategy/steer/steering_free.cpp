@@ -3,9 +3,12 @@
 #include <cmath>
 #include <limits>
 
+#include "cutting/load_budget.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/steer/steering.h"
 #include "strategy/steer/steering_parts.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 
@@ -16,14 +19,15 @@ namespace {
 // Lengths as shares of the tool's radius, but those in mm.
 constexpr double kSmallestStep = 0.004;
 constexpr double kLargestStep = 4;
-constexpr double kMostTurn = 1.5;           // rad, of a step
-constexpr double kLookStep = 0.05;          // between two looks on the way
+constexpr double kMostTurn = 1.5;  // rad, of a step
+// Between two looks on the way; of exact steps.
+constexpr double kLookStep = 0.15, kExactLookStep = 0.05;
 constexpr double kBend = 3 * kDegree;       // turned more or less than the step before: more looks
 constexpr double kSolved = 0.03 * kDegree;  // of the engagement at the end of a step
-// Of the engagement on the way of a step: kSmoothOverload above the limit; so much below, and so
-// much at the ends of steps on whose way it rises: no more than a share of the limit, and the less
-// the longer the step, since it costs time over all of it; so much in a step as long as the tool's
-// radius.
+// Of the engagement on the way of a step: load_budget::kSmooth above the limit; so much below, and
+// so much at the ends of steps on whose way it rises: no more than a share of the limit, and the
+// less the longer the step, since it costs time over all of it; so much in a step as long as the
+// tool's radius.
 constexpr double kSlack = 2.5 * kDegree, kSlackShare = 1.0 / 24, kSlackPerLength = 1 * kDegree;
 constexpr double kBias = 2.2 * kDegree, kBiasShare = 1.0 / 27, kBiasPerLength = 0.5 * kDegree;
 // Share of the slack that exact steps have; they aim at the limit itself.
@@ -37,7 +41,6 @@ constexpr double kWorthLonger = 1.25;  // growth for which a step is tried again
 constexpr double kLowestBegin = -3 * kDegree, kHighestBegin = 0.5 * kDegree;
 // rad: where less is met than the limit less this, no peak between two looks is above it.
 constexpr double kNearPeak = 6 * kDegree;
-constexpr double kOutside = 1e-6;     // mm beyond the border that still counts as on it
 constexpr double kNearBorder = 0.01;  // mm: the finest step of the search for a wall
 
 }  // namespace
@@ -52,12 +55,12 @@ double Steering::reach_of(const Segment& move) const {
   // The centre moves at most this much faster than the tool, so that a step as long as the distance
   // is safe.
   const double speed = std::max(1e-9, std::abs(1 - move.curvature() * turn_));
-  const auto outside = [&](Vec2 q) { return stage_.turns.signed_distance(q) < -kOutside; };
+  const auto outside = [&](Vec2 q) { return stage_.turns.signed_distance(q) < -kSame; };
   double t = 0;
   while (t < 1) {
     const BoundaryIndex::Hit hit = stage_.turns.nearest(turn_centre(t));
     const double next =
-        std::min(1.0, t + std::max(hit.distance - kOutside, std::min(kNearBorder, 0.3 * turn_)) /
+        std::min(1.0, t + std::max(hit.distance - kSame, std::min(kNearBorder, 0.3 * turn_)) /
                               (speed * length));
     const Vec2 q = turn_centre(next);
     if (outside(q)) {
@@ -161,15 +164,16 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   const double end = step.above;
   const double begin = std::clamp(first.steer - theta_, kLowestBegin, kHighestBegin);
   const bool bends = std::abs(step.curvature - curvature_) * length > kBend;
-  const int looks = std::max(steady ? (bends ? 3 : 2) : 4,
-                             static_cast<int>(std::ceil(length / (kLookStep * radius_))));
+  const double spacing = (steps_ == Steps::kExact ? kExactLookStep : kLookStep) * radius_;
+  const int looks =
+      std::max(steady ? (bends ? 3 : 2) : 4, static_cast<int>(std::ceil(length / spacing)));
   Error error;
   const auto look = [&](double t) {
     const Contact here = contact(end_of(step.move.part(0, t)));
     const double above = here.steer - theta_, even = begin + t * (end - begin);
     const double bulge = above - even;
-    double share = above / kSmoothOverload;
-    if (steady && bulge > 0) share = std::max(share, bulge / (kSmoothOverload - even));
+    double share = above / load_budget::kSmooth;
+    if (steady && bulge > 0) share = std::max(share, bulge / (load_budget::kSmooth - even));
     if (share > error.share) error = {share, true};
     if (steady && -bulge / slack > error.share) error = {-bulge / slack, false};
     return Look{t, here};
@@ -184,7 +188,7 @@ Steering::Error Steering::error_of(const Step& step, const Contact& first, doubl
   const auto may_rise_between = [&](const Look& a, const Look& b) {
     const double apart = (b.t - a.t) * length;
     if (apart <= kCuspWidth * theta_ * radius_) return false;
-    if (steady) return !is_smooth_between(a.contact, b.contact);
+    if (steady) return !is_smooth_between(a.contact, b.contact, apart > kCuspLook * radius_);
     if (apart > kCuspLook * radius_) return true;
     const double most = std::max(a.contact.total, b.contact.total);
     return most > theta_ - kNearPeak && changes_between(a.contact, b.contact);
@@ -206,11 +210,11 @@ std::optional<Steering::Step> Steering::try_step(const Contact& first, Error* er
   for (;;) {
     const Step step = solve(step_);
     const bool can_shrink = step_ > smallest * 1.001;
-    if (can_shrink && (step.held_back || step.above > kOverload)) {
+    if (can_shrink && (step.held_back || step.above > load_budget::kStepEnd)) {
       step_ = std::max(smallest, 0.5 * step_);
       continue;
     }
-    if (step.above > kOverload) return std::nullopt;
+    if (step.above > load_budget::kStepEnd) return std::nullopt;
     *error =
         error_of(step, first, can_shrink ? kHopeless : std::numeric_limits<double>::infinity());
     if (error->share <= 1 || !can_shrink) return step;
@@ -229,7 +233,7 @@ Steering::Step Steering::longer_than(const Step& step, const Contact& first, Err
   for (int i = 0; i < kLongerTries && next >= kWorthLonger * good && is_steady(best); ++i) {
     const Step longer = solve(next * length);
     Error its_error{2, false};
-    if (!longer.held_back && longer.above <= kOverload && is_steady(longer))
+    if (!longer.held_back && longer.above <= load_budget::kStepEnd && is_steady(longer))
       its_error = error_of(longer, first, 1);
     if (its_error.share > 1) {
       bad = next;
@@ -254,6 +258,12 @@ void Steering::step_free() {
   const Step step = longer_than(*tried, first, &error);
   const double length = step.move.length(), share = reach_of(step.move);
   if (share < 1) {
+    // So short a move would be turned by the rounding of a program: it begins further back.
+    if (share * length < kShortestMove && pass_.moves.size() > free_from_ &&
+        pass_.moves.back().length() > 4 * kShortestMove) {
+      cut_back(2 * kShortestMove);
+      return;
+    }
     if (share * length > 1e-7) {
       const Segment part = step.move.part(0, share);
       make_step(part, contact(end_of(part)).total);

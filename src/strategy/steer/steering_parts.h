@@ -14,17 +14,10 @@ inline constexpr double kIdleBeforeCut = 1.5;  // nothing met for this long: the
 inline constexpr double kCuspLook = 0.03;      // between two looks where the front may have a cusp
 
 inline constexpr double kTurnStep = 10 * kDegree;  // between two looks along a turn
-// Accepted above the limit before the path is changed.
-inline constexpr double kOverload = 0.25 * kDegree;
 // Share of the tool's radius to which looks close in on a cusp, per rad of the limit: 0.004 at 60
 // degrees.
 inline constexpr double kCuspWidth = 0.0038;
 inline constexpr double kInContact = 0.06 * kDegree;  // less counts as no contact
-// mm: material thinner than this is not seen; what has been cut must not be found again by
-// rounding.
-inline constexpr double kThin = 1e-6;
-// mm: a pose this near to the tool's present place is that place.
-inline constexpr double kHere = 1e-9;
 
 // `length` mm from a pose on: an arc, or a line where it would hardly bend.
 inline Segment move_of(const Pose& from, double curvature, double length) {

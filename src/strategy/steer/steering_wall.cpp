@@ -3,9 +3,11 @@
 #include <cmath>
 #include <optional>
 
+#include "cutting/load_budget.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/steer/steering.h"
 #include "strategy/steer/steering_parts.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 
@@ -56,7 +58,7 @@ void Steering::step_on_wall() {
   };
   // Short of a cusp that was found ahead steps are short.
   const double fine = kCuspLook * radius_;
-  const bool before_cusp = wall_.t * length < rough_until_ - kHere;
+  const bool before_cusp = wall_.t * length < rough_until_ - kRounding;
   if (before_cusp && step > fine) {
     step = std::min(fine, rough_until_ - wall_.t * length);
     t1 = wall_.t + step / length;
@@ -98,7 +100,7 @@ void Steering::step_on_wall() {
     t1 = wall_.t + step / length;
     end = contact_at(t1);
   }
-  if (turn_ > 0 && end.total > theta_ + 0.2 * kOverload) {
+  if (turn_ > 0 && end.total > theta_ + load_budget::kWallStepEnd) {
     double low = wall_.t, high = t1;
     while ((high - low) * length > 1e-3 * radius_) {
       const double middle = 0.5 * (low + high);
@@ -253,15 +255,15 @@ WallPlace Steering::run_up(const WallPlace& start) const {
   const Curve& curve = stage_.centres.curves()[start.curve];
   const std::size_t n = curve.segment_count();
   WallPlace place = start;
-  for (double left = kMeanLength - clear_ahead(start); left > kHere;) {
+  for (double left = kMeanLength - clear_ahead(start); left > kRounding;) {
     WallPlace back = place;
     if (back.t <= 0) back = {back.curve, (back.segment + n - 1) % n, 1};
     const Segment wall = curve.segment(back.segment);
     const double step = std::min({left, kRunUpStep, back.t * wall.length()});
-    back.t = std::max(0.0, back.t - std::max(step, kHere) / wall.length());
+    back.t = std::max(0.0, back.t - std::max(step, kRounding) / wall.length());
     if (!ground_.is_clear(wall.point(back.t))) break;
     place = back;
-    left -= std::max(step, kHere);
+    left -= std::max(step, kRounding);
   }
   return place;
 }

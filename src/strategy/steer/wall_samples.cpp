@@ -6,8 +6,10 @@
 #include <map>
 #include <utility>
 
+#include "cutting/probe.h"
 #include "geometry/box_tree.h"
 #include "support/both.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -20,8 +22,6 @@ constexpr int kTries = 3;
 constexpr std::size_t kLookBack = 8;
 // Tool radii: the side of the cells that samples lie in.
 constexpr double kCell = 2;
-// mm: samples this near to the border of the stage before are shared with it.
-constexpr double kShared = 1e-4;
 // Fewer are taken sooner than a thread is started.
 constexpr double kManySamples = 3000;
 
@@ -57,14 +57,14 @@ Places short_pieces_on(const Area& after, const Area& before, double spacing) {
     for (const Segment& piece : curve.segments()) {
       if (piece.length() >= spacing) continue;
       const BoundaryIndex::Hit hit = after.nearest(piece.point(0.5));
-      if (hit.distance < kShared) places[{hit.curve, hit.segment}].push_back(hit.t);
+      if (hit.distance < kOnWall) places[{hit.curve, hit.segment}].push_back(hit.t);
     }
   return places;
 }
 
 // Shares of a segment's length `spacing` mm apart, or less where it bends.
 std::vector<double> even_places(const Segment& segment, double spacing) {
-  int n = std::max(1, static_cast<int>(std::ceil(segment.length() / spacing)));
+  int n = looks_along(segment.length(), spacing);
   if (segment.is_arc()) n = std::max(n, static_cast<int>(std::ceil(std::abs(segment.sweep) / 0.4)));
   std::vector<double> places;
   for (int j = 0; j < n; ++j) places.push_back(static_cast<double>(j) / n);
@@ -79,7 +79,7 @@ WallSamples::Taken WallSamples::taken(std::size_t first, std::size_t last, doubl
   for (std::size_t k = first; k < last; ++k) {
     const Area& centres = stages_[k].centres;
     const auto is_shared = [&](Vec2 p) {
-      return k > 0 && stages_[k - 1].centres.nearest(p).distance < kShared;
+      return k > 0 && stages_[k - 1].centres.nearest(p).distance < kOnWall;
     };
     Places shared_pieces;
     if (k > 0) shared_pieces = short_pieces_on(centres, stages_[k - 1].centres, spacing);

@@ -8,6 +8,7 @@
 #include "feed/feed_control.h"
 #include "geometry/region.h"
 #include "toolpath/assemble.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 
@@ -35,19 +36,22 @@ struct ClearingParams {
   double link_feed = 1500;    // mm/min, > 0
   double maximum_feed = 510;  // mm/min, >= feed: cap of the feed control
   double least_load = 0;      // 0 to kMostLeastLoad, of the nominal, where slower than the cap
-  double most_blocks_per_metre = 0;  // of path, that the controller takes; 0: any number
-  double rapid_feed = 5000;          // mm/min, > 0: only for the report's times
-  FeedSteps feed_steps;              // of the feed control
-  double move_price = 0.025;         // s: what one move more, for a change of feed, must save
-  double roll_radius = 0.9;          // mm, > 0: a wish
-  double minimum_radius = 0.9;       // mm, > 0: a wish
+  double most_blocks_per_metre = 0;        // of path, that the controller takes; 0: any number
+  double rapid_feed = 5000;                // mm/min, > 0: only for the report's times
+  FeedSteps feed_steps;                    // of the feed control
+  double move_price = block_price::kMove;  // s: what one move more, for a change of feed, must save
+  double roll_radius = 0.9;                // mm, > 0: a wish
+  double minimum_radius = 0.9;             // mm, > 0: a wish
   EntryKind entry = EntryKind::kAutomatic;
   double helix_angle = 3 * kPi / 180;  // rad, 0 < angle < pi/2
   double helix_diameter =
       5.4;  // mm, of the tool centre's helix, > 0: shrinks where it does not fit
   std::optional<Vec2> entry_point;  // of the pre-drilled hole
-  double hole_diameter = 0;         // mm
-  double stock_to_leave = 0;        // mm, >= 0, radially
+  // Near the open side over which the tool comes in first, where there is one; unset: over the
+  // longest, or where a wall leads in.
+  std::optional<Vec2> open_side;
+  double hole_diameter = 0;   // mm
+  double stock_to_leave = 0;  // mm, >= 0, radially
   bool wall_pass = true;
   double tolerance = 0.005;  // mm, > 0
   bool arcs = true;          // false: lines only

@@ -4,14 +4,14 @@
 #include <cmath>
 
 #include "strategy/places/narrow_passages.h"
+#include "support/tolerances.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
 
-// mm and 1/mm: half rooms and curvatures are rounded to this, half rooms down, so that a slot that
-// is turned or moved has the same pattern: which of several is best may hang on the last digit.
-constexpr double kRounding = 1e-6, kCurvatureRounding = 1e-9;
-
+// Half rooms and curvatures are rounded, half rooms down, so that a slot that is turned or moved
+// has the same pattern: which of several is best may hang on the last digit.
 double rounded(double value, double to) { return std::round(value / to) * to; }
 
 }  // namespace
@@ -35,8 +35,8 @@ PatternCache::PatternCache(TrochoidKind kind, const ClearingParams& params, Prog
 }
 
 std::optional<SlotPattern> PatternCache::pattern_of(const SlotStretch& stretch) {
-  const double half_room = rounded(stretch.half_room, kRounding) - kRounding,
-               curvature = rounded(stretch.middle.curvature(), kCurvatureRounding);
+  const double half_room = rounded(stretch.half_room, kSame) - kSame,
+               curvature = rounded(stretch.middle.curvature(), kRounding);
   for (const Known& known : known_)
     if (known.half_room == half_room && known.curvature == curvature) return known.pattern;
   TrochoidParams slot = slot_;

@@ -5,14 +5,15 @@
 #include <optional>
 #include <utility>
 
+#include "support/tolerances.h"
+
 namespace evenload {
 namespace {
 
 // rad: of walls that run beside each other.
 constexpr double kParallel = 1e-4;
-// Looks along a stretch, in halves of its room; where it ends is found to kEnd mm.
+// Looks along a stretch, in halves of its room; where it ends is found to kSame mm.
 constexpr double kLook = 0.5;
-constexpr double kEnd = 1e-6;
 // rad: no stretch goes further round.
 constexpr double kMostSweep = 1.9 * kPi;
 
@@ -31,8 +32,7 @@ std::optional<SlotStretch> between_lines(const Segment& right, const Segment& le
   const Vec2 u = right.tangent(0), n = left_normal(u);
   if (dot(u, left.tangent(0)) > -1 + 0.5 * kParallel * kParallel) return std::nullopt;
   const double first = dot(left.a - right.a, n), last = dot(left.b - right.a, n);
-  if (std::min(first, last) <= kSameWall || std::abs(first - last) > kSameWidth)
-    return std::nullopt;
+  if (std::min(first, last) <= kOnWall || std::abs(first - last) > kSameWidth) return std::nullopt;
   const double from = std::max(0.0, dot(left.b - right.a, u)),
                to = std::min(right.length(), dot(left.a - right.a, u));
   if (to <= from) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<SlotStretch> between_arcs(const Segment& right, const Segment& lef
   const double aside = distance(right.centre, left.centre);
   if (left.sweep * side > 0 || aside > 0.5 * kSameWidth) return std::nullopt;
   const double across = side * (right.radius - left.radius) - aside;  // at the narrowest place
-  if (across <= kSameWall) return std::nullopt;
+  if (across <= kOnWall) return std::nullopt;
   // Angles from the right wall's start on, in its sense.
   const double whole = std::abs(right.sweep);
   double from = wrap_positive(side * (left.start_angle + left.sweep - right.start_angle));
@@ -64,7 +64,7 @@ std::optional<SlotStretch> between_arcs(const Segment& right, const Segment& lef
 }
 
 bool fits(const Area& centres, const SlotStretch& stretch, double s) {
-  return centres.signed_distance(pose_on(stretch, s).p) >= stretch.half_room - kSameWall;
+  return centres.signed_distance(pose_on(stretch, s).p) >= stretch.half_room - kOnWall;
 }
 
 // mm from `s` on, in steps of `step` mm, negative ones go back, as far as the disc fits.
@@ -74,7 +74,7 @@ double fitting_end(const Area& centres, const SlotStretch& stretch, double s, do
   while (std::abs(good + step - s) < most && fits(centres, stretch, good + step)) good += step;
   double bad = good + step;
   if (std::abs(bad - s) >= most) return good;
-  while (std::abs(bad - good) > kEnd) {
+  while (std::abs(bad - good) > kSame) {
     const double middle = 0.5 * (good + bad);
     (fits(centres, stretch, middle) ? good : bad) = middle;
   }
@@ -128,7 +128,7 @@ std::vector<SlotStretch> find_slots(const Area& centres, double widest) {
         found.push_back(*stretch);
     }
   std::stable_sort(found.begin(), found.end(), [](const SlotStretch& a, const SlotStretch& b) {
-    return a.middle.length() > b.middle.length() + kSameWall;
+    return a.middle.length() > b.middle.length() + kOnWall;
   });
   return found;
 }

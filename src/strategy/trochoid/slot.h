@@ -28,7 +28,6 @@ Pose pose_on(const SlotStretch& stretch, double s);
 // narrowest place's; what that leaves beside them is no part of the stretch.
 std::vector<SlotStretch> find_slots(const Area& centres, double widest);
 inline constexpr double kSameWidth = 5e-3;
-inline constexpr double kSameWall = 1e-4;  // mm: of places on walls, and lengths
 
 // The part of the outer border from one of its places on to another, without closing it.
 std::vector<Segment> border_between(const Curve& border, const WallPlace& from,

@@ -12,6 +12,7 @@
 #include "strategy/reach/links.h"
 #include "strategy/steer/stage.h"
 #include "support/both.h"
+#include "support/tolerances.h"
 
 namespace evenload {
 namespace {
@@ -46,7 +47,6 @@ constexpr double kMostOfSweep = 0.75;
 constexpr double kLikelyStep = 0.98;
 constexpr double kSureStep = 0.97;
 constexpr double kStepRoom = 1.05;
-constexpr double kOnWall = 1e-6;  // mm
 
 using Front = std::array<double, kFrontLooks>;
 
@@ -97,7 +97,7 @@ class Passes {
   // Whether a move runs beside the middle, `aside` mm to the left.
   bool lies_aside(const Segment& move, double aside) const {
     for (const double t : {0.0, 0.5, 1.0})
-      if (std::abs(offset_of(move.point(t)) - aside) > kOnWall) return false;
+      if (std::abs(offset_of(move.point(t)) - aside) > kSame) return false;
     return true;
   }
 

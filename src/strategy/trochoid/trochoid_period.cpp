@@ -6,6 +6,7 @@
 #include <stdexcept>
 #include <utility>
 
+#include "cutting/load_budget.h"
 #include "feed/feed_control.h"
 #include "feed/load_profile.h"
 #include "feed/load_share.h"
@@ -13,7 +14,7 @@
 #include "strategy/moves/move_ends.h"
 #include "strategy/places/area.h"
 #include "strategy/reach/links.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -128,7 +129,7 @@ std::vector<Segment> left_turns(const Pose& from, const Pose& to, double first, 
 }  // namespace
 
 double most_engagement(const TrochoidParams& params) {
-  return params.engagement + kPatternOverload * std::min(1.0, params.engagement / kFullOverload);
+  return params.engagement + load_budget::pattern(params.engagement);
 }
 
 double half_room(const TrochoidParams& params) { return 0.5 * params.width - params.tool_radius; }

@@ -7,9 +7,10 @@
 //
 // Laws of a finished pattern: cut, link and the next period's cut are tangent to each other; no
 // point of the tool leaves the slot; the engagement, as a mean over kMeanLength mm, exceeds the
-// limit by no more than kPatternOverload once the pattern repeats (most_engagement); links meet
-// nothing. Where the cleared ground holds what the pattern has cleared behind a period, that period
-// keeps the limit, whatever else is cleared besides: engagement falls with the ground that is left.
+// limit by no more than load_budget::kPattern once the pattern repeats (most_engagement); links
+// meet nothing. Where the cleared ground holds what the pattern has cleared behind a period, that
+// period keeps the limit, whatever else is cleared besides: engagement falls with the ground that
+// is left.
 #pragma once
 
 #include <functional>
@@ -23,6 +24,7 @@
 #include "geometry/curve.h"
 #include "strategy/steer/steering.h"
 #include "support/progress.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 
@@ -65,9 +67,6 @@ struct CirclesThrough {
 };
 CirclesThrough circles_through(const TrochoidPattern& pattern, double radius);
 
-// rad: exceeding the limit by less is not worth a shorter step; at small limits in proportion.
-inline constexpr double kPatternOverload = 0.75 * kPi / 180;
-inline constexpr double kFullOverload = kPi / 3;
 // rad: what a pattern may meet.
 double most_engagement(const TrochoidParams& params);
 
@@ -99,7 +98,8 @@ struct PatternFigures {
 // long pass would hardly gain by are a good part of their time. 0.1 mm take 6 ms at 1000 mm/min. In
 // narrow slots all of a turn is hardly longer than a mean: with a bound for single samples one of
 // 6.2 mm takes 5 % longer.
-inline constexpr FeedSteps kSlotFeedSteps{0.002, 0.1, std::numeric_limits<double>::infinity()};
+inline constexpr FeedSteps kSlotFeedSteps{block_price::kPattern, 0.1,
+                                          std::numeric_limits<double>::infinity()};
 inline constexpr double kBand = 2 * kPi / 180;
 PatternFigures figures_of(const TrochoidPattern& pattern, const TrochoidParams& params);
 

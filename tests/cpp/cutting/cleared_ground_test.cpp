@@ -575,5 +575,21 @@ TEST(ClearedGround, HasASmoothBorderAlongOneEdgeOfTheStockOnly) {
   EXPECT_FALSE(ground.is_smooth_between({-4, -10}, {10, 3}));
 }
 
+TEST(ClearedGround, WhatLoopsLeaveIsNoSmoothFrontForPlacesThatAreApart) {
+  // Full turns that go on tangentially, a step to the right each: their fronts meet in scallops.
+  constexpr double kTurn = 1, kStep = 0.5;
+  ClearedGround ground({{-20, -20}, {20, 20}}, kRadius, nullptr);
+  for (int i = 0; i < 4; ++i) {
+    const Vec2 centre{kStep * i, 0};
+    ground.add(Segment::arc(centre, kTurn, -kPi / 2, 2 * kPi));
+    ground.add(Segment::line(centre + Vec2{0, -kTurn}, centre + Vec2{kStep, -kTurn}));
+  }
+  const Vec2 top{0, kTurn + kRadius}, next = top + Vec2{kStep, 0};
+  EXPECT_TRUE(ground.is_smooth_between(top, next));  // tangent all the way
+  EXPECT_FALSE(ground.is_smooth_between(top, next, ground.size(), kMostTurnOfFront));
+  const Vec2 beside = kStep * Vec2{1, 0} + (kTurn + kRadius) * unit(kPi / 2 - 0.02);
+  EXPECT_TRUE(ground.is_smooth_between(next, beside, ground.size(), kMostTurnOfFront));
+}
+
 }  // namespace
 }  // namespace evenload

@@ -10,7 +10,7 @@
 
 #include "feed/following_profile.h"
 #include "judge/numbers.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -69,5 +69,40 @@ TEST(United, RefusesWhatIsFartherAwayThanItsRaster) {
   EXPECT_TRUE(united({}, 0).empty());
 }
 
+// The signed area of an outline, counter-clockwise positive.
+double turned_area(const Polygon& polygon) {
+  double twice = 0;
+  for (std::size_t i = 0; i < polygon.size(); ++i)
+    twice += cross(polygon[i], polygon[(i + 1) % polygon.size()]);
+  return 0.5 * twice;
+}
+
+TEST(CutFrom, LeavesPatchesWithHolesWhoseGroundIsOnTheLeft) {
+  const std::vector<Patch> left =
+      cut_from({{square(0, 0, 4), {}}, {square(10, 0, 4), {}}}, {{square(1, 1, 2), {}}}, 0);
+  ASSERT_EQ(left.size(), 2u);
+  double all = 0;
+  std::size_t holes = 0;
+  for (const Patch& patch : left) {
+    EXPECT_GT(turned_area(patch.outline), 0);
+    all += turned_area(patch.outline);
+    for (const Polygon& hole : patch.holes) {
+      EXPECT_LT(turned_area(hole), 0);
+      all += turned_area(hole);
+      ++holes;
+    }
+  }
+  EXPECT_EQ(holes, 1u);
+  EXPECT_NEAR(all, 28, 1e-4);
+}
+
+TEST(CutFrom, TakesPatchesInPartsAndKeepsWhatLiesInTheirHoles) {
+  const Patch frame{square(0, 0, 6), {square(1, 1, 4)}};
+  const std::vector<Patch> left = cut_from({{square(0, 0, 6), {}}}, {frame}, 0);
+  ASSERT_EQ(left.size(), 1u);
+  EXPECT_NEAR(turned_area(left[0].outline), 16, 1e-4);
+  EXPECT_TRUE(cut_from({frame}, {{square(-1, -1, 8), {}}}, 0).empty());
+}
+
 }  // namespace
 }  // namespace evenload

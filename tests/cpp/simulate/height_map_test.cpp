@@ -36,6 +36,22 @@ TEST(HeightMap, IsAsHighAsTheHighestTriangle) {
   EXPECT_EQ(map.highest(), 12);
 }
 
+TEST(HeightMap, TellsWhichTriangleIsHighestAndHowItLies) {
+  const HeightMap map = slope(true);
+  EXPECT_EQ(map.triangle_count(), 4u);
+  const Top lid = *map.highest_at({3, 4});
+  EXPECT_EQ(lid.triangle, 3u);
+  EXPECT_NEAR(lid.normal.z, 1, 1e-12);
+  const Top below = *map.highest_at({10, 1});
+  EXPECT_EQ(below.triangle, 0u);
+  EXPECT_NEAR(below.z, 5, 1e-12);
+  EXPECT_NEAR(below.normal.x, -std::sqrt(0.2), 1e-12);
+  EXPECT_NEAR(below.normal.z, std::sqrt(0.8), 1e-12);
+  EXPECT_FALSE(map.highest_at({-1, 5}));
+  // Where two are as high the first one counts.
+  EXPECT_EQ(map.highest_at({10, 5})->triangle, 0u);
+}
+
 TEST(HeightMap, DropsUprightTrianglesAndRefusesWhatIsNoBody) {
   EXPECT_TRUE(HeightMap({{0, 0, 0}, {1, 0, 0}, {1, 0, 5}}, {{0, 1, 2}}).empty());
   EXPECT_THROW(HeightMap({{0, 0, 0}}, {{0, 0, 1}}), std::invalid_argument);

@@ -64,5 +64,19 @@ TEST(Progress, IsAskedByTheThreadThatMadeItAloneAndStopsOthersToo) {
   EXPECT_EQ(asked, 3);
 }
 
+TEST(Progress, APartIsStoppedWithTheWholeWhichHearsOfNoShareOfIt) {
+  std::vector<double> shares;
+  Progress whole([&](double share) {
+    shares.push_back(share);
+    return shares.size() < 3;
+  });
+  whole.report(0.5);
+  Progress part = part_of(whole);
+  EXPECT_TRUE(part.report(0.1));
+  EXPECT_THROW(part.step(), Cancelled);
+  EXPECT_TRUE(whole.cancelled());
+  EXPECT_EQ(shares, (std::vector<double>{0.5, 0.5, 0.5}));
+}
+
 }  // namespace
 }  // namespace evenload

@@ -7,7 +7,7 @@
 #include <random>
 
 #include "geometry/vec2.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

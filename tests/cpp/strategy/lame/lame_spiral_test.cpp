@@ -1,15 +1,7 @@
 #include "strategy/lame/lame_spiral.h"
 
-#include <gtest/gtest.h>
-
-#include <algorithm>
-#include <cmath>
-#include <limits>
-#include <optional>
-#include <stdexcept>
-#include <vector>
-
 #include "cutting/engagement.h"
+#include "cutting/load_budget.h"
 #include "strategy/lame/lame_pitch.h"
 #include "strategy/lame/lame_turns.h"
 
@@ -217,7 +209,7 @@ TEST(LamePitch, OfEveryTurnKeepsTheEngagementAndUsesIt) {
       ASSERT_TRUE(growth);
       const LameTurns turns = turns_of(*growth, task, 0, 0.004, ground);
       EXPECT_EQ(ground.size(), 1U);  // left as it was
-      EXPECT_LE(turns.engagement, task.engagement + kTurnTolerance);
+      EXPECT_LE(turns.engagement, task.engagement + load_budget::kSpiral);
       EXPECT_GE(turns.engagement, task.engagement - 2 * kDegree);
       EXPECT_LE(worst_corner(turns.moves), 1e-6);
       // It begins along its first circle and ends with a full turn on the last curve, off which it
@@ -260,7 +252,7 @@ TEST(LamePitch, WithAnyCourseKeepsTheEngagementAndTheWish) {
         const std::optional<PlannedGrowth> planned = best_growth({growth}, task);
         ASSERT_TRUE(planned);
         const LameTurns turns = turns_of(*planned, task, 0, 0.004, ground);
-        EXPECT_LE(turns.engagement, task.engagement + kTurnTolerance);
+        EXPECT_LE(turns.engagement, task.engagement + load_budget::kSpiral);
         EXPECT_LE(worst_corner(turns.moves), 1e-6);
         EXPECT_LE(turns.largest_pitch, pitch.value_or(40) + 1e-9);
         for (double turned = 2 * kPi; pitch && turned <= turns.spiral.end - 0.2; turned += 0.1) {

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <vector>
 
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -14,7 +14,7 @@
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/turn_demands.h"
 #include "strategy/moves/wider_bi_arc.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

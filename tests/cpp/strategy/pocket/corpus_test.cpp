@@ -258,6 +258,7 @@ TEST(Clearing, RefusesAHoleOutsideThePocket) {
       FAIL() << "no error at " << text(place);
     } catch (const GeometryError& error) {
       EXPECT_EQ(error.code(), GeometryErrorCode::kEntryOutside);
+      EXPECT_EQ(error.refusal(), Refusal::kHoleOutOfReach);
     }
   }
 }

@@ -158,10 +158,10 @@ TEST_P(ATooSmallPocket, NamesTheLargestToolThatFits) {
     FAIL() << "no error";
   } catch (const GeometryError& error) {
     EXPECT_EQ(error.code(), GeometryErrorCode::kToolTooLarge);
-    const std::string sentence = error.what();
-    const std::size_t at = sentence.find("has ");
-    ASSERT_NE(at, std::string::npos) << sentence;
-    EXPECT_NEAR(std::stod(sentence.substr(at + 4)), 5, 0.01) << sentence;
+    EXPECT_EQ(error.refusal(), Refusal::kToolFitsNowhere);
+    ASSERT_EQ(error.numbers().size(), 2U);
+    EXPECT_EQ(error.numbers()[0], pocket.tool_diameter);
+    EXPECT_NEAR(error.numbers()[1], 5, 0.01);
   }
 }
 

@@ -16,7 +16,7 @@
 #include "strategy/choose/region_clearing.h"
 #include "strategy/pocket/constant_engagement.h"
 #include "support/errors.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {
@@ -44,6 +44,48 @@ TEST(PocketTest, IsClearedToTheTipBetweenWallsThatAreNearlyParallel) {
     if (move.kind == MoveKind::kCut) reached = std::max(reached, move.y);
   EXPECT_NEAR(reached, tip, 0.01);
   EXPECT_LT(reached, tip);
+}
+
+// Where the tool first comes down.
+Vec2 first_place(const Toolpath& path) {
+  for (const Move& move : path.moves)
+    if (move.z < 0) return {move.x, move.y};
+  return {};
+}
+
+// The tool comes in over the open side that is wished, near the place that is wished, in either cut
+// mode, through pockets and slots alike; over a wall it never comes.
+TEST(PocketTest, IsEnteredOverTheOpenSideThatIsWished) {
+  struct Side {
+    double width, height;
+    Vec2 wish, from;
+    double within;  // mm, of the place from which it comes
+  };
+  const auto open_above_and_below = [](double width, double height) {
+    std::vector<Vertex> corners = rectangle(0, 0, width, height).vertices();
+    corners[0].open = corners[2].open = true;
+    return make_region(Curve(corners, true));
+  };
+  for (const Side& c : {Side{60, 40, {30, -2}, {30, -3}, 3}, Side{60, 40, {22, 45}, {22, 43}, 3},
+                        Side{60, 40, {1, 39}, {3, 43}, 3}, Side{60, 40, {70, -1}, {57, -3}, 3},
+                        Side{8, 60, {4, 0}, {4, -3}, 4}, Side{8, 60, {0, 70}, {4, 63}, 4}})
+    for (const CutMode mode : {CutMode::kClimb, CutMode::kConventional}) {
+      SCOPED_TRACE(testing::Message() << c.width << " wide, wish " << c.wish.x << ", " << c.wish.y);
+      ClearingParams params;
+      params.cut_mode = mode;
+      params.open_side = c.wish;
+      Progress progress;
+      const Region pocket = open_above_and_below(c.width, c.height);
+      const Toolpath path = clear_pocket({pocket}, params, progress);
+      EXPECT_LT(distance(first_place(path), c.from), c.within)
+          << first_place(path).x << ", " << first_place(path).y;
+      EXPECT_NEAR(path.report.uncut_area, 0, 1e-3);
+      EXPECT_LT(path.report.max_engagement, params.engagement_angle + 2 * kPi / 180);
+      params.open_side.reset();
+      Progress again;
+      const Toolpath usual = clear_pocket({pocket}, params, again);
+      EXPECT_LT(path.report.cutting_time, 1.1 * usual.report.cutting_time);
+    }
 }
 
 TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
@@ -221,7 +263,13 @@ TEST(PocketTest, AHoleTooTightToStartFromIsNotUsedWhereTheEntryIsAutomatic) {
   EXPECT_EQ(path.report.uncut_area, 0);
   EXPECT_TRUE(corpus::tells(path.report, FindingCode::kHoleTooTight));
   params.entry = EntryKind::kPredrilledHole;
-  EXPECT_THROW(clear_pocket(regions, params, progress), GeometryError);
+  try {
+    clear_pocket(regions, params, progress);
+    FAIL() << "no error";
+  } catch (const GeometryError& error) {
+    EXPECT_EQ(error.refusal(), Refusal::kHoleTooTight);
+    EXPECT_EQ(error.where(), *params.entry_point);
+  }
 }
 
 TEST(PocketTest, AGapThatWidensInwardsIsClearedWithoutBitsOfItsBorder) {

@@ -93,7 +93,7 @@ TEST(ClearSlot, KeepsTheLimitInStraightSlotsOfEveryWidth) {
       EXPECT_GT(result.report.length, 15);
       EXPECT_GT(result.report.step, 0);
       const bool has_circles = tells(result, FindingCode::kCirclesForPattern);
-      EXPECT_EQ(has_circles, width < 6.5 && degrees < 90);
+      EXPECT_EQ(has_circles, width < 6.3 && degrees < 90);
       EXPECT_EQ(result.report.iterations > 1, !has_circles);
       EXPECT_GT(result.report.removal_rate, 0);
       EXPECT_EQ(tells(result, FindingCode::kAdvanceUnsettled),

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

@@ -4,8 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <optional>
 #include <stdexcept>
-#include <string>
 #include <vector>
 
 #include "geometry/shapes.h"
@@ -59,31 +59,32 @@ TEST(SlotAround, IsARingAboutAClosedMiddle) {
   EXPECT_NEAR(ring.area(), kPi * (35 * 35 - 25 * 25), 1e-6);
 }
 
-std::string refusal(const Curve& middle, double width) {
+std::optional<Refusal> refusal(const Curve& middle, double width) {
   try {
     slot_around(middle, width, SlotEnds::kRound);
   } catch (const GeometryError& error) {
-    return error.what();
-  } catch (const std::invalid_argument& error) {
-    return error.what();
+    return error.refusal();
   }
-  return "";
+  return {};
 }
 
-TEST(SlotAround, IsRefusedWithASentenceThatNamesTheRemedy) {
+TEST(SlotAround, IsRefusedForWhatIsWrongWithItsMiddleOrItsWidth) {
+  using enum Refusal;
   const Curve line({{{0, 0}}, {{40, 0}}}, false);
-  EXPECT_EQ(refusal(line, 0), "The slot's width must be positive: set SlotWidth.");
-  EXPECT_EQ(refusal(line, std::nan("")), "The slot's width must be positive: set SlotWidth.");
-  EXPECT_NE(refusal(Curve({{{1, 1}}, {{1, 1}}}, false), 9).find("has no length"),
-            std::string::npos);
-  EXPECT_NE(refusal(Curve({{{1, 1}}}, false), 9).find("has no length"), std::string::npos);
-  EXPECT_NE(refusal(Curve({{{0, 0}}, {{40, 0}}, {{40, 20}}, {{20, -20}}}, false), 4)
-                .find("crosses itself"),
-            std::string::npos);
-  EXPECT_NE(refusal(Curve({{{0, 0}}, {{20, 0}, 1}, {{20, 6}}, {{0, 6}}}, false), 7)
-                .find("bends more tightly"),
-            std::string::npos);
-  EXPECT_NE(refusal(Curve({{{0, 0}}, {{40, 0}}, {{40, 9}}, {{0, 9}}}, false), 10).size(), 0u);
+  EXPECT_THROW(refusal(line, 0), std::invalid_argument);
+  EXPECT_THROW(refusal(line, std::nan("")), std::invalid_argument);
+  EXPECT_EQ(refusal(Curve({{{0, 0}}, {{40, std::nan("")}}}, false), 9), kMiddleNotFinite);
+  EXPECT_EQ(refusal(Curve({{{1, 1}}, {{1, 1}}}, false), 9), kMiddleWithoutLength);
+  EXPECT_EQ(refusal(Curve({{{1, 1}}}, false), 9), kMiddleWithoutLength);
+  EXPECT_EQ(refusal(Curve({{{0, 0}}, {{40, 0}}, {{40, 20}}, {{20, -20}}}, false), 4),
+            kMiddleCrossesItself);
+  EXPECT_EQ(refusal(Curve({{{0, 0}}, {{20, 0}, 1}, {{20, 6}}, {{0, 6}}}, false), 7),
+            kMiddleBendsTooTightly);
+  EXPECT_EQ(refusal(Curve({{{0, 0}}, {{40, 0}}, {{40, 9}}, {{0, 9}}}, false), 10),
+            kMiddleBendsTooTightly);
+  const Curve hook({{{0, 0}}, {{40, 0}}, {{40, 20}}, {{20, 20}}, {{20, 9}}}, false);
+  EXPECT_EQ(refusal(hook, 10), kSlotSidesMeet);
+  EXPECT_EQ(refusal(line, 9), std::nullopt);
 }
 
 Area centres_of(const Region& slot) { return Area(offset({slot}, -3)); }

@@ -12,7 +12,7 @@
 #include "strategy/moves/move_checks.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/links.h"
-#include "toolpath/small_arc.h"
+#include "toolpath/machinable.h"
 
 namespace evenload {
 namespace {

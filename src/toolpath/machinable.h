@@ -1,4 +1,6 @@
-// Which arcs can stay arcs in a posted program. FreeCAD's simulator and dressups take an arc whose
+// What a posted program can hold, and what its blocks cost.
+//
+// Which arcs can stay arcs in it: FreeCAD's simulator and dressups take an arc whose
 // end points span an area below 0.005 mm^2 with its centre for half a circle, and fall down over
 // some; path_commands writes lines in its place, at which the path has corners. Law: what is not
 // becomes_corners here and turns by kUnseenTurn or more stays arcs there.
@@ -84,5 +86,36 @@ inline double least_arc_sweep(double radius) {
   const double spanless = kMore * (kSpanlessSweep + kSweepMargin);
   return sine < 1 ? std::min(std::asin(sine), spanless) : spanless;
 }
+
+// mm: a posted program holds no arcs of 0.008 mm and less, to which half turns shrink where a room
+// narrows.
+inline constexpr double kTightestPosted = 0.012;
+// mm, or the share of the tool's radius where that is less: passes that turn more tightly are
+// posted as lines, with a corner between each two. Their turns are steered in pieces of a fifth of
+// a radian and more, about a third of the engagement angle.
+inline constexpr double kTightestArc = 0.16, kTightestArcShare = 0.055;
+// The same of trochoids: passes that turn more tightly take away hundredths of a millimetre each,
+// so that a slot takes minutes to compute.
+inline constexpr double kTightestTrochoid = 0.04, kTightestTrochoidShare = 0.015;
+// mm: half the room in which the tool has too little to turn for trochoids.
+inline double tightest_trochoid(double tool_radius) {
+  return std::min(kTightestTrochoid, kTightestTrochoidShare * tool_radius);
+}
+// mm: no rest of a move is shorter; rounded to 0.0001 mm it would be turned by half a degree.
+inline constexpr double kShortestMove = 0.01;
+
+// What one block more must save, s: controllers take some hundreds of blocks in a second.
+namespace block_price {
+inline constexpr double kFeed = 0.006;   // for a change of feed within a move
+inline constexpr double kMove = 0.025;   // for one more move, to change the feed between two
+inline constexpr double kSpiral = 0.02;  // along a curve whose load changes all the time, a little
+inline constexpr double kPattern = 0.002;  // within a period that is repeated hundreds of times
+// mm that one more block must shorten a link by. At 1500 mm/min that is the time that it must save
+// elsewhere, too.
+inline constexpr double kLink = 0.9;
+}  // namespace block_price
+// s: what the stops of a retract, two of them at corners in the air, cost beyond its length;
+// staying down is gentler.
+inline constexpr double kRetractPrice = 0.3;
 
 }  // namespace evenload
