@@ -198,12 +198,14 @@ def in_gui(script, folder, *arguments, **environment):
         **environment,
     )
     report, hang = folder / "result.json", folder / "hang.txt"
-    assert report.exists(), log[-2000:] + (hang.read_text() if hang.exists() else "")
+    last = log.rstrip()[-2000:] + (hang.read_text() if hang.exists() else "")
+    assert report.exists(), "%s, the last of:\n%s" % (last.splitlines()[-1:], last)
     content = json.loads(report.read_text())
     report.unlink()  # another session may use the folder
     assert "traceback" not in content, content["traceback"]
     errors = errors_in(content["report_view"], content["provoked"])
-    assert errors == [], "\n".join(text for text, _ in content["report_view"])
+    seen = "\n".join(text for text, _ in content["report_view"])
+    assert errors == [], "%s, among:\n%s" % (errors, seen)
     return content
 
 

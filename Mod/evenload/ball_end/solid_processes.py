@@ -9,6 +9,7 @@ import contextlib
 import json
 import os
 import queue
+import signal
 import subprocess
 import threading
 
@@ -75,6 +76,9 @@ class _Worker:
         self._thread.join()
 
     def _run(self):
+        # A line to a worker that has ended is an error to catch. FreeCAD 1.1's Python leaves the
+        # signal as it is, which would end FreeCAD. Here it is held back in this thread alone.
+        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPIPE})
         try:
             while not self._is_over:
                 number, case = self._open_cases.get_nowait()
