@@ -24,6 +24,7 @@
 #include "python/lame_module.h"
 #include "python/path_commands_module.h"
 #include "python/proof_module.h"
+#include "python/python_objects_module.h"
 #include "python/simulate_module.h"
 #include "python/surface_map_module.h"
 #include "python/surface_module.h"
@@ -214,6 +215,7 @@ PYBIND11_MODULE(_core, m) {
   bind_trochoid(m);
   bind_lame(m);
   bind_proof(m);
+  bind_python_objects(m);
   bind_surface_map(m);
   bind_simulate(m);
   bind_gcode(m);

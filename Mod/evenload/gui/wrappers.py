@@ -5,10 +5,11 @@ makes another in its place, PySide takes the one for the other, and Python is to
 is deleted: panels, FreeCAD's too, fail to open then.
 """
 
-import gc
 from importlib import import_module
 
 from PySide import QtCore
+
+from evenload.compiled import core
 
 # PySide 6 keeps nothing.
 _shiboken = import_module("shiboken2") if QtCore.qVersion().startswith("5.") else None
@@ -16,14 +17,11 @@ _shiboken = import_module("shiboken2") if QtCore.qVersion().startswith("5.") els
 
 def forget_the_dead():
     """Has PySide forget the wrappers of all objects that Qt has deleted: in some hundredths of a
-    second, so that it is for the opening and the end of panels.
+    second, so that it is for the opening and the end of panels. Threads that are busy meanwhile are
+    not disturbed (_core.objects_of_type).
     """
     if _shiboken is None:
         return
-    # By the type: an object of others may be asked for its class, and fail.
-    objects = gc.get_objects()
-    kinds = {kind for kind in set(map(type, objects)) if issubclass(kind, QtCore.QObject)}
-    wrappers = [each for each in objects if type(each) in kinds]
-    for wrapper in wrappers:
+    for wrapper in core().objects_of_type(QtCore.QObject):
         if not _shiboken.isValid(wrapper):
             _shiboken.invalidate(wrapper)
