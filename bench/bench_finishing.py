@@ -1,5 +1,6 @@
-# Finishing paths: what the part CX takes at a stepover of 0.15 mm and a tolerance of 5 um, how the
-# time grows with triangles and passes, and a plain drop cutter beside it, on one core.
+# Finishing paths: what the part CX takes at a stepover of 0.15 mm and a tolerance of 5 um, by
+# zig-zag at five angles and by each other strategy, how the time grows with triangles and passes,
+# and a plain drop cutter beside it, on one core.
 import math
 import sys
 from pathlib import Path
@@ -13,6 +14,17 @@ import finishing_cases as cases  # noqa: E402
 
 STEPOVER, TOLERANCE, DEFLECTION = 0.15, 0.005, 0.0005
 ANGLES = (0, 22.5, 45, 67.5, 90)  # degrees [Varga 2023, table of strategies]
+CUSP = STEPOVER**2 / 40  # mm, what passes at STEPOVER leave on a level face
+GUIDES = [[(-40.0, -40.0), (40.0, -40.0)], [(-40.0, 40.0), (40.0, 40.0)]]
+OTHERS = (  # strategies but for the zig-zag
+    "one way",
+    "contours inwards",
+    "contours outwards",
+    "spiral inwards",
+    "spiral outwards",
+    "between guides",
+    "one way between guides",
+)
 SPACING = 0.45  # mm, of the plain drop cutter: the widest samples of a pass
 
 
@@ -34,9 +46,41 @@ def test_part():
         path = finished(mesh, angle=direction).toolpath
         yield name + ".length", path.report.cut_length / 1000, "m"
         yield name + ".blocks_per_pass", len(path.moves) / path.report.passes, ""
-    cusp = STEPOVER**2 / 40
-    seconds = best_time(lambda: finished(mesh, cusp_height=cusp), 3)
+        yield name + ".points", len(path.moves), ""
+    seconds = best_time(lambda: finished(mesh, cusp_height=CUSP), 3)
     yield "finishing.cx.even_cusps.compute", seconds, "s"
+
+
+def strategies():
+    """Each strategy at a constant stepover, and at the cusp height of that on a level face."""
+    mesh = mesh_of(DEFLECTION)
+    for pattern in OTHERS:
+        guides = {"guides": GUIDES} if "guides" in pattern else {}
+        for ending, cusp in (("", 0.0), (".even_cusps", CUSP)):
+            name = "finishing.cx.%s%s" % (pattern.replace(" ", "_"), ending)
+            found = []
+
+            def compute():
+                found[:] = [finished(mesh, pattern=pattern, cusp_height=cusp, **guides)]
+
+            yield name + ".compute", best_time(compute, 2), "s"
+            toolpath = found[0].toolpath
+            yield name + ".length", toolpath.report.cut_length / 1000, "m"
+            yield name + ".points", len(toolpath.moves), ""
+
+
+def table(values):
+    """The table of docs/finishing.md."""
+    yield "| CX at a stepover of 0.15 mm | s | points | s at even cusps | points |"
+    yield "|---|---|---|---|---|"
+    for pattern in OTHERS:
+        name = "finishing.cx." + pattern.replace(" ", "_")
+        rows = [
+            (values[name + ending + ".compute"], values[name + ending + ".points"])
+            for ending in ("", ".even_cusps")
+        ]
+        cells = "".join(" %.1f | %d |" % row for row in rows)
+        yield "| %s |%s" % (pattern[0].upper() + pattern[1:], cells)
 
 
 def growth():
@@ -66,5 +110,5 @@ def drop_cutter():
 
 
 def figures():
-    for part in (test_part, growth, drop_cutter):
+    for part in (test_part, strategies, growth, drop_cutter):
         yield from part()
