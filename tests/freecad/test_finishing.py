@@ -8,6 +8,7 @@ import random
 import re
 from pathlib import Path
 
+import FreeCAD
 import Part
 import pytest
 from conftest import moves_of, points_of, reopened
@@ -371,10 +372,23 @@ def test_a_job_file_finishes_without_a_window(tmp_path):
     assert "stepover, largest" in batch.table(result["jobs"])
 
 
-def test_the_example_finishes_the_whole_upper_side():
+def test_the_examples_finish_the_whole_upper_sides_of_the_source_s_parts():
     examples = Path(__file__).resolve().parents[2] / "examples"
-    (job,) = json.loads((examples / "dome.json").read_text())["jobs"]
-    assert job["base"] == list(upper(Part.read(str(examples / job["model"]))))
+    jobs = json.loads((examples / "finishing.json").read_text())["jobs"]
+    doc = FreeCAD.openDocument(str(examples / "finishing.FCStd"))
+    try:
+        assert [job["object"] for job in jobs] == ["CX", "CV"]
+        for job in jobs:
+            shape = doc.getObject(job["object"]).Shape
+            assert job["base"] == list(upper(shape))
+            # The same solid, but for how far it goes down and where it stands.
+            ours, source = (
+                sorted(shape.getElement(name).Area for name in upper(shape))
+                for shape in (shape, part(job["object"] == "CX"))
+            )
+            assert ours == pytest.approx(source)
+    finally:
+        FreeCAD.closeDocument(doc.Name)
 
 
 @pytest.mark.parametrize("strategy", ["Spiral inwards", "Spiral outwards"])
