@@ -55,7 +55,6 @@ SENTENCES_OF_THE_CORE = (
     "The stepover must be positive and no more than the tool's diameter.",
     "The cusp height must not be negative.",
     "A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.",
-    "Passes between guides follow no cusp height: leave it out.",
     "The cusp height makes too many passes: raise it.",
     "The cusp height must be no more than the radius of the tool's ball or corner.",
     "The allowance must not be negative.",

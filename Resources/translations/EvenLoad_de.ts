@@ -4541,10 +4541,6 @@ cm³/min</translation>
         <translation>nicht geschnitten</translation>
     </message>
     <message>
-        <source>Passes between guides follow no cusp height: leave it out.</source>
-        <translation>Bahnen zwischen Leitkurven folgen keiner Rillenhöhe: weglassen.</translation>
-    </message>
-    <message>
         <source>The cusp height makes too many passes: raise it.</source>
         <translation>Die Rillenhöhe ergibt zu viele Bahnen: erhöhen.</translation>
     </message>

@@ -4541,10 +4541,6 @@ cm³/min</translation>
         <translation>nincs megmunkálva</translation>
     </message>
     <message>
-        <source>Passes between guides follow no cusp height: leave it out.</source>
-        <translation>A vezetővonalak közti sorok nem követnek barázdamagasságot: hagyja el.</translation>
-    </message>
-    <message>
         <source>The cusp height makes too many passes: raise it.</source>
         <translation>A barázdamagasság túl sok sort ad: növelje meg.</translation>
     </message>

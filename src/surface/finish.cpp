@@ -32,8 +32,6 @@ void check(const FinishParams& p, double deflection) {
   demand(p.cusp_height >= 0, "The cusp height must not be negative.");
   demand(p.cusp_height == 0 || p.cutter.corner > 0,
          "A flat end mill leaves steps, not cusps: set a stepover, or take a ball end mill.");
-  demand(p.cusp_height == 0 || !is_between_guides(p.pattern),
-         "Passes between guides follow no cusp height: leave it out.");
   demand(p.cusp_height <= p.cutter.corner,
          "The cusp height must be no more than the radius of the tool's ball or corner.");
   demand(p.allowance >= 0, "The allowance must not be negative.");
@@ -127,9 +125,13 @@ std::vector<PassPart> round_about(const Ground& ground, const FinishParams& para
 }
 
 std::vector<PassPart> between_guides(const Ground& ground, const FinishParams& params,
-                                     Finish& result, Progress& progress) {
-  const GuidedRows guided =
-      guided_rows(params.guides[0], params.guides[1], params.stepover, params.extension);
+                                     double deflection, Finish& result, Progress& progress) {
+  const Guides guides(params.guides[0], params.guides[1]);
+  const double count = params.cusp_height > 0
+                           ? guides.count_for(StepBeside(ground, params.cusp_height, deflection),
+                                              params.threads, progress)
+                           : guides.count_for(params.stepover);
+  const GuidedRows guided = guides.rows(count, params.extension);
   result.least_stepover = guided.least_stepover;
   result.largest_stepover = guided.largest_stepover;
   return passes_along(ground, guided.rows, params, progress);
@@ -139,7 +141,8 @@ std::vector<PassPart> all_parts(const Ground& ground, const FinishParams& params
                                 Finish& result, Progress& progress) {
   if (is_parallel(params.pattern))
     return side_by_side(ground, params, deflection, result, progress);
-  if (is_between_guides(params.pattern)) return between_guides(ground, params, result, progress);
+  if (is_between_guides(params.pattern))
+    return between_guides(ground, params, deflection, result, progress);
   return round_about(ground, params, deflection, result, progress);
 }
 

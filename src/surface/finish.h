@@ -3,7 +3,7 @@
 //  0. Extension: what passes may go on over beyond the faces, if they shall
 //  1. pass_frame: the faces seen along the passes
 //  2. even_spacing or spacing_by_cusp: where the passes lie; or contour_rows, spiral_rows,
-//     guided_rows, contours_by_cusp, spiral_by_cusp for those along other lines
+//     Guides, contours_by_cusp, spiral_by_cusp for those along other lines
 //  3. samples_along, parts_at_work: the tool's height along each, where it is to cut
 //  4. fewest_lines: the lines of each, over arcs in plan helices
 //  5. in_order: which part follows which, links along the surface, and the ways over the part

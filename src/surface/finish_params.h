@@ -19,7 +19,7 @@ enum class Pattern {
   kOneWayBetweenGuides
 };
 
-// Whether passes run side by side at an angle, to which alone a cusp height may be wished.
+// Whether passes run side by side at an angle.
 inline bool is_parallel(Pattern pattern) {
   return pattern == Pattern::kZigZag || pattern == Pattern::kOneWay;
 }

@@ -6,10 +6,11 @@ import math
 import os
 import threading
 
+import numpy
 import Part
 import pytest
 from evenload import ball_end, waiting
-from evenload.ball_end import solid_models, solid_processes, solids
+from evenload.ball_end import solid_models, solid_processes, solid_surfaces, solids
 from FreeCAD import Vector
 
 WITHIN = {
@@ -60,14 +61,15 @@ def test_processes_make_what_is_made_here(found):
     assert solids.chip(**CASES[3]) == found[3]
 
 
-def made(surface=CX, position=7.0, feed=0.1):
-    """(Place, the centre of the tooth before, [way]) of a chip."""
-    place = solid_models.Place(surface, 5, 0.3, 0, position)
-    return place, place.centre(-1000 * feed, 0), [place.way(150)]
+def made(surface=CX, position=7.0, feed=0.1, direction=0.0):
+    """(Place, the centre of the tooth before, what leaves the faces) of a chip."""
+    place = solid_models.Place(surface, 5, 0.3, direction, position)
+    before = place.centre(-1000 * feed, 0)
+    return place, before, place.surfaces(before, [150])
 
 
 def test_what_is_no_chip_is_flagged_with_the_reason():
-    place, before, ways = made()
+    place, before, surfaces = made()
     ball, tooth = (place.ball(centre, Vector(1, 0, 0), True) for centre in (Vector(), before))
     uncut = ball.common(place.stock(is_spline=True)).cut(tooth)
     for solid, sentence in (
@@ -78,19 +80,51 @@ def test_what_is_no_chip_is_flagged_with_the_reason():
         (Part.makeBox(9, 9, 9), "neither of the stock nor of a pass"),
     ):
         with pytest.raises(solids.Flagged, match=sentence):
-            solids._measured(solid, place, before, ways)
+            solids._measured(solid, surfaces)
 
 
 def test_an_open_shell_is_flagged():
-    place, before, ways = made()
+    surfaces = made()[2]
     shell = Part.Shell(Part.makeSphere(5000).common(Part.makeBox(9e3, 9e3, 9e3)).Faces[1:])
     with pytest.raises(solids.Flagged, match="calls the solid invalid"):
-        solids._measured(Part.Solid(shell), place, before, ways)
+        solids._measured(Part.Solid(shell), surfaces)
 
 
 def test_a_mesh_has_the_volume_of_its_solid():
-    solid = Part.makeSphere(7, Vector(30, -20, 11))
-    assert solids._mesh_volume(solid, 0.02) == pytest.approx(solid.Volume, rel=1e-2)
+    ball = solid_surfaces.Ball("tool", (30.0, -20.0, 11.0), 7.0)
+    solid = Part.makeSphere(7, Vector(*ball.centre))
+    points, triangles = solid.tessellate(0.05)
+    corners = numpy.array(points)[numpy.array(triangles)]
+    alone = numpy.linalg.det(corners - corners[0, 0]).sum() / 6
+    assert solids._mesh_volume(solid, [ball], 0.05) == pytest.approx(solid.Volume, rel=2e-4)
+    assert alone == pytest.approx(solid.Volume, rel=2e-2)
+    assert alone != pytest.approx(solid.Volume, rel=1e-3)  # what lies over triangles counts
+
+
+@pytest.mark.parametrize("deflection", [1.0, 0.25])  # of a mean thickness of 5.7
+def test_the_volume_by_a_mesh_hardly_depends_on_how_fine_it_is(deflection):
+    place, before, surfaces = made(direction=30.0)
+    make = solids._recipes(place, before, [place.way(150)])[0]
+    solid = make()
+    lefts = [solids._left_by(face, surfaces) for face in solid.Faces]
+    found = solids._mesh_volume(solid, lefts, deflection)
+    chip = ball_end.chip(CX, 10, 0.1, 0.15, 0.3, 30, position=7.0, uncut="right")
+    assert found / 1e9 == pytest.approx(chip.volume, rel=2e-6)
+
+
+@pytest.mark.parametrize("surface, position", [(CX, 27.0), (CV, 20.0), (CV, -31.0)])
+@pytest.mark.parametrize("direction", [0.0, 22.5, 67.5, 90.0])
+def test_distances_from_a_pass_are_opencascades(surface, position, direction):
+    place, _, surfaces = made(surface, position, direction=direction)
+    way, swept = place.way(150), surfaces[2]
+    middle = place.centre(0, 150) - 5000 * place.normal
+    points = [
+        middle + Vector(*each) for each in numpy.random.default_rng(1).uniform(-300, 300, (20, 3))
+    ]
+    found = swept.above(numpy.array(points))
+    for point, above in zip(points, found):
+        away = way.distToShape(Part.Vertex(point))[0]
+        assert 5000 - above == pytest.approx(away, abs=1e-5)
 
 
 def test_when_no_way_makes_a_chip_it_is_flagged(monkeypatch):

@@ -8,6 +8,7 @@ import random
 import re
 from pathlib import Path
 
+import FreeCAD
 import Part
 import pytest
 from conftest import moves_of, points_of, reopened
@@ -371,10 +372,23 @@ def test_a_job_file_finishes_without_a_window(tmp_path):
     assert "stepover, largest" in batch.table(result["jobs"])
 
 
-def test_the_example_finishes_the_whole_upper_side():
+def test_the_examples_finish_the_whole_upper_sides_of_the_source_s_parts():
     examples = Path(__file__).resolve().parents[2] / "examples"
-    (job,) = json.loads((examples / "dome.json").read_text())["jobs"]
-    assert job["base"] == list(upper(Part.read(str(examples / job["model"]))))
+    jobs = json.loads((examples / "finishing.json").read_text())["jobs"]
+    doc = FreeCAD.openDocument(str(examples / "finishing.FCStd"))
+    try:
+        assert [job["object"] for job in jobs] == ["CX", "CV"]
+        for job in jobs:
+            shape = doc.getObject(job["object"]).Shape
+            assert job["base"] == list(upper(shape))
+            # The same solid, but for how far it goes down and where it stands.
+            ours, source = (
+                sorted(shape.getElement(name).Area for name in upper(shape))
+                for shape in (shape, part(job["object"] == "CX"))
+            )
+            assert ours == pytest.approx(source)
+    finally:
+        FreeCAD.closeDocument(doc.Name)
 
 
 @pytest.mark.parametrize("strategy", ["Spiral inwards", "Spiral outwards"])
@@ -415,6 +429,17 @@ def _top(b, y):
     """The name of the upper edge at an ordinate."""
     names = borders(b.model.Shape, y)
     return max(names, key=lambda name: b.model.Shape.getElement(name).BoundBox.ZMax)
+
+
+def test_between_guides_passes_are_as_many_as_a_cusp_height_takes(bench):
+    b, op = finish(bench, part(True), Strategy="Between guides", CuspHeight=0.02)
+    b.set(op, Base=[*op.Base, (b.model, [_top(b, 40.0)]), (b.model, [_top(b, -40.0)])])
+    b.done(op)
+    even = op.Passes, op.LargestStepover.Value
+    b.set(op, Spacing="Constant cusp height")
+    b.done(op)
+    # The dome is steep across these passes: what would do on a level face leaves more there.
+    assert op.Passes > even[0] and op.LargestStepover.Value < even[1]
 
 
 def test_between_guides_all_passes_may_go_one_way(bench):

@@ -256,10 +256,7 @@ def test_a_cancelled_path_is_empty(surface, parts, others):
         ({"floor": 46.0}, "touches none of the picked faces"),
         ({"stepover": 1e-5}, "too many passes"),
         ({"pattern": "spiral"}, "pattern"),
-        (
-            {"pattern": "between guides", "guides": [[], []], "cusp_height": 0.01},
-            "between guides follow no cusp height",
-        ),
+        ({"pattern": "between guides", "guides": [[], []], "cusp_height": 0.01}, "no length"),
     ],
 )
 def test_what_cannot_be_is_refused(surface, parts, others, sentence):

@@ -236,6 +236,50 @@ def test_guides_that_cannot_be_are_refused(surface, parts, guides, sentence):
         surface.finish(parts[True], **arguments)
 
 
+# Across the slopes of both parts, of different widths, and along them with the widest way level.
+WIDENING = [(-40, -40), (40, -40)], [(-40, 10), (40, 40)]
+ALONG = [(-40, -40), (-40, 40)], [(10, -40), (40, 40)]
+
+
+@pytest.mark.parametrize("guides", [WIDENING, ALONG, WIDENING[::-1]])
+@pytest.mark.parametrize("is_convex", [True, False], ids=["CX", "CV"])
+def test_between_guides_the_highest_cusp_is_the_wish(surface, parts, is_convex, guides):
+    wish = 0.02
+    arguments = dict(pattern="between guides", guides=guides, cusp_height=wish, tolerance=0.0005)
+    found = surface.finish(parts[is_convex], **fine(**arguments))
+    count = found.toolpath.report.passes
+    stands = stands_at(found.toolpath.moves, places_between(*guides, is_convex))
+    assert stands.max() < 1.03 * wish  # lines are up to 0.0005 mm above the part
+    # Some place needs that many passes: cusps are as the square of the distance. Few of the random
+    # places are near it, and on a crest.
+    assert stands.max() * (count / (count - 1)) ** 2 > 0.8 * wish
+    level = 2 * math.sqrt(wish * (2 * BALL - wish))
+    assert found.largest_stepover <= (1 if guides == ALONG else 0.85) * level
+
+
+def places_between(first, second, is_convex, count=6000):
+    """Places that a ball touches whose axis is at random places between straight guides."""
+    share, part = numpy.random.default_rng(7).uniform(0, 1, (2, count, 1))
+    ends = [numpy.array(g[0]) + share * (numpy.array(g[1]) - g[0]) for g in (first, second)]
+    axes = ends[0] + part * (ends[1] - ends[0])
+    y = numpy.linspace(-40, 40, 100001)
+    lean = -numpy.gradient(cases.height(y, is_convex), y)
+    touched = numpy.interp(axes[:, 1], y + BALL * lean / numpy.hypot(lean, 1), y)
+    return numpy.column_stack([axes[:, 0], touched, cases.height(touched, is_convex)])
+
+
+def test_guides_by_cusps_are_the_same_on_any_number_of_threads(surface, parts):
+    arguments = dict(pattern="between guides", guides=WIDENING, cusp_height=0.1)
+    one, three = (surface.finish(parts[True], **fine(**arguments, threads=n)) for n in (1, 3))
+    assert one.toolpath.moves == three.toolpath.moves
+
+
+def test_a_cusp_height_of_too_many_passes_between_guides_is_refused(surface, parts):
+    arguments = dict(pattern="between guides", guides=WIDENING, cusp_height=1e-9)
+    with pytest.raises(ValueError, match="makes too many passes"):
+        surface.finish(parts[True], **fine(**arguments))
+
+
 # ---- arcs that lead in and out ----
 
 

@@ -59,12 +59,6 @@ class Piece:
         sine = (y - self.middle[0]) / self.radius
         return sine, math.sqrt(1 - sine**2)
 
-    def distance(self, y, z):
-        """Of a point from the line or the circle of which this is a piece."""
-        if not self.is_arc:
-            return z - self.middle[1]
-        return math.hypot(y - self.middle[0], z - self.middle[1]) - abs(self.radius)
-
 
 def section(surface):
     """[Piece, ...] of a surface as in ball_end.chip, but for patches, which are not bent one way.

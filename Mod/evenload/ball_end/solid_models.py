@@ -10,6 +10,7 @@ import Part
 from FreeCAD import Matrix, Placement, Vector
 
 from evenload.ball_end.sections import section
+from evenload.ball_end.solid_surfaces import Ball, Stock, Way
 
 SCALE = 1000.0
 PROFILE = 70.0  # degrees of the swept arc on both sides of the point of contact: all that cuts
@@ -108,10 +109,25 @@ class Place:
             ends += [points[0], points[2]]
         return curves, ends
 
-    def is_stocks(self, point):
-        """Whether a point lies on the stock's surface, or on what continues it."""
-        y, z = point.y + self.y, point.z + self.z
-        return any(abs(piece.distance(y, z)) < SAME for piece in self._stock)
+    def surfaces(self, before, lefts):
+        """What may leave the faces of a chip: the tool, the tooth before with its centre `before`,
+        passes a stepover to the left each, and the stock.
+        """
+        balls = [Ball("tool", (0.0, 0.0, 0.0), self.radius)]
+        balls.append(Ball("previous", tuple(before), self.radius))
+        feed, beside = (self.feed.x, self.feed.y), (self.left.x, self.left.y)
+        passes = [
+            Way(
+                self._centres,
+                (left * beside[0], left * beside[1]),
+                feed,
+                self.y,
+                self.z,
+                self.radius,
+            )
+            for left in lefts
+        ]
+        return [*balls, *passes, Stock(self._stock, self.y, self.z)]
 
     def way(self, left):
         """The wire of the ball's centres along a pass beside, as far as the chip may reach."""

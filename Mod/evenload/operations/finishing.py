@@ -13,7 +13,7 @@ from evenload.operations.seen import settings_of
 from evenload.settings import parameters, ranges
 from evenload.settings.notes import KEPT_OFF
 from evenload.settings.results import FINISHING_RESULTS
-from evenload.settings.table import BETWEEN_GUIDES, BY_CUSPS, EVEN_CUSPS, FINISHING
+from evenload.settings.table import BETWEEN_GUIDES, EVEN_CUSPS, FINISHING
 from evenload.waiting import Stopped
 
 NAME = "EvenLoad Finishing"
@@ -184,8 +184,8 @@ def _end_radius(obj):
 
 
 def wants_even_cusps(obj):
-    """Whether the passes' distances follow a cusp height; those between guides keep theirs."""
-    return obj.Spacing == EVEN_CUSPS and obj.Strategy in BY_CUSPS
+    """Whether the passes' distances follow a cusp height."""
+    return obj.Spacing == EVEN_CUSPS
 
 
 def of_models(job, picked):

@@ -204,13 +204,12 @@ PARALLEL = ["Zig-zag", "One way"]  # strategies with passes side by side
 CONTOURS = ["Contours inwards", "Contours outwards"]
 SPIRALS = ["Spiral inwards", "Spiral outwards"]
 BETWEEN_GUIDES = ["Between guides", "One way between guides"]
-BY_CUSPS = [*PARALLEL, *CONTOURS, *SPIRALS]  # whose distances may follow a cusp height
 
 OF_FINISHING = (
     Setting(
         "Strategy",
         CHOICE,
-        [*BY_CUSPS, *BETWEEN_GUIDES],
+        [*PARALLEL, *CONTOURS, *SPIRALS, *BETWEEN_GUIDES],
         "Parallel passes to and fro, or all in one direction with a way back over the part; passes "
         "along the outline of the faces, or a spiral round their middle, from the outside or from "
         "the inside on; or passes between two picked edges, from the shape of one to the other's, "
@@ -248,10 +247,10 @@ OF_FINISHING = (
         label="Spacing",
         box="Passes",
         is_first=True,
-        when=("Strategy", BY_CUSPS),
         page="passes at even distances, seen from above; or Constant cusp height: as far apart as "
         "the surface's slope and curvature allow ([how](finishing.md#2-spacing_by_cusp)), along "
-        "contours and spirals at each place of them; not between guides",
+        "contours and spirals at each place of them, between guides by as many passes as keep it "
+        "everywhere",
     ),
     Setting(
         "Stepover",

@@ -10,7 +10,6 @@ from dataclasses import replace
 
 from evenload.settings.own import (
     BETWEEN_GUIDES,
-    BY_CUSPS,
     EVEN_CUSPS,
     OF_ADAPTIVE,
     OF_FINISHING,
@@ -26,7 +25,6 @@ __all__ = [
     "ALL",
     "BETWEEN_GUIDES",
     "BOXES",
-    "BY_CUSPS",
     "CONSTANT_FORCE",
     "EVEN_CUSPS",
     "FINISHING",
