@@ -58,34 +58,36 @@ constexpr double kMostPasses = 150;
 
 class RegionClearing {
  public:
-  RegionClearing(const RegionTask& task, const ClearingParams& params, Progress& progress)
-      : task_(task),
+  RegionClearing(Plan& plan, const RegionTask& task, const ClearingParams& params,
+                 Progress& progress)
+      : plan_(plan),
+        ground_(plan.ground()),
+        task_(task),
         params_(params),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
+        goes_on_(!plan.is_empty()),
         exact_({task.centres}),
         around_(task.around.empty() ? std::vector<Region>{task.centres} : task.around),
-        ground_(ground_of(task, radius_, progress)),
         stages_(stages()),
         choice_(ground_, stages_, params, {limits().widest, limits().tightest}),
         samples_(stages_, ground_, most_passes()) {
-    for (const PlanarRun& run : task.before) add_to_ground(run);
+    ground_.tell(progress);
   }
 
-  RegionResult run() {
+  void run() {
     try {
-      if (is_opened())
-        go_on();
+      if (goes_on_)
+        look_everywhere();
       else
         enter();
-      if (task_.rest || !result_.runs.empty()) clear_all();
+      if (task_.rest || !plan_.is_empty()) clear_all();
       if (!progress_.cancelled()) {
         if (!task_.is_part) report_uncut();
         report_tight_turns();
       }
-    } catch (const Cancelled&) {  // moves are taken into the result as whole passes
+    } catch (const Cancelled&) {  // moves are taken into the plan as whole passes
     }
-    return std::move(result_);
   }
 
  private:
@@ -93,12 +95,12 @@ class RegionClearing {
 
   void report_uncut() {
     if (!leftover_.prepared()) prepare_leftover();
-    result_.uncut_area = leftover_.area(ground_);
-    if (result_.uncut_area > 0)
-      result_.findings.push_back(
-          {params_.wall_pass ? FindingCode::kLeftUncut : FindingCode::kLeftWithoutWallPass,
-           shown(*leftover_.place()),
-           {result_.uncut_area}});
+    const double left = leftover_.area(ground_);
+    plan_.leave(left);
+    if (left > 0)
+      plan_.tell({params_.wall_pass ? FindingCode::kLeftUncut : FindingCode::kLeftWithoutWallPass,
+                  shown(*leftover_.place()),
+                  {left}});
   }
 
   // Whether the walls are so close together that no wished turn fits. In corners none does, and
@@ -114,9 +116,7 @@ class RegionClearing {
   }
 
   void report_tight_turns() {
-    if (tightest_ >= limits().widest * (1 - 1e-9)) return;
-    const bool is_counted = result_.tight_turns.rooms > 0;  // with the opening
-    result_.tight_turns.add({is_counted ? 0 : 1, tightest_, shown(tightest_at_)});
+    if (tightest_ < limits().widest * (1 - 1e-9)) plan_.note_turn(tightest_, shown(tightest_at_));
   }
 
   StageLimits limits() const {
@@ -127,7 +127,7 @@ class RegionClearing {
     return {std::max(wish, tightest), tightest,
             std::min(kShortCorner, kShortCornerPerAngle * params_.engagement_angle),
             std::max(kSpareTurn * radius_, tightest),
-            is_opened() ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius()};
+            goes_on_ ? std::numeric_limits<double>::infinity() : kFirstTurn * entry_radius()};
   }
 
   // mm: of the circle that the tool's centre runs on before the first pass.
@@ -148,31 +148,19 @@ class RegionClearing {
     return static_cast<int>(std::min(1e9, kMostPasses * std::max(1.0, side_steps)));
   }
 
-  bool is_opened() const { return !task_.opening.runs.empty(); }
-
   std::vector<Stage> stages() const {
     std::vector<Stage> all = make_stages(task_.centres, limits(), &progress_);
     if (!params_.wall_pass && all.size() > 1) all.pop_back();  // the exact border
     return all;
   }
 
-  void begin_run(const Descent& descent) {
-    result_.runs.push_back({descent, {}, result_.runs.empty()});
-    here_ = {descent.at, 0};
-  }
-
-  void add_moves(MoveKind kind, const std::vector<Segment>& moves) {
-    for (const Segment& move : moves) result_.runs.back().moves.push_back({kind, move, 0});
-    if (!moves.empty()) here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
-  }
-
-  void add_to_ground(const PlanarRun& run) {
-    add_descent(run.descent, ground_);
-    for (const PlanarMove& move : run.moves) ground_.add(move.segment);
+  void look_everywhere() {
+    const Bounds everywhere = bounds_of({task_.centres});
+    samples_.update(everywhere.low, everywhere.high);
   }
 
   void look_again(const std::vector<Segment>& moves) {
-    Vec2 low = here_.p, high = here_.p;
+    Vec2 low = plan_.here().p, high = low;
     for (const Segment& move : moves)
       for (int i = 0; i <= 4; ++i) {
         const Vec2 p = move.point(i / 4.0);
@@ -192,70 +180,42 @@ class RegionClearing {
     samples_.update(box.low, box.high);
   }
 
-  static ClearedGround ground_of(const RegionTask& task, double radius, Progress& progress) {
-    ClearedGround ground =
-        task.opened && !task.opening.runs.empty()
-            ? *task.opened
-            : ClearedGround(grown(bounds_of({task.centres}), radius), radius,
-                            task.has_open_edges || task.rest ? &task.material : nullptr);
-    ground.tell(progress);
-    return ground;
-  }
-
-  // From where the opening ends.
-  void go_on() {
-    result_ = task_.opening;
-    if (!task_.opened) {
-      if (task_.hole) ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
-      for (const PlanarRun& run : result_.runs) add_to_ground(run);
-    }
-    const Bounds everywhere = bounds_of({task_.centres});
-    samples_.update(everywhere.low, everywhere.high);
-    const PlanarRun& last = result_.runs.back();
-    here_ = {last.descent.at, 0};
-    if (last.moves.empty()) return;
-    const Segment& end = last.moves.back().segment;
-    here_ = {end.b, angle_of(end.tangent(1))};
-  }
-
   // Comes down, and cuts the first pass, a spiral, as far as it goes.
   void enter() {
-    const Bounds everywhere = bounds_of({task_.centres});
     if (task_.rest) {  // every pass comes down over cleared ground by itself
-      samples_.update(everywhere.low, everywhere.high);
-      here_ = {widest().centre, 0};
+      look_everywhere();
+      plan_.stand({widest().centre, 0});
       return;
     }
     const bool hole_first = task_.hole && params_.entry == EntryKind::kPredrilledHole;
     const bool outside = task_.has_open_edges && params_.entry == EntryKind::kAutomatic;
     if (outside && !hole_first) {
-      samples_.update(everywhere.low, everywhere.high);
+      look_everywhere();
       if (enter_from_outside()) return;
     }
     if (task_.hole) {
+      const Plan::Mark above = plan_.mark();
       enter_hole();
-      if (result_.passes > 0 || !leftover_to_cut()) return;
+      if (plan_.made().passes > 0 || !leftover_to_cut()) return;
       if (hole_first) throw GeometryError(Refusal::kHoleTooTight, shown(*task_.hole));
-      result_.runs.clear();
-      result_.findings.push_back({FindingCode::kHoleTooTight});
+      plan_.roll_back(above);
+      plan_.tell({FindingCode::kHoleTooTight});
     }
     if (params_.entry == EntryKind::kPredrilledHole) {
-      samples_.update(everywhere.low, everywhere.high);
+      look_everywhere();
       enter_from_before();
       return;
     }
     const std::optional<Pose> start = descend_in(widest());
     if (!start) throw GeometryError(Refusal::kNoRoomToDescend, shown(widest().centre));
-    samples_.update(everywhere.low, everywhere.high);
+    look_everywhere();
     cut_from(*start);
   }
 
   // Where a wall leads from ground that was cut before into the material.
   void enter_from_before() {
     const std::vector<PassStart> starts = samples_.starts();
-    if (starts.empty()) return;
-    begin_run({DescentKind::kPlunge, starts.front().pose.p, {}, 0, {}, true});
-    here_ = starts.front().pose;
+    if (!starts.empty()) plan_.plunge(starts.front().pose, true);
   }
 
   // Over an open edge: where a wall leads into the material, or straight at it; of both what is
@@ -270,13 +230,11 @@ class RegionClearing {
     std::optional<Pose> start;
     if (wish || starts.empty()) start = start_outside(exact_, task_.material, ground_, wish);
     if (first != starts.end() && (!start || off(first->pose) <= off(*start))) {
-      begin_run({DescentKind::kPlunge, first->pose.p, {}, 0, {}, false});
-      here_ = first->pose;
+      plan_.plunge(first->pose, false);
       return true;
     }
     if (!start) return false;
-    begin_run({DescentKind::kPlunge, start->p, {}, 0, {}, false});
-    here_ = *start;
+    plan_.plunge(*start, false);
     cut_from(*start);
     return true;
   }
@@ -284,19 +242,17 @@ class RegionClearing {
   bool leftover_to_cut() const { return samples_.uncleared_count() > 0; }
 
   void enter_hole() {
-    const double hole_radius = 0.5 * params_.hole_diameter, room = hole_radius - radius_;
-    ground_.add_disc(*task_.hole, hole_radius);
-    const Bounds everywhere = bounds_of({task_.centres});
-    samples_.update(everywhere.low, everywhere.high);
-    begin_run({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false});
+    const double room = 0.5 * params_.hole_diameter - radius_;
+    look_everywhere();
+    plan_.plunge({*task_.hole, 0}, false);
     const Pose start{*task_.hole + Vec2{room, 0}, kPi / 2};
     // From the centre to the rim by half a turn, which ends along the rim.
     std::vector<Segment> way;
     if (room > 1e-6)
       way.push_back(Segment::arc(*task_.hole + Vec2{room / 2, 0}, room / 2, kPi, kPi));
     if (is_free({ground_, ground_.size()}, exact_, way, length_of(way))) {
-      add_moves(MoveKind::kLink, way);
-      here_ = start;
+      plan_.add(MoveKind::kLink, way);
+      plan_.stand(start);
       cut_from(start);
     }
   }
@@ -307,11 +263,11 @@ class RegionClearing {
     std::optional<Entry> entry = descend_within(exact_, room, params_);
     if (!entry) return std::nullopt;
     if (params_.entry == EntryKind::kHelix && entry->descent.kind == DescentKind::kRamp)
-      result_.findings.push_back({FindingCode::kRampForHelix});
+      plan_.tell({FindingCode::kRampForHelix});
     if (params_.entry == EntryKind::kRamp && choice_.leads_nowhere(*entry))
       if (std::optional<Entry> helix = helix_within(exact_, room, params_)) {
         entry = std::move(helix);
-        result_.findings.push_back({FindingCode::kHelixForRamp});
+        plan_.tell({FindingCode::kHelixForRamp});
       }
     // Who asks for a helix shall have the one that was asked for, where it fits.
     const bool may_stretch = task_.stretch_helix || params_.entry != EntryKind::kHelix ||
@@ -320,8 +276,7 @@ class RegionClearing {
     fill_narrow_room(*entry, room, params_);
     if (ground_.size() > 0 || task_.rest || task_.has_open_edges)
       entry->descent.new_area = area_cut_by(entry->descent, ground_);
-    add_descent(entry->descent, ground_);
-    begin_run(entry->descent);
+    plan_.come_down(entry->descent);
     return entry->start;
   }
 
@@ -402,44 +357,34 @@ class RegionClearing {
     look_again(pass.moves);
     // What lies at the ends of the way is cleared, but for less than counts as contact.
     drop_last(pass.moves, pass.idle_after - kKeptIdle * radius_);
-    add_moves(MoveKind::kCut, pass.moves);
-    if (task_.follow && !task_.is_part && !is_opened()) task_.follow(result_.runs);
+    plan_.post(MoveKind::kCut, pass.moves);
+    if (task_.follow && !task_.is_part && !goes_on_) task_.follow(plan_.runs());
     if (turn_radius > 0 && turn_radius < std::min(tightest_, limits().widest * (1 - 1e-9)))
       if (const Vec2 at = sharpest_place(pass.moves); is_narrow_at(at)) {
         tightest_ = turn_radius;
         tightest_at_ = at;
       }
-    ++result_.passes;
+    plan_.count_pass();
     return is_progress(pass, radius_);
   }
 
-  // Goes to `to` over ground that was cleared before the move numbered `before`; false where there
-  // is no way, or none so quick as to go up and down.
   bool link_to(const Pose& to, std::size_t before) {
-    if (result_.runs.empty()) return false;
-    if (distance(here_.p, to.p) < 1e-9 && std::abs(wrap_signed(to.heading - here_.heading)) < 1e-6)
-      return true;
-    const std::vector<Segment> link =
-        quicker_link({ground_, before}, around_, here_, to, link_turn(), params_);
-    if (link.empty()) return false;
-    add_moves(MoveKind::kLink, link);
-    ++result_.links;
-    return true;
+    return plan_.link_to(to, around_, link_turn(), before);
   }
 
   // Back along the cuts since the last link: the only links that turn about at their ends. False
   // where these did not run through `to`, or where to go up and down is quicker.
   bool back_to(const Pose& to) {
-    if (result_.runs.empty()) return false;
-    const double longest = length_of_retract(distance(here_.p, to.p), params_);
-    const WayBack back = way_back(result_.runs.back().moves, to, longest);
+    if (plan_.is_empty()) return false;
+    const double longest = length_of_retract(distance(plan_.here().p, to.p), params_);
+    const WayBack back = way_back(plan_.runs().back().moves, to, longest);
     if (!back.found) return false;
     const auto free = [&](const std::vector<Segment>& way) {
       return is_free({ground_, ground_.size()}, exact_, way, length_of(way));
     };
-    add_moves(MoveKind::kLink, beside_cuts(back.moves, params_.arcs, free));
-    here_ = to;
-    result_.links += !back.moves.empty();
+    plan_.add(MoveKind::kLink, beside_cuts(back.moves, params_.arcs, free));
+    plan_.stand(to);
+    if (!back.moves.empty()) plan_.count_link();
     return true;
   }
 
@@ -452,9 +397,9 @@ class RegionClearing {
     if (task_.rest || !is_free)
       way = way_from_beside(ground_, task_.material, exact_, to, link_turn());
     if (!way && !is_free) return false;
-    begin_run({DescentKind::kPlunge, way ? way->a : to.p, {}, 0, {}, true});
-    if (way) add_moves(MoveKind::kLink, {*way});
-    here_ = to;
+    plan_.plunge({way ? way->a : to.p, to.heading}, true);
+    if (way) plan_.add(MoveKind::kLink, {*way});
+    plan_.stand(to);
     return true;
   }
 
@@ -492,8 +437,8 @@ class RegionClearing {
   // Where no wall leads into the material. The first entry beside what earlier cuts left comes
   // before one into it.
   bool cut_off_walls() {
-    const bool beside = task_.rest && result_.runs.empty() &&
-                        has_free_place(ground_, task_.material, task_.centres);
+    const bool beside =
+        task_.rest && plan_.is_empty() && has_free_place(ground_, task_.material, task_.centres);
     if (!beside) return enter_untouched() || cut_leftover() || enter_touched();
     if (cut_leftover()) return true;
     if (!enter_untouched()) return false;
@@ -527,11 +472,11 @@ class RegionClearing {
     const bool reached =
         touched_too ? ground_.is_clear(circle.centre) : ground_.is_cleared_point(circle.centre);
     // Where nothing is cut yet there is no other way to begin, however narrow the room is.
-    const bool is_narrow = !result_.runs.empty() && circle.radius < kNarrowestRoom * radius_;
+    const bool is_narrow = !plan_.is_empty() && circle.radius < kNarrowestRoom * radius_;
     if (is_narrow || reached) return false;
     const std::optional<Pose> start = descend_in(circle);
     if (!start) return false;
-    look_again(result_.runs.back().descent);
+    look_again(plan_.runs().back().descent);
     cut_from(*start);
     return true;
   }
@@ -555,18 +500,18 @@ class RegionClearing {
     for (const PassStart& start : starts) {
       const bool same_front = last_start && distance(*last_start, start.pose.p) < radius_;
       const double extra = same_front ? 0 : kLeavingPrice * radius_;
-      candidates.push_back({&start, extra, distance(here_.p, start.pose.p) + extra});
+      candidates.push_back({&start, extra, distance(plan_.here().p, start.pose.p) + extra});
     }
     std::sort(candidates.begin(), candidates.end(),
               [](const Candidate& a, const Candidate& b) { return a.least < b.least; });
     const PassStart* best = candidates.front().start;
-    if (result_.runs.empty()) return *best;
+    if (plan_.is_empty()) return *best;
     double least = std::numeric_limits<double>::infinity();
     for (const Candidate& candidate : candidates) {
       if (candidate.least >= least) break;
       double cost = 0;
-      quicker_link({ground_, ground_.size()}, around_, here_, candidate.start->pose, link_turn(),
-                   params_, &cost);
+      quicker_link({ground_, ground_.size()}, around_, plan_.here(), candidate.start->pose,
+                   link_turn(), params_, &cost);
       cost += candidate.extra;
       if (cost >= least) continue;
       least = cost;
@@ -596,28 +541,28 @@ class RegionClearing {
 
   // Places come once, and once more after one of them came to something.
   std::optional<Pose> next_leftover() {
-    const std::optional<Pose> start = leftover_.next_start(ground_, exact_, here_.p);
+    const std::optional<Pose> start = leftover_.next_start(ground_, exact_, plan_.here().p);
     if (start || !cut_since_asked_) return start;
     cut_since_asked_ = false;
     if (!leftover_.ask_again(ground_)) return std::nullopt;
-    return leftover_.next_start(ground_, exact_, here_.p);
+    return leftover_.next_start(ground_, exact_, plan_.here().p);
   }
 
+  Plan& plan_;
+  ClearedGround& ground_;  // the plan's
   const RegionTask& task_;
   const ClearingParams& params_;
   Progress& progress_;
   double radius_;
+  bool goes_on_;  // from what was made before
   Area exact_, around_;
   mutable std::optional<Circle> widest_;
-  ClearedGround ground_;
   std::size_t settled_ = 0;  // moves of the ground that stay
   std::vector<Stage> stages_;
   PassChoice choice_;
   WallSamples samples_;
   Leftover leftover_;
   bool cut_since_asked_ = false;  // some of it
-  RegionResult result_;
-  Pose here_;
   MadePasses made_;
   double done_ = 0;               // share of the samples
   NextRoom untouched_, touched_;  // the first rooms that may need an entry
@@ -628,15 +573,19 @@ class RegionClearing {
 
 }  // namespace
 
-Vec2 shown_place(const RegionTask& task, Vec2 p) { return {task.mirrored ? -p.x : p.x, p.y}; }
+void clear_region(Plan& plan, const RegionTask& task, const ClearingParams& params,
+                  Progress& progress) {
+  try {
+    RegionClearing(plan, task, params, progress).run();
+  } catch (const Cancelled&) {  // before anything was made
+  }
+}
 
 RegionResult clear_region(const RegionTask& task, const ClearingParams& params,
                           Progress& progress) {
-  try {
-    return RegionClearing(task, params, progress).run();
-  } catch (const Cancelled&) {  // before anything was made
-    return task.opening;
-  }
+  Plan plan(task, params, progress);
+  clear_region(plan, task, params, progress);
+  return plan.take();
 }
 
 }  // namespace evenload

@@ -9,6 +9,7 @@
 #include "geometry/arc_fit.h"
 #include "geometry/box_tree.h"
 #include "strategy/choose/leftover.h"
+#include "strategy/choose/region_clearing.h"
 #include "strategy/moves/move_checks.h"
 #include "strategy/passage/passage_path.h"
 #include "strategy/passage/passage_walls.h"
@@ -47,6 +48,7 @@ class PassageClearing {
         params_(params),
         progress_(progress),
         path_(task, params, progress),
+        plan_(path_.plan()),
         room_done_(places.rooms.size(), 0),
         passage_done_(places.passages.size(), 0) {}
 
@@ -60,10 +62,7 @@ class PassageClearing {
       }
     } catch (const Cancelled&) {  // what is made is kept
     }
-    result_.passes += path_.passes();
-    result_.links += path_.links();
-    result_.runs = path_.take_runs();
-    return std::move(result_);
+    return plan_.take();
   }
 
  private:
@@ -79,7 +78,7 @@ class PassageClearing {
         if (room.contains(*task_.hole)) first = i;
       } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
         const std::optional<Pose> start =
-            start_outside(Area({room}), task_.material, path_.ground(), params_.open_side);
+            start_outside(Area({room}), task_.material, plan_.ground(), params_.open_side);
         const double off = start && params_.open_side ? distance(start->p, *params_.open_side) : 0;
         if (!start || (first != kNoIndex && off >= nearest)) continue;
         first = i;
@@ -95,7 +94,7 @@ class PassageClearing {
 
   // A passage that opens into a room that is done; the first of all at the beginning.
   std::size_t next_passage() const {
-    const bool at_start = path_.runs().empty();
+    const bool at_start = plan_.is_empty();
     for (std::size_t k = 0; k < passage_done_.size(); ++k) {
       if (passage_done_[k]) continue;
       const std::vector<std::size_t>& rooms = places_.passages[k].rooms;
@@ -114,23 +113,16 @@ class PassageClearing {
     if (task.hole && !room.contains(*task.hole)) task.hole.reset();
     task.around = {task_.centres};
     task.round_helix = !places_.passages.empty() && places_.passages.front().by_ramp;
-    task.before = path_.runs();
     task.follow = nullptr;  // what it is told of begins with the first room
     const double done = share_done(), all = task_.centres.area();
     room_done_[index] = 1;
     Progress share([&](double part) {
       return progress_.report(done + part * std::min(1 - done, room.area() / all));
     });
-    RegionResult cleared = clear_region(task, params_, share);
-    for (PlanarRun& run : cleared.runs) {
-      run.new_region = path_.runs().empty();
-      path_.append(std::move(run));
-    }
-    result_.uncut_area += cleared.uncut_area;
-    result_.passes += cleared.passes;
-    result_.links += cleared.links;
-    result_.tight_turns.add(cleared.tight_turns);
-    for (Finding& finding : cleared.findings) result_.findings.push_back(std::move(finding));
+    Plan by_itself(task, params_, share);
+    by_itself.know(plan_.runs());
+    clear_region(by_itself, task, params_, share);
+    plan_.append(by_itself.take());
   }
 
   double share_done() const {
@@ -170,9 +162,9 @@ class PassageClearing {
     if (ramp.ramp_by.empty()) return;  // some 0.0001 mm: no more than passes leave in corners
     Leftover left;
     left.prepare(Area({neck.centres}),
-                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
-    ramp.new_area = left.area(path_.ground());
-    path_.begin(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}, path_.runs().empty());
+                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), plan_.ground());
+    ramp.new_area = left.area(plan_.ground());
+    plan_.come_down(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)});
   }
 
   void clear_rooms_beside(std::size_t k) {
@@ -183,8 +175,7 @@ class PassageClearing {
 
   // Brings the tool to a point of the middle where it may begin.
   std::size_t come_to(const PassageAxis& axis, std::size_t k) {
-    const bool is_new = path_.runs().empty();
-    if (!is_new) {
+    if (!plan_.is_empty()) {
       const std::size_t mouth = nearest_mouth(axis);
       if (mouth != kNoIndex) {
         path_.reach(pose_at(axis, mouth, axis.points[mouth].next.front()));
@@ -192,21 +183,20 @@ class PassageClearing {
       }
     }
     if (task_.hole && places_.passages[k].centres.contains(*task_.hole)) {
-      path_.begin({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false}, {*task_.hole, 0}, is_new);
+      plan_.plunge({*task_.hole, 0}, false);
       return go_from_hole(axis, first_number_ + static_cast<int>(k));
     }
     if (const std::size_t outside = place_outside(axis);
         outside != kNoIndex && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
-      const Vec2 at = axis.points[outside].p;
-      path_.begin({DescentKind::kPlunge, at, {}, 0, {}, false}, {at, 0}, is_new);
+      plan_.plunge({axis.points[outside].p, 0}, false);
       return outside;
     }
     if (params_.entry == EntryKind::kPredrilledHole) return kNoIndex;
-    return descend(axis, is_new);
+    return descend(axis);
   }
 
   // A ramp along the passage: a helix as narrow as this would be a plunge.
-  std::size_t descend(const PassageAxis& axis, bool is_new) {
+  std::size_t descend(const PassageAxis& axis) {
     const std::size_t widest = widest_point(axis);
     ClearingParams params = params_;
     params.entry = EntryKind::kRamp;
@@ -214,7 +204,7 @@ class PassageClearing {
     const std::optional<Entry> entry =
         descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
     if (!entry) return kNoIndex;
-    path_.begin(entry->descent, entry->start, is_new);
+    plan_.come_down(entry->descent, entry->start);
     const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
     return is_done ? kNoIndex : widest;
   }
@@ -348,8 +338,8 @@ class PassageClearing {
   const ClearingParams& params_;
   Progress& progress_;
   PassagePath path_;
+  Plan& plan_;  // the path's
   std::vector<char> room_done_, passage_done_;
-  RegionResult result_;
 };
 
 }  // namespace
