@@ -151,45 +151,6 @@ class Opening {
     return turns;
   }
 
-  // From the entry's circle in the middle, or in the hole, outwards.
-  void clear_pocket_of_one_wall() {
-    std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
-    const LameCurve largest = lasts.front();
-    check_share(share_by(largest));
-    const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
-    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
-    Circle first{task_.hole.value_or(largest.centre), 0};
-    double room = least_lame_radius(largest);
-    for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
-    if (task_.hole) {
-      first.radius = enter_hole();
-    } else if (params_.entry == EntryKind::kPredrilledHole) {
-      throw GeometryError(Refusal::kHoleOutsidePocket, shown(largest.centre));
-    } else {
-      first.radius = helix_radius(params_, {first.centre, room});
-      // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
-      if (params_.entry == EntryKind::kRamp) tell(FindingCode::kHelixForSpiral);
-    }
-    if (shapes_.has_wished_size() &&
-        std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
-      refuse(Refusal::kSetSizeTooSmall);
-    const PlannedGrowth growth = quickest(
-        lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
-        [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
-    const LameCurve& last = growth.growth.stages.back().to;
-    made_.spiral_area = grown_lame_area(last, radius_);
-    const double start = last.rotation + kPi / last.segments;
-    if (plan_.is_empty()) {
-      plan_.come_down({DescentKind::kHelix,
-                       first.centre + first.radius * unit(start),
-                       first.centre,
-                       first.radius,
-                       {},
-                       false});
-    }
-    cut(growth, start, false);
-  }
-
   void check_courses(const LameCurve& last) const {
     if (last.segments != 4 && !lame_.semi_axis_a_course.empty() &&
         !lame_.semi_axis_b_course.empty() && lame_.semi_axis_a_course != lame_.semi_axis_b_course)
@@ -317,6 +278,7 @@ class Opening {
       plan_.plunge(start, !plan_.is_empty());
   }
 
+  void clear_pocket_of_one_wall();
   void clear_stock_around_island();
   void clear_ring();
   [[noreturn]] void refuse_growth() const;
@@ -333,6 +295,45 @@ class Opening {
   std::optional<MonotoneSpline> pace_;
   LameOpening made_;
 };
+
+// From the entry's circle in the middle, or in the hole, outwards.
+void Opening::clear_pocket_of_one_wall() {
+  std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
+  const LameCurve largest = lasts.front();
+  check_share(share_by(largest));
+  const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
+  lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
+  Circle first{task_.hole.value_or(largest.centre), 0};
+  double room = least_lame_radius(largest);
+  for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
+  if (task_.hole) {
+    first.radius = enter_hole();
+  } else if (params_.entry == EntryKind::kPredrilledHole) {
+    throw GeometryError(Refusal::kHoleOutsidePocket, shown(largest.centre));
+  } else {
+    first.radius = helix_radius(params_, {first.centre, room});
+    // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
+    if (params_.entry == EntryKind::kRamp) tell(FindingCode::kHelixForSpiral);
+  }
+  if (shapes_.has_wished_size() &&
+      std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
+    refuse(Refusal::kSetSizeTooSmall);
+  const PlannedGrowth growth = quickest(
+      lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
+      [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
+  const LameCurve& last = growth.growth.stages.back().to;
+  made_.spiral_area = grown_lame_area(last, radius_);
+  const double start = last.rotation + kPi / last.segments;
+  if (plan_.is_empty()) {
+    plan_.come_down({DescentKind::kHelix,
+                     first.centre + first.radius * unit(start),
+                     first.centre,
+                     first.radius,
+                     {},
+                     false});
+  }
+  cut(growth, start, false);
+}
 
 // From the edge of the stock inwards.
 void Opening::clear_stock_around_island() {

@@ -6,11 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/arc_fit.h"
 #include "geometry/box_tree.h"
 #include "strategy/choose/leftover.h"
 #include "strategy/choose/region_clearing.h"
 #include "strategy/moves/move_checks.h"
+#include "strategy/passage/passage_middle.h"
 #include "strategy/passage/passage_path.h"
 #include "strategy/passage/passage_walls.h"
 #include "strategy/reach/entry.h"
@@ -19,8 +19,6 @@
 namespace evenload {
 namespace {
 
-// mm: by which arcs in place of the middle's points leave them.
-constexpr double kFit = kAxisTolerance;
 // rad: the way from a hole to the middle turns by no more.
 constexpr double kMostTurn = 0.9 * kPi;
 
@@ -31,7 +29,7 @@ std::size_t widest_point(const PassageAxis& axis) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < axis.points.size(); ++i) {
     const double wider = axis.points[i].radius - axis.points[best].radius;
-    if (wider > kFit || (wider > -kFit && is_end(i) && !is_end(best))) best = i;
+    if (wider > kAxisTolerance || (wider > -kAxisTolerance && is_end(i) && !is_end(best))) best = i;
   }
   return best;
 }
@@ -148,7 +146,7 @@ class PassageClearing {
       return;
     }
     const std::size_t root = axis.points.empty() ? kNoIndex : come_to(axis, k);
-    if (root != kNoIndex) follow_middle(axis, root, number);
+    if (root != kNoIndex) follow_middle(axis, root, number, path_, progress_);
     const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
     if (!walls_first) clear_rooms_beside(k);
     if (root != kNoIndex && !progress_.cancelled())
@@ -209,11 +207,6 @@ class PassageClearing {
     return is_done ? kNoIndex : widest;
   }
 
-  // At a point of the middle, on the way to its neighbour.
-  static Pose pose_at(const PassageAxis& axis, std::size_t point, std::size_t neighbour) {
-    return {axis.points[point].p, angle_of(axis.points[neighbour].p - axis.points[point].p)};
-  }
-
   std::size_t nearest_mouth(const PassageAxis& axis) const {
     std::size_t best = kNoIndex;
     double nearest = std::numeric_limits<double>::infinity();
@@ -268,67 +261,6 @@ class PassageClearing {
 
   bool stays_inside(const Segment& move) const {
     return is_inside(move, path_.centres(), kZeroLength);
-  }
-
-  // ---- the middle ----
-
-  using Used = std::vector<std::vector<char>>;  // which ways out of a point are cut
-
-  // Cuts every branch once, from forks that are reached already.
-  void follow_middle(const PassageAxis& axis, std::size_t root, int number) {
-    Used used(axis.points.size());
-    for (std::size_t i = 0; i < axis.points.size(); ++i)
-      used[i].assign(axis.points[i].next.size(), 0);
-    std::vector<std::size_t> reached{root};  // points with ways out, the newest last
-    while (!reached.empty() && !progress_.cancelled()) {
-      const std::size_t at = reached.back(), out = next_way(axis, at, used);
-      if (out == kNoIndex) {
-        reached.pop_back();
-        continue;
-      }
-      std::size_t end = at;
-      path_.follow(chain(axis, &end, out, root, used), number);
-      reached.push_back(end);
-    }
-  }
-
-  // Straight on where the tool stands there, else the first that is not cut.
-  std::size_t next_way(const PassageAxis& axis, std::size_t at, const Used& used) const {
-    std::size_t best = kNoIndex;
-    double least = std::numeric_limits<double>::infinity();
-    const bool stands_there = distance(path_.here().p, axis.points[at].p) < kFit;
-    for (std::size_t i = 0; i < used[at].size(); ++i) {
-      if (used[at][i]) continue;
-      const double heading = pose_at(axis, at, axis.points[at].next[i]).heading;
-      const double turn = stands_there ? std::abs(wrap_signed(heading - path_.here().heading)) : 0;
-      if (turn >= least) continue;
-      best = i;
-      least = turn;
-    }
-    return best;
-  }
-
-  // The stretch of the middle from `*at` on to the next fork, end, or the root; `*at`: that point.
-  static std::vector<Segment> chain(const PassageAxis& axis, std::size_t* at, std::size_t out,
-                                    std::size_t root, Used& used) {
-    std::vector<Vec2> points{axis.points[*at].p};
-    for (;;) {
-      const std::size_t next = axis.points[*at].next[out];
-      used[*at][out] = 1;
-      const std::vector<std::size_t>& neighbours = axis.points[next].next;
-      for (std::size_t i = 0; i < neighbours.size(); ++i)
-        if (neighbours[i] == *at && !used[next][i]) {
-          used[next][i] = 1;
-          break;
-        }
-      points.push_back(axis.points[next].p);
-      *at = next;
-      if (neighbours.size() != 2 || *at == root) break;
-      const auto free = std::find(used[*at].begin(), used[*at].end(), 0);
-      if (free == used[*at].end()) break;
-      out = static_cast<std::size_t>(free - used[*at].begin());
-    }
-    return fit_arcs(points, kFit).segments();
   }
 
   const RegionTask& task_;

@@ -2,35 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "cutting/load_budget.h"
-#include "feed/load_profile.h"
-#include "geometry/box_tree.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/entry.h"
 #include "strategy/reach/links.h"
+#include "strategy/slots/pattern_notes.h"
 #include "strategy/slots/slot_end.h"
+#include "strategy/slots/slot_junctions.h"
 #include "strategy/slots/slot_rooms.h"
 #include "strategy/slots/slot_way.h"
-#include "strategy/trochoid/slot.h"
-#include "strategy/trochoid/trochoid_pattern.h"
+#include "strategy/slots/slot_ways.h"
 #include "support/errors.h"
 #include "support/tolerances.h"
 
 namespace evenload {
 namespace {
 
-// Fewer periods are not worth a pattern.
-constexpr int kFewestPeriods = 4;
-// Half rooms: a junction reaches no further.
-constexpr double kLongestJunction = 8;
-// The same: so far beyond the corner inside where two ways meet both walls of a way are there.
-constexpr double kPastCorner = 1.1;
-// The same: a little narrower than expected, a helix needs so much more for as many turns.
+// Half rooms: a little narrower than expected, a helix needs so much more for as many turns.
 constexpr double kHelixRoom = 0.01;
 
 ClearingParams for_passes(ClearingParams params) {
@@ -49,24 +41,25 @@ class SlotClearing {
         params_(params),
         passes_(passes),
         patterns_(patterns),
-        report_(report),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
-        length_before_(report.length),
         centres_({task.centres}),
-        plan_(task, params, progress) {}
+        plan_(task, params, progress),
+        found_(task, params, centres_, patterns),
+        ways_(found_.ways),
+        notes_(task, params, plan_, report) {}
 
   RegionResult run() {
     repeat(Use::kSlots);
-    if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
-      plan_.tell({FindingCode::kCirclesForPattern, shown_place(task_, *circles_at_)});
+    if (notes_.circles_at() && patterns_.kind() == TrochoidKind::kConstantEngagement)
+      plan_.tell({FindingCode::kCirclesForPattern, shown_place(task_, *notes_.circles_at())});
     if (!is_repeated()) {
       passes_.feed_steps = params_.feed_steps;
       passes_.move_price = params_.move_price;
     }
     clear_region(plan_, task_, passes_, progress_);
-    if (!is_repeated() && !progress_.cancelled()) plan_.tell(fallback());
+    if (!is_repeated() && !progress_.cancelled()) plan_.tell(found_.why_none());
     return plan_.take();
   }
 
@@ -78,75 +71,19 @@ class SlotClearing {
   }
 
  private:
-  // Slots take any pattern that there is; pockets only what serves them better than passes do.
-  enum class Use { kSlots, kPockets };
+  using Use = SlotWays::Use;
 
   void repeat(Use use) {
     if (task_.rest) return;
     try {
-      find_ways(use);
+      found_.find(use);
       if (start(use)) follow_ways();
     } catch (const Cancelled&) {  // what is made is kept
     }
     early_ends_.reset();
   }
 
-  bool is_repeated() const { return report_.length > length_before_; }
-
-  // ---- where no pattern is repeated ----
-
-  Finding fallback() const {
-    const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
-                                        : task_.centres.outer.vertices()[0].p;
-    return {why_none(), shown_place(task_, place), {static_cast<double>(patterns_.kind())}};
-  }
-
-  FindingCode why_none() const {
-    if (task_.rest) return FindingCode::kNoPatternAfterCuts;
-    if (!longest_stretch_)
-      return find_slots(centres_, std::numeric_limits<double>::infinity()).empty()
-                 ? FindingCode::kNoPatternBetweenWalls
-                 : FindingCode::kNoPatternSoWide;
-    if (is_too_short_) return FindingCode::kNoPatternSoShort;
-    return ways_.empty() ? FindingCode::kNoPatternWithoutRoom : FindingCode::kNoPatternWithoutStart;
-  }
-
-  // ---- the ways ----
-
-  void find_ways(Use use) {
-    for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
-      if (!longest_stretch_) longest_stretch_ = stretch;
-      add_way(stretch, use);
-      add_way(stretch.reversed(), use);
-    }
-    std::stable_sort(ways_.begin(), ways_.end(), comes_first);
-    if (task_.has_open_edges && params_.open_side)
-      std::stable_sort(
-          ways_.begin(), ways_.end(), [&wish = *params_.open_side](const Way& a, const Way& b) {
-            return distance(a.stretch.middle.a, wish) < distance(b.stretch.middle.a, wish);
-          });
-    is_too_short_ = is_too_short_ && ways_.empty();
-  }
-
-  // The longest first, of those as long the widest, so that a turned slot is cut the same.
-  static bool comes_first(const Way& a, const Way& b) {
-    if (std::abs(a.length() - b.length()) > kOnWall) return a.length() > b.length();
-    return a.stretch.half_room > b.stretch.half_room + kSameWidth;
-  }
-
-  void add_way(const SlotStretch& stretch, Use use) {
-    const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
-    if (!pattern) return;
-    if (use == Use::kPockets &&
-        (has_corners(*pattern) || stretch.half_room < kLeastCircle * radius_))
-      return;
-    const Way way{*pattern, stretch};
-    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
-      is_too_short_ = true;
-      return;
-    }
-    ways_.push_back(way);
-  }
+  bool is_repeated() const { return notes_.is_repeated(); }
 
   // ---- the start ----
 
@@ -193,7 +130,7 @@ class SlotClearing {
     const Way* way = nullptr;  // that begins there
     for (std::size_t i = first; i < last; ++i) {
       if (first_place(ways_[i]) > ways_[i].last()) {
-        is_too_short_ = true;
+        found_.is_too_short = true;
         continue;
       }
       std::optional<StartRoom> room = place == Place::kBegin
@@ -302,39 +239,12 @@ class SlotClearing {
       way.has_next_room = true;
       const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
       std::optional<Region> room = room_behind(task_.centres, centres_, front);
-      if (!room || !is_mostly_clear(way, *room)) room = corner_behind(front);
-      if (room && is_mostly_clear(way, *room) && clear_room(*room)) return true;
+      if (!room || !is_mostly_clear(way, *room, ways_, plan_.ground()))
+        room = corner_behind(front, ways_, task_.centres, centres_, radius_);
+      if (room && is_mostly_clear(way, *room, ways_, plan_.ground()) && clear_room(*room))
+        return true;
     }
     return false;
-  }
-
-  // Between a front and the last place of another way that has walls on both sides: the smallest
-  // such room.
-  std::optional<Region> corner_behind(const std::vector<Segment>& front) const {
-    std::optional<Region> best;
-    for (const Way& other : ways_) {
-      // The tool goes round the corner between the two ways by its radius.
-      const double s =
-          other.stretch.middle.length() - kPastCorner * other.stretch.half_room - radius_;
-      if (s < 0) continue;
-      std::optional<Region> room = room_between(task_.centres, centres_, other.stretch, s, front);
-      if (room && (!best || room->area() < best->area())) best = std::move(room);
-    }
-    return best;
-  }
-
-  // Whether nothing but a junction is left of a room behind a way: along the middles.
-  bool is_mostly_clear(const Way& way, const Region& room) const {
-    const double look = kMiddleLook * radius_;
-    double left = 0;
-    for (const Way& other : ways_)
-      for (double s = 0; s <= other.stretch.middle.length(); s += look) {
-        const Vec2 p = pose_on(other.stretch, s).p;
-        if (!plan_.ground().is_cleared_point(p) && room.contains(p))
-          left += 0.5 * look;  // either way
-      }
-    return left < way.reach.ahead - way.reach.back + 2 * radius_ +
-                      kLongestJunction * way.stretch.half_room;
   }
 
   // The end of the slot beyond the last period, so that the walls are left to passes from there.
@@ -369,8 +279,7 @@ class SlotClearing {
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
     const double end = place_of(way, period);
-    note(way, end - begin);
-    note_turns(cut_at(way, begin));
+    notes_.repeated(way, end - begin, cut_at(way, begin));
     return period + 1;
   }
 
@@ -394,58 +303,18 @@ class SlotClearing {
     return move;
   }
 
-  void note(const Way& way, double length) {
-    report_.length += length;
-    note_residual(way);
-    if (way.kind == TrochoidKind::kCircular && !circles_at_)
-      circles_at_ = way.stretch.middle.point(0.5);
-    if (length <= report_.longest) return;
-    report_.longest = length;
-    report_.step = way.pattern.step;
-    report_.iterations = iterations(way);
-    report_.residual = iterations(way) == 0 ? 0 : way.pattern.residuals.back();
-    report_.removal_rate = way.removal * (params_.top - params_.levels.front());
-  }
-
-  static int iterations(const Way& way) {
-    return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
-  }
-
-  void note_turns(const std::vector<Segment>& cut) {
-    const auto sharpest =
-        std::max_element(cut.begin(), cut.end(), [](const Segment& a, const Segment& b) {
-          return std::abs(a.curvature()) < std::abs(b.curvature());
-        });
-    const double radius = 1 / std::abs(sharpest->curvature());
-    if (radius >= turn_radius_ * (1 - 1e-9)) return;
-    plan_.note_turn(radius, shown_place(task_, sharpest->b));
-  }
-
-  // Once for all ways of one pattern.
-  void note_residual(const Way& way) {
-    if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
-    const Finding finding{FindingCode::kAdvanceUnsettled,
-                          {},
-                          {static_cast<double>(iterations(way)), way.pattern.residuals.back()}};
-    const std::vector<Finding>& told = plan_.made().findings;
-    if (std::find(told.begin(), told.end(), finding) == told.end()) plan_.tell(finding);
-  }
-
   const RegionTask& task_;
   const ClearingParams& params_;
   ClearingParams passes_;
   PatternCache& patterns_;
-  TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;
-  double length_before_;  // mm, of the report
   Area centres_;
   Plan plan_;
-  std::vector<Way> ways_;  // the longest first, both directions of each
+  SlotWays found_;
+  std::vector<Way>& ways_;  // those found
+  PatternNotes notes_;
   std::unique_ptr<EarlyEnds> early_ends_;
-  std::optional<SlotStretch> longest_stretch_;
-  bool is_too_short_ = false;       // a stretch with a pattern, and no other one serves
-  std::optional<Vec2> circles_at_;  // of the first way along which circles are repeated
 };
 
 }  // namespace
