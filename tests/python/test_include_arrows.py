@@ -44,6 +44,7 @@ STRATEGY = (
     "task",
     "steer",
     "reach",
+    "plan",
     "choose",
     "trochoid",
     "slots",

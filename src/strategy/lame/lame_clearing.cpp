@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "geometry/lame_curve.h"
+#include "strategy/choose/region_clearing.h"
 #include "strategy/lame/lame_opening.h"
 #include "strategy/pocket/pocket.h"
 #include "support/errors.h"
@@ -89,9 +90,10 @@ LameParams without_straight_courses(LameParams p) {
   return p;
 }
 
-void leave_rest(const LameOpening& opening, RegionResult& result) {
-  result.uncut_area = std::max(0.0, opening.reached_area - opening.cleared_area);
-  result.findings.push_back({FindingCode::kLeftBesideSpiral, {}, {result.uncut_area}});
+void leave_rest(const LameOpening& opening, Plan& plan) {
+  const double left = std::max(0.0, opening.reached_area - opening.cleared_area);
+  plan.leave(left);
+  plan.tell({FindingCode::kLeftBesideSpiral, {}, {left}});
 }
 
 // mm^2 that the tool reaches at all.
@@ -124,10 +126,10 @@ void tell_missing_spirals(const std::vector<Region>& regions, const ClearingPara
 }
 
 // Of several regions the one that is refused is named.
-LameOpening opening_of(const RegionTask& task, const ClearingParams& clearing,
+LameOpening opening_of(Plan& plan, const RegionTask& task, const ClearingParams& clearing,
                        const LameParams& params, bool of_several, Progress& progress) {
   try {
-    return lame_opening(task, clearing, params, progress);
+    return lame_opening(plan, task, clearing, params, progress);
   } catch (const GeometryError& error) {
     throw GeometryError(error.refusal(), error.where(), error.numbers(), of_several);
   }
@@ -147,7 +149,8 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
   LameToolpath result;
   double by_spirals = 0, reached = 0, most = 0;
   const auto clearer = [&](const RegionTask& task, const ClearingParams& checked, Progress& watch) {
-    LameOpening opening = opening_of(task, checked, seen, regions.size() > 1, watch);
+    Plan plan(task, checked, watch);
+    const LameOpening opening = opening_of(plan, task, checked, seen, regions.size() > 1, watch);
     by_spirals += opening.spiral_area;
     reached += opening.reached_area;
     if (opening.figures && opening.spiral_area > most) {
@@ -155,14 +158,13 @@ LameToolpath clear_with_lame_spiral(const std::vector<Region>& regions,
       result.figures = mirror ? mirrored(*opening.figures) : *opening.figures;
     }
     if (params.rest == LameRest::kLeave) {
-      leave_rest(opening, opening.result);
-      return std::move(opening.result);
+      leave_rest(opening, plan);
+      return plan.take();
     }
-    if (!watch.report(kFirstHalf)) return std::move(opening.result);
-    RegionTask further = task;
-    further.opening = std::move(opening.result);
+    if (!watch.report(kFirstHalf)) return plan.take();
     Progress half([&](double done) { return watch.report(kFirstHalf + (1 - kFirstHalf) * done); });
-    return clear_region(further, beside_spiral(checked), half);
+    clear_region(plan, task, beside_spiral(checked), half);
+    return plan.take();
   };
   ClearingParams finer = clearing;
   finer.feed_steps = kSpiralFeedSteps;

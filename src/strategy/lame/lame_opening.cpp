@@ -9,14 +9,13 @@
 
 #include "cutting/engagement.h"
 #include "cutting/load_budget.h"
-#include "feed/load_profile.h"
 #include "geometry/box_tree.h"
+#include "strategy/choose/region_clearing.h"
 #include "strategy/lame/lame_pace.h"
 #include "strategy/lame/lame_refusals.h"
 #include "strategy/lame/lame_shapes.h"
 #include "strategy/lame/lame_turns.h"
 #include "strategy/reach/entry.h"
-#include "strategy/reach/links.h"
 #include "support/errors.h"
 #include "toolpath/machinable.h"
 
@@ -59,19 +58,16 @@ double area_of(const std::vector<Region>& regions) {
 
 class Opening {
  public:
-  Opening(const RegionTask& task, const ClearingParams& params, const LameParams& lame,
+  Opening(Plan& plan, const RegionTask& task, const ClearingParams& params, const LameParams& lame,
           Progress& progress)
-      : task_(task),
+      : plan_(plan),
+        task_(task),
         params_(params),
         lame_(lame),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         shapes_(params, lame, kWallShare * params.tolerance),
-        pace_(pace_of(params, task.mirrored)),
-        ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr) {
-    ground_.tell(progress);
-  }
+        pace_(pace_of(params, task.mirrored)) {}
 
   LameOpening run() {
     made_.reached_area = area_of(offset({task_.centres}, radius_));
@@ -80,7 +76,7 @@ class Opening {
     } catch (const Cancelled&) {  // what is made is kept
     }
     made_.cleared_area = std::max(made_.cleared_area, made_.spiral_area);
-    return std::move(made_);
+    return made_;
   }
 
  private:
@@ -95,7 +91,7 @@ class Opening {
       clear_ring();
   }
 
-  Vec2 shown(Vec2 p) const { return {task_.mirrored ? -p.x : p.x, p.y}; }
+  Vec2 shown(Vec2 p) const { return shown_place(task_, p); }
 
   [[noreturn]] void refuse(Refusal refusal, std::vector<double> numbers = {}) const {
     throw GeometryError(refusal, shown(task_.centres.outer.vertices().front().p),
@@ -155,45 +151,6 @@ class Opening {
     return turns;
   }
 
-  // From the entry's circle in the middle, or in the hole, outwards.
-  void clear_pocket_of_one_wall() {
-    std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
-    const LameCurve largest = lasts.front();
-    check_share(share_by(largest));
-    const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
-    lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
-    Circle first{task_.hole.value_or(largest.centre), 0};
-    double room = least_lame_radius(largest);
-    for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
-    if (task_.hole) {
-      first.radius = enter_hole();
-    } else if (params_.entry == EntryKind::kPredrilledHole) {
-      throw GeometryError(Refusal::kHoleOutsidePocket, shown(largest.centre));
-    } else {
-      first.radius = helix_radius(params_, {first.centre, room});
-      // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
-      if (params_.entry == EntryKind::kRamp) tell(FindingCode::kHelixForSpiral);
-    }
-    if (shapes_.has_wished_size() &&
-        std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
-      refuse(Refusal::kSetSizeTooSmall);
-    const PlannedGrowth growth = quickest(
-        lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
-        [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
-    const LameCurve& last = growth.growth.stages.back().to;
-    made_.spiral_area = grown_lame_area(last, radius_);
-    const double start = last.rotation + kPi / last.segments;
-    if (made_.result.runs.empty()) {
-      begin_run({DescentKind::kHelix,
-                 first.centre + first.radius * unit(start),
-                 first.centre,
-                 first.radius,
-                 {},
-                 false});
-    }
-    cut(growth, start, false);
-  }
-
   void check_courses(const LameCurve& last) const {
     if (last.segments != 4 && !lame_.semi_axis_a_course.empty() &&
         !lame_.semi_axis_b_course.empty() && lame_.semi_axis_a_course != lame_.semi_axis_b_course)
@@ -248,36 +205,15 @@ class Opening {
     tell(FindingCode::kSpiralOfSetSize, share);
   }
 
-  void begin_run(const Descent& descent) {
-    made_.result.runs.push_back({descent, {}, made_.result.runs.empty()});
-    add_descent(descent, ground_);
-  }
-
-  void add_moves(MoveKind kind, const std::vector<Segment>& moves) {
-    for (const Segment& move : moves) {
-      made_.result.runs.back().moves.push_back({kind, move});
-      ground_.add(move);
-    }
-  }
-
-  // They are the last of the opening: its ground is asked for no more.
-  void add_turns(const LameTurns& turns) {
-    std::vector<PlanarMove>& moves = made_.result.runs.back().moves;
-    for (const Segment& move : turns.moves) moves.push_back({MoveKind::kCut, move});
-  }
-
   // Returns the radius of the circle that the tool's centre can run on in the hole.
   double enter_hole() {
-    ground_.add_disc(*task_.hole, 0.5 * params_.hole_diameter);
-    begin_run({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false});
+    plan_.plunge({*task_.hole, 0}, false);
     // A hole no wider than the tool leaves no room to turn: the first circle is a small cut, then.
     return std::max(0.5 * params_.hole_diameter - radius_, kTightestCircle * radius_);
   }
 
-  void tell(FindingCode code) { made_.result.findings.push_back({code}); }
-  void tell(FindingCode code, double number) {
-    made_.result.findings.push_back({code, {}, {number}});
-  }
+  void tell(FindingCode code) { plan_.tell({code}); }
+  void tell(FindingCode code, double number) { plan_.tell({code, {}, {number}}); }
 
   // Clears a region of tool centres at constant engagement, as the way to the spiral.
   void clear_first(const Region& centres) {
@@ -290,24 +226,19 @@ class Opening {
       tell(FindingCode::kHoleBesideIsland);
     }
     Progress half([&](double done) { return progress_.report(kFirstHalf * done); });
-    const std::vector<Finding> before = std::move(made_.result.findings);
-    made_.result = clear_region(first, beside_spiral(params_), half);
-    std::vector<Finding>& found = made_.result.findings;
-    found.insert(found.end(), before.begin(), before.end());
-    made_.result.uncut_area = 0;  // of the first region only: told of at the end
-    for (const PlanarRun& run : made_.result.runs) {
-      add_descent(run.descent, ground_);
-      for (const PlanarMove& move : run.moves) ground_.add(move.segment);
-    }
+    RegionResult cleared = clear_region(first, beside_spiral(params_), half);
+    cleared.uncut_area = 0;  // of the first region only: told of at the end
+    plan_.append(std::move(cleared));
   }
 
   // The spiral through a growth, from where the tool is.
   void cut(const PlannedGrowth& growth, double start, bool inwards) {
-    const LameTurns turns = turns_of(growth, turn_task(inwards), start, arc_tolerance(), ground_);
+    const LameTurns turns =
+        turns_of(growth, turn_task(inwards), start, arc_tolerance(), plan_.ground());
     if (turns.engagement > params_.engagement_angle + load_budget::kSpiralMost) refuse_load();
     go_to({turns.moves.front().a, angle_of(turns.moves.front().tangent(0))});
-    add_turns(turns);
-    ++made_.result.passes;
+    plan_.add(MoveKind::kCut, turns.moves);
+    plan_.count_pass();
     made_.figures = LameFigures{growth.growth.stages.back().to,
                                 growth.growth.stages.front().from.exponent, turns.largest_pitch};
     if (!lame_.exponent_course.empty() &&
@@ -333,35 +264,28 @@ class Opening {
 
   // To the spiral's start: over cleared ground, or down beside it.
   void go_to(const Pose& start) {
-    const PlanarRun* last = made_.result.runs.empty() ? nullptr : &made_.result.runs.back();
-    if (last && last->moves.empty() && distance(last->descent.at, start.p) < 1e-9) return;
-    if (last && last->moves.empty()) {  // in the hole: by half a turn that ends along its rim
-      const Vec2 from = last->descent.at, middle = 0.5 * (from + start.p);
+    const bool came_down = !plan_.is_empty() && plan_.may_turn();
+    const Vec2 from = plan_.here().p;
+    if (came_down && distance(from, start.p) < 1e-9) return;
+    if (came_down) {  // in the hole: by half a turn that ends along its rim
+      const Vec2 middle = 0.5 * (from + start.p);
       const bool cuts = 0.5 * params_.hole_diameter - radius_ < distance(from, start.p) - 1e-9;
-      add_moves(cuts ? MoveKind::kCut : MoveKind::kLink,
+      plan_.add(cuts ? MoveKind::kCut : MoveKind::kLink,
                 {Segment::arc(middle, distance(middle, from), angle_of(from - middle), kPi)});
       return;
     }
-    if (last) {
-      const Segment& end = last->moves.back().segment;
-      const std::vector<Segment> link =
-          quicker_link({ground_, ground_.size()}, Area({task_.centres}),
-                       {end.b, angle_of(end.tangent(1))}, start, radius_, params_);
-      if (!link.empty()) {
-        add_moves(MoveKind::kLink, link);
-        ++made_.result.links;
-        return;
-      }
-    }
-    begin_run({DescentKind::kPlunge, start.p, {}, 0, {}, last != nullptr});
+    if (!plan_.link_to(start, Area({task_.centres}), radius_))
+      plan_.plunge(start, !plan_.is_empty());
   }
 
+  void clear_pocket_of_one_wall();
   void clear_stock_around_island();
   void clear_ring();
   [[noreturn]] void refuse_growth() const;
   std::optional<LameCurve> within_channel(LameCurve first, const LameCurve& last) const;
   double kept_area() const;
 
+  Plan& plan_;
   const RegionTask& task_;
   const ClearingParams& params_;
   const LameParams& lame_;
@@ -369,9 +293,47 @@ class Opening {
   double radius_;
   LameShapes shapes_;
   std::optional<MonotoneSpline> pace_;
-  ClearedGround ground_;
   LameOpening made_;
 };
+
+// From the entry's circle in the middle, or in the hole, outwards.
+void Opening::clear_pocket_of_one_wall() {
+  std::vector<LameCurve> lasts = last_curves(task_.centres.outer, LameSide::kInside);
+  const LameCurve largest = lasts.front();
+  check_share(share_by(largest));
+  const auto does_little = [&](const LameCurve& last) { return share_by(last) < kLeastShare; };
+  lasts.erase(std::remove_if(lasts.begin() + 1, lasts.end(), does_little), lasts.end());
+  Circle first{task_.hole.value_or(largest.centre), 0};
+  double room = least_lame_radius(largest);
+  for (const LameCurve& last : lasts) room = std::min(room, least_lame_radius(last));
+  if (task_.hole) {
+    first.radius = enter_hole();
+  } else if (params_.entry == EntryKind::kPredrilledHole) {
+    throw GeometryError(Refusal::kHoleOutsidePocket, shown(largest.centre));
+  } else {
+    first.radius = helix_radius(params_, {first.centre, room});
+    // Beside a ramp hundreds of short cuts, with a retract for each, would make it a circle.
+    if (params_.entry == EntryKind::kRamp) tell(FindingCode::kHelixForSpiral);
+  }
+  if (shapes_.has_wished_size() &&
+      std::min(largest.a, largest.b) - first.radius < kLeastGrowth * radius_)
+    refuse(Refusal::kSetSizeTooSmall);
+  const PlannedGrowth growth = quickest(
+      lasts, false, [&](const LameCurve& last) { return std::vector{growth_from(first, last)}; },
+      [&](const LameCurve& last) { return (1 - share_by(last)) * made_.reached_area; });
+  const LameCurve& last = growth.growth.stages.back().to;
+  made_.spiral_area = grown_lame_area(last, radius_);
+  const double start = last.rotation + kPi / last.segments;
+  if (plan_.is_empty()) {
+    plan_.come_down({DescentKind::kHelix,
+                     first.centre + first.radius * unit(start),
+                     first.centre,
+                     first.radius,
+                     {},
+                     false});
+  }
+  cut(growth, start, false);
+}
 
 // From the edge of the stock inwards.
 void Opening::clear_stock_around_island() {
@@ -454,11 +416,9 @@ void Opening::clear_ring() {
   if (by_spiral < kLeastRingShare) refuse(too_small(lame_), {by_spiral});
   if (by_spiral < kLeastShare) tell(FindingCode::kSpiralAfterChannel, by_spiral);
   clear_first({closed_arcs_of(first, arc_tolerance()), task_.centres.islands});
-  if (progress_.cancelled() || made_.result.runs.empty()) return;
+  if (progress_.cancelled() || plan_.is_empty()) return;
   made_.cleared_area = outside - kept_area();
-  const PlanarRun& run = made_.result.runs.back();
-  const Vec2 here = run.moves.empty() ? run.descent.at : run.moves.back().segment.b;
-  cut(growth, angle_of(here - first.centre), false);
+  cut(growth, angle_of(plan_.here().p - first.centre), false);
 }
 
 void Opening::refuse_growth() const {
@@ -493,9 +453,9 @@ ClearingParams beside_spiral(ClearingParams params) {
   return params;
 }
 
-LameOpening lame_opening(const RegionTask& task, const ClearingParams& params,
+LameOpening lame_opening(Plan& plan, const RegionTask& task, const ClearingParams& params,
                          const LameParams& lame, Progress& progress) {
-  return Opening(task, params, lame, progress).run();
+  return Opening(plan, task, params, lame, progress).run();
 }
 
 }  // namespace evenload

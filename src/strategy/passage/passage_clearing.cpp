@@ -6,10 +6,11 @@
 #include <optional>
 #include <utility>
 
-#include "geometry/arc_fit.h"
 #include "geometry/box_tree.h"
 #include "strategy/choose/leftover.h"
+#include "strategy/choose/region_clearing.h"
 #include "strategy/moves/move_checks.h"
+#include "strategy/passage/passage_middle.h"
 #include "strategy/passage/passage_path.h"
 #include "strategy/passage/passage_walls.h"
 #include "strategy/reach/entry.h"
@@ -18,8 +19,6 @@
 namespace evenload {
 namespace {
 
-// mm: by which arcs in place of the middle's points leave them.
-constexpr double kFit = kAxisTolerance;
 // rad: the way from a hole to the middle turns by no more.
 constexpr double kMostTurn = 0.9 * kPi;
 
@@ -30,7 +29,7 @@ std::size_t widest_point(const PassageAxis& axis) {
   std::size_t best = 0;
   for (std::size_t i = 1; i < axis.points.size(); ++i) {
     const double wider = axis.points[i].radius - axis.points[best].radius;
-    if (wider > kFit || (wider > -kFit && is_end(i) && !is_end(best))) best = i;
+    if (wider > kAxisTolerance || (wider > -kAxisTolerance && is_end(i) && !is_end(best))) best = i;
   }
   return best;
 }
@@ -47,6 +46,7 @@ class PassageClearing {
         params_(params),
         progress_(progress),
         path_(task, params, progress),
+        plan_(path_.plan()),
         room_done_(places.rooms.size(), 0),
         passage_done_(places.passages.size(), 0) {}
 
@@ -60,10 +60,7 @@ class PassageClearing {
       }
     } catch (const Cancelled&) {  // what is made is kept
     }
-    result_.passes += path_.passes();
-    result_.links += path_.links();
-    result_.runs = path_.take_runs();
-    return std::move(result_);
+    return plan_.take();
   }
 
  private:
@@ -79,7 +76,7 @@ class PassageClearing {
         if (room.contains(*task_.hole)) first = i;
       } else if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
         const std::optional<Pose> start =
-            start_outside(Area({room}), task_.material, path_.ground(), params_.open_side);
+            start_outside(Area({room}), task_.material, plan_.ground(), params_.open_side);
         const double off = start && params_.open_side ? distance(start->p, *params_.open_side) : 0;
         if (!start || (first != kNoIndex && off >= nearest)) continue;
         first = i;
@@ -95,7 +92,7 @@ class PassageClearing {
 
   // A passage that opens into a room that is done; the first of all at the beginning.
   std::size_t next_passage() const {
-    const bool at_start = path_.runs().empty();
+    const bool at_start = plan_.is_empty();
     for (std::size_t k = 0; k < passage_done_.size(); ++k) {
       if (passage_done_[k]) continue;
       const std::vector<std::size_t>& rooms = places_.passages[k].rooms;
@@ -114,23 +111,16 @@ class PassageClearing {
     if (task.hole && !room.contains(*task.hole)) task.hole.reset();
     task.around = {task_.centres};
     task.round_helix = !places_.passages.empty() && places_.passages.front().by_ramp;
-    task.before = path_.runs();
     task.follow = nullptr;  // what it is told of begins with the first room
     const double done = share_done(), all = task_.centres.area();
     room_done_[index] = 1;
     Progress share([&](double part) {
       return progress_.report(done + part * std::min(1 - done, room.area() / all));
     });
-    RegionResult cleared = clear_region(task, params_, share);
-    for (PlanarRun& run : cleared.runs) {
-      run.new_region = path_.runs().empty();
-      path_.append(std::move(run));
-    }
-    result_.uncut_area += cleared.uncut_area;
-    result_.passes += cleared.passes;
-    result_.links += cleared.links;
-    result_.tight_turns.add(cleared.tight_turns);
-    for (Finding& finding : cleared.findings) result_.findings.push_back(std::move(finding));
+    Plan by_itself(task, params_, share);
+    by_itself.know(plan_.runs());
+    clear_region(by_itself, task, params_, share);
+    plan_.append(by_itself.take());
   }
 
   double share_done() const {
@@ -156,7 +146,7 @@ class PassageClearing {
       return;
     }
     const std::size_t root = axis.points.empty() ? kNoIndex : come_to(axis, k);
-    if (root != kNoIndex) follow_middle(axis, root, number);
+    if (root != kNoIndex) follow_middle(axis, root, number, path_, progress_);
     const bool walls_first = params_.entry == EntryKind::kPredrilledHole;
     if (!walls_first) clear_rooms_beside(k);
     if (root != kNoIndex && !progress_.cancelled())
@@ -170,9 +160,9 @@ class PassageClearing {
     if (ramp.ramp_by.empty()) return;  // some 0.0001 mm: no more than passes leave in corners
     Leftover left;
     left.prepare(Area({neck.centres}),
-                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), path_.ground());
-    ramp.new_area = left.area(path_.ground());
-    path_.begin(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)}, path_.runs().empty());
+                 grown(bounds_of({neck.centres}), 0.5 * params_.tool_diameter), plan_.ground());
+    ramp.new_area = left.area(plan_.ground());
+    plan_.come_down(ramp, {ramp.at, angle_of(ramp.ramp_by.front() - ramp.at)});
   }
 
   void clear_rooms_beside(std::size_t k) {
@@ -183,8 +173,7 @@ class PassageClearing {
 
   // Brings the tool to a point of the middle where it may begin.
   std::size_t come_to(const PassageAxis& axis, std::size_t k) {
-    const bool is_new = path_.runs().empty();
-    if (!is_new) {
+    if (!plan_.is_empty()) {
       const std::size_t mouth = nearest_mouth(axis);
       if (mouth != kNoIndex) {
         path_.reach(pose_at(axis, mouth, axis.points[mouth].next.front()));
@@ -192,21 +181,20 @@ class PassageClearing {
       }
     }
     if (task_.hole && places_.passages[k].centres.contains(*task_.hole)) {
-      path_.begin({DescentKind::kPlunge, *task_.hole, {}, 0, {}, false}, {*task_.hole, 0}, is_new);
+      plan_.plunge({*task_.hole, 0}, false);
       return go_from_hole(axis, first_number_ + static_cast<int>(k));
     }
     if (const std::size_t outside = place_outside(axis);
         outside != kNoIndex && task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
-      const Vec2 at = axis.points[outside].p;
-      path_.begin({DescentKind::kPlunge, at, {}, 0, {}, false}, {at, 0}, is_new);
+      plan_.plunge({axis.points[outside].p, 0}, false);
       return outside;
     }
     if (params_.entry == EntryKind::kPredrilledHole) return kNoIndex;
-    return descend(axis, is_new);
+    return descend(axis);
   }
 
   // A ramp along the passage: a helix as narrow as this would be a plunge.
-  std::size_t descend(const PassageAxis& axis, bool is_new) {
+  std::size_t descend(const PassageAxis& axis) {
     const std::size_t widest = widest_point(axis);
     ClearingParams params = params_;
     params.entry = EntryKind::kRamp;
@@ -214,14 +202,9 @@ class PassageClearing {
     const std::optional<Entry> entry =
         descend_within(path_.centres(), {at, axis.points[widest].radius}, params);
     if (!entry) return kNoIndex;
-    path_.begin(entry->descent, entry->start, is_new);
+    plan_.come_down(entry->descent, entry->start);
     const bool is_done = entry->descent.ramp_by.size() > 1;  // round the border
     return is_done ? kNoIndex : widest;
-  }
-
-  // At a point of the middle, on the way to its neighbour.
-  static Pose pose_at(const PassageAxis& axis, std::size_t point, std::size_t neighbour) {
-    return {axis.points[point].p, angle_of(axis.points[neighbour].p - axis.points[point].p)};
   }
 
   std::size_t nearest_mouth(const PassageAxis& axis) const {
@@ -280,67 +263,6 @@ class PassageClearing {
     return is_inside(move, path_.centres(), kZeroLength);
   }
 
-  // ---- the middle ----
-
-  using Used = std::vector<std::vector<char>>;  // which ways out of a point are cut
-
-  // Cuts every branch once, from forks that are reached already.
-  void follow_middle(const PassageAxis& axis, std::size_t root, int number) {
-    Used used(axis.points.size());
-    for (std::size_t i = 0; i < axis.points.size(); ++i)
-      used[i].assign(axis.points[i].next.size(), 0);
-    std::vector<std::size_t> reached{root};  // points with ways out, the newest last
-    while (!reached.empty() && !progress_.cancelled()) {
-      const std::size_t at = reached.back(), out = next_way(axis, at, used);
-      if (out == kNoIndex) {
-        reached.pop_back();
-        continue;
-      }
-      std::size_t end = at;
-      path_.follow(chain(axis, &end, out, root, used), number);
-      reached.push_back(end);
-    }
-  }
-
-  // Straight on where the tool stands there, else the first that is not cut.
-  std::size_t next_way(const PassageAxis& axis, std::size_t at, const Used& used) const {
-    std::size_t best = kNoIndex;
-    double least = std::numeric_limits<double>::infinity();
-    const bool stands_there = distance(path_.here().p, axis.points[at].p) < kFit;
-    for (std::size_t i = 0; i < used[at].size(); ++i) {
-      if (used[at][i]) continue;
-      const double heading = pose_at(axis, at, axis.points[at].next[i]).heading;
-      const double turn = stands_there ? std::abs(wrap_signed(heading - path_.here().heading)) : 0;
-      if (turn >= least) continue;
-      best = i;
-      least = turn;
-    }
-    return best;
-  }
-
-  // The stretch of the middle from `*at` on to the next fork, end, or the root; `*at`: that point.
-  static std::vector<Segment> chain(const PassageAxis& axis, std::size_t* at, std::size_t out,
-                                    std::size_t root, Used& used) {
-    std::vector<Vec2> points{axis.points[*at].p};
-    for (;;) {
-      const std::size_t next = axis.points[*at].next[out];
-      used[*at][out] = 1;
-      const std::vector<std::size_t>& neighbours = axis.points[next].next;
-      for (std::size_t i = 0; i < neighbours.size(); ++i)
-        if (neighbours[i] == *at && !used[next][i]) {
-          used[next][i] = 1;
-          break;
-        }
-      points.push_back(axis.points[next].p);
-      *at = next;
-      if (neighbours.size() != 2 || *at == root) break;
-      const auto free = std::find(used[*at].begin(), used[*at].end(), 0);
-      if (free == used[*at].end()) break;
-      out = static_cast<std::size_t>(free - used[*at].begin());
-    }
-    return fit_arcs(points, kFit).segments();
-  }
-
   const RegionTask& task_;
   const NarrowPlaces& places_;
   const std::vector<PassageAxis>& axes_;
@@ -348,8 +270,8 @@ class PassageClearing {
   const ClearingParams& params_;
   Progress& progress_;
   PassagePath path_;
+  Plan& plan_;  // the path's
   std::vector<char> room_done_, passage_done_;
-  RegionResult result_;
 };
 
 }  // namespace

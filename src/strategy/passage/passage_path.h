@@ -2,13 +2,11 @@
 // they meet material, joined by links that are tangent to them, or by retracts. Our own.
 #pragma once
 
-#include <optional>
 #include <vector>
 
-#include "cutting/cleared_ground.h"
-#include "strategy/choose/region_clearing.h"
 #include "strategy/places/area.h"
-#include "strategy/steer/steering.h"
+#include "strategy/plan/plan.h"
+#include "strategy/plan/region_task.h"
 #include "strategy/task/clearing_params.h"
 #include "toolpath/planar.h"
 
@@ -19,20 +17,11 @@ class PassagePath {
   PassagePath(const RegionTask& task, const ClearingParams& params, Progress& progress);
 
   const Area& centres() const { return centres_; }
-  const ClearedGround& ground() const { return ground_; }
-  const std::vector<PlanarRun>& runs() const { return runs_; }
-  std::vector<PlanarRun> take_runs() { return std::move(runs_); }
-  const Pose& here() const { return here_; }
-  // True where the tool stands as it came down: it may set out in any direction.
-  bool may_turn() const { return runs_.back().moves.empty(); }
-  bool is_clear(Vec2 p) const { return ground_.is_clear(p); }
-  int passes() const { return passes_; }
-  int links() const { return links_; }
+  Plan& plan() { return plan_; }
+  const Pose& here() const { return plan_.here(); }
+  bool may_turn() const { return plan_.may_turn(); }
+  bool is_clear(Vec2 p) const { return plan_.ground().is_clear(p); }
 
-  // A run that was made elsewhere.
-  void append(PlanarRun run);
-  // Comes down to `start`; the ground that the descent clears is added.
-  void begin(const Descent& descent, const Pose& start, bool is_new);
   // To `to`, a clear place: over clear ground where that is quicker, else up and down.
   void reach(const Pose& to);
   // Along `way`, from where it first meets material to where it last does, as cuts in the passage
@@ -51,14 +40,10 @@ class PassagePath {
   // The move in as few parts as tell where it is clear.
   std::vector<Part> parts_of(const Segment& move) const;
   bool leads_on(const std::vector<Segment>& way) const;
-  void add(MoveKind kind, const std::vector<Segment>& moves, int passage);
 
   const ClearingParams& params_;
   Area centres_;
-  ClearedGround ground_;
-  std::vector<PlanarRun> runs_;
-  Pose here_;
-  int passes_ = 0, links_ = 0;
+  Plan plan_;
 };
 
 }  // namespace evenload

@@ -2,35 +2,27 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <optional>
 #include <utility>
 
 #include "cutting/load_budget.h"
-#include "feed/load_profile.h"
-#include "geometry/box_tree.h"
 #include "strategy/moves/move_ends.h"
 #include "strategy/reach/entry.h"
 #include "strategy/reach/links.h"
+#include "strategy/slots/pattern_notes.h"
 #include "strategy/slots/slot_end.h"
+#include "strategy/slots/slot_junctions.h"
 #include "strategy/slots/slot_rooms.h"
 #include "strategy/slots/slot_way.h"
-#include "strategy/trochoid/slot.h"
-#include "strategy/trochoid/trochoid_pattern.h"
+#include "strategy/slots/slot_ways.h"
 #include "support/errors.h"
 #include "support/tolerances.h"
 
 namespace evenload {
 namespace {
 
-// Fewer periods are not worth a pattern.
-constexpr int kFewestPeriods = 4;
-// Half rooms: a junction reaches no further.
-constexpr double kLongestJunction = 8;
-// The same: so far beyond the corner inside where two ways meet both walls of a way are there.
-constexpr double kPastCorner = 1.1;
-// The same: a little narrower than expected, a helix needs so much more for as many turns.
+// Half rooms: a little narrower than expected, a helix needs so much more for as many turns.
 constexpr double kHelixRoom = 0.01;
 
 ClearingParams for_passes(ClearingParams params) {
@@ -49,114 +41,49 @@ class SlotClearing {
         params_(params),
         passes_(passes),
         patterns_(patterns),
-        report_(report),
         progress_(progress),
         radius_(0.5 * params.tool_diameter),
         turn_radius_(std::max(params.roll_radius, params.minimum_radius)),
-        length_before_(report.length),
         centres_({task.centres}),
-        ground_(grown(bounds_of({task.centres}), radius_), radius_,
-                task.has_open_edges ? &task.material : nullptr) {
-    ground_.tell(progress);
-    if (task.hole) ground_.add_disc(*task.hole, 0.5 * params.hole_diameter);
-  }
+        plan_(task, params, progress),
+        found_(task, params, centres_, patterns),
+        ways_(found_.ways),
+        notes_(task, params, plan_, report) {}
 
   RegionResult run() {
     repeat(Use::kSlots);
-    if (circles_at_ && patterns_.kind() == TrochoidKind::kConstantEngagement)
-      opening_.findings.push_back(
-          {FindingCode::kCirclesForPattern, shown_place(task_, *circles_at_)});
+    if (notes_.circles_at() && patterns_.kind() == TrochoidKind::kConstantEngagement)
+      plan_.tell({FindingCode::kCirclesForPattern, shown_place(task_, *notes_.circles_at())});
     if (!is_repeated()) {
       passes_.feed_steps = params_.feed_steps;
       passes_.move_price = params_.move_price;
     }
-    RegionResult result = clear_rest();
-    if (!is_repeated() && !progress_.cancelled()) result.findings.push_back(fallback());
-    return result;
+    clear_region(plan_, task_, passes_, progress_);
+    if (!is_repeated() && !progress_.cancelled()) plan_.tell(found_.why_none());
+    return plan_.take();
   }
 
   std::optional<RegionResult> run_where_patterns_serve() {
     repeat(Use::kPockets);
-    return is_repeated() ? std::optional(clear_rest()) : std::nullopt;
+    if (!is_repeated()) return std::nullopt;
+    clear_region(plan_, task_, passes_, progress_);
+    return plan_.take();
   }
 
  private:
-  // Slots take any pattern that there is; pockets only what serves them better than passes do.
-  enum class Use { kSlots, kPockets };
+  using Use = SlotWays::Use;
 
   void repeat(Use use) {
-    if (task_.rest || !task_.before.empty()) return;
+    if (task_.rest) return;
     try {
-      find_ways(use);
+      found_.find(use);
       if (start(use)) follow_ways();
     } catch (const Cancelled&) {  // what is made is kept
     }
     early_ends_.reset();
   }
 
-  bool is_repeated() const { return report_.length > length_before_; }
-
-  RegionResult clear_rest() {
-    RegionTask rest = task_;
-    rest.opening = std::move(opening_);
-    rest.opened = &ground_;
-    return clear_region(rest, passes_, progress_);
-  }
-
-  // ---- where no pattern is repeated ----
-
-  Finding fallback() const {
-    const Vec2 place = longest_stretch_ ? longest_stretch_->middle.point(0.5)
-                                        : task_.centres.outer.vertices()[0].p;
-    return {why_none(), shown_place(task_, place), {static_cast<double>(patterns_.kind())}};
-  }
-
-  FindingCode why_none() const {
-    if (task_.rest || !task_.before.empty()) return FindingCode::kNoPatternAfterCuts;
-    if (!longest_stretch_)
-      return find_slots(centres_, std::numeric_limits<double>::infinity()).empty()
-                 ? FindingCode::kNoPatternBetweenWalls
-                 : FindingCode::kNoPatternSoWide;
-    if (is_too_short_) return FindingCode::kNoPatternSoShort;
-    return ways_.empty() ? FindingCode::kNoPatternWithoutRoom : FindingCode::kNoPatternWithoutStart;
-  }
-
-  // ---- the ways ----
-
-  void find_ways(Use use) {
-    for (const SlotStretch& stretch : find_slots(centres_, (kWidestSlot - 1) * radius_)) {
-      if (!longest_stretch_) longest_stretch_ = stretch;
-      add_way(stretch, use);
-      add_way(stretch.reversed(), use);
-    }
-    std::stable_sort(ways_.begin(), ways_.end(), comes_first);
-    if (task_.has_open_edges && params_.open_side)
-      std::stable_sort(
-          ways_.begin(), ways_.end(), [&wish = *params_.open_side](const Way& a, const Way& b) {
-            return distance(a.stretch.middle.a, wish) < distance(b.stretch.middle.a, wish);
-          });
-    is_too_short_ = is_too_short_ && ways_.empty();
-  }
-
-  // The longest first, of those as long the widest, so that a turned slot is cut the same.
-  static bool comes_first(const Way& a, const Way& b) {
-    if (std::abs(a.length() - b.length()) > kOnWall) return a.length() > b.length();
-    return a.stretch.half_room > b.stretch.half_room + kSameWidth;
-  }
-
-  void add_way(const SlotStretch& stretch, Use use) {
-    const std::optional<SlotPattern> pattern = patterns_.pattern_of(stretch);
-    if (!pattern) return;
-    if (use == Use::kPockets &&
-        (has_corners(*pattern) || stretch.half_room < kLeastCircle * radius_))
-      return;
-    const Way way{*pattern, stretch};
-    if (way.last() + way.reach.back < kFewestPeriods * way.pattern.step) {
-      is_too_short_ = true;
-      return;
-    }
-    ways_.push_back(way);
-  }
+  bool is_repeated() const { return notes_.is_repeated(); }
 
   // ---- the start ----
 
@@ -188,7 +115,7 @@ class SlotClearing {
   // Whether the way that is followed first begins beside the stock.
   bool begins_outside() const {
     for (const Way& way : ways_) {
-      const std::optional<int> first = first_to_cut(way, ground_);
+      const std::optional<int> first = first_to_cut(way, plan_.ground());
       if (!first) continue;
       const Vec2 p = cut_at(way, place_of(way, *first)).front().a;
       return std::none_of(task_.material.begin(), task_.material.end(),
@@ -203,7 +130,7 @@ class SlotClearing {
     const Way* way = nullptr;  // that begins there
     for (std::size_t i = first; i < last; ++i) {
       if (first_place(ways_[i]) > ways_[i].last()) {
-        is_too_short_ = true;
+        found_.is_too_short = true;
         continue;
       }
       std::optional<StartRoom> room = place == Place::kBegin
@@ -277,11 +204,10 @@ class SlotClearing {
 
   // False where the tool finds no way in.
   bool clear_room(const Region& room) {
-    std::optional<RegionResult> cleared =
-        clear_part(task_, room, opening_, ground_, passes_, progress_);
+    std::optional<RegionResult> cleared = clear_part(plan_, task_, room, passes_, progress_);
     if (!cleared) return false;
-    take(std::move(*cleared));
-    return !opening_.runs.empty();
+    plan_.adopt(std::move(*cleared));
+    return !plan_.is_empty();
   }
 
   // ---- the way ----
@@ -293,7 +219,7 @@ class SlotClearing {
   // The first way that can begin in cleared ground. False where none can.
   bool follow_one() {
     for (const Way& way : ways_) {
-      const std::optional<int> first = first_to_cut(way, ground_);
+      const std::optional<int> first = first_to_cut(way, plan_.ground());
       if (!first) continue;
       const int last = follow(way, *first);
       if (!progress_.cancelled()) clear_end(way, *first, last);
@@ -306,66 +232,31 @@ class SlotClearing {
   // front. Every way once.
   bool clear_next_room() {
     for (Way& way : ways_) {
-      const std::optional<double> edge = edge_of_material(way, ground_);
+      const std::optional<double> edge = edge_of_material(way, plan_.ground());
       if (way.has_next_room || !edge) continue;
       const double s = std::max(-way.reach.back, *edge - way.reach.ahead + radius_);
       if (way.last() - s < kFewestPeriods * way.pattern.step) continue;
       way.has_next_room = true;
       const std::vector<Segment> front = placed(way.front, pose_on(way.stretch, s));
       std::optional<Region> room = room_behind(task_.centres, centres_, front);
-      if (!room || !is_mostly_clear(way, *room)) room = corner_behind(front);
-      if (room && is_mostly_clear(way, *room) && clear_room(*room)) return true;
+      if (!room || !is_mostly_clear(way, *room, ways_, plan_.ground()))
+        room = corner_behind(front, ways_, task_.centres, centres_, radius_);
+      if (room && is_mostly_clear(way, *room, ways_, plan_.ground()) && clear_room(*room))
+        return true;
     }
     return false;
-  }
-
-  // Between a front and the last place of another way that has walls on both sides: the smallest
-  // such room.
-  std::optional<Region> corner_behind(const std::vector<Segment>& front) const {
-    std::optional<Region> best;
-    for (const Way& other : ways_) {
-      // The tool goes round the corner between the two ways by its radius.
-      const double s =
-          other.stretch.middle.length() - kPastCorner * other.stretch.half_room - radius_;
-      if (s < 0) continue;
-      std::optional<Region> room = room_between(task_.centres, centres_, other.stretch, s, front);
-      if (room && (!best || room->area() < best->area())) best = std::move(room);
-    }
-    return best;
-  }
-
-  // Whether nothing but a junction is left of a room behind a way: along the middles.
-  bool is_mostly_clear(const Way& way, const Region& room) const {
-    const double look = kMiddleLook * radius_;
-    double left = 0;
-    for (const Way& other : ways_)
-      for (double s = 0; s <= other.stretch.middle.length(); s += look) {
-        const Vec2 p = pose_on(other.stretch, s).p;
-        if (!ground_.is_cleared_point(p) && room.contains(p)) left += 0.5 * look;  // either way
-      }
-    return left < way.reach.ahead - way.reach.back + 2 * radius_ +
-                      kLongestJunction * way.stretch.half_room;
   }
 
   // The end of the slot beyond the last period, so that the walls are left to passes from there.
   void clear_end(const Way& way, int first, int last) {
     EarlyEnd* const early = early_ends_ && last == 0 ? early_ends_->of(way, first) : nullptr;
     if (early) {
-      if (std::optional<RegionResult> end = early->cleared(progress_)) append_end(std::move(*end));
+      if (std::optional<RegionResult> end = early->cleared(progress_))
+        plan_.go_on_by(std::move(*end));
       return;
     }
     const std::optional<Region> room = end_room(task_.centres, centres_, way, last);
     if (room) clear_room(*room);
-  }
-
-  void append_end(RegionResult end) {
-    for (const PlanarMove& move : end.runs.front().moves) add(move.kind, {move.segment});
-    for (std::size_t i = 1; i < end.runs.size(); ++i) append(std::move(end.runs[i]));
-    opening_.passes += end.passes;
-    opening_.links += end.links;
-    if (opening_.tight_turns.rooms > 0) end.tight_turns.rooms = 0;  // the same region's
-    opening_.tight_turns.add(end.tight_turns);
-    opening_.findings.insert(opening_.findings.end(), end.findings.begin(), end.findings.end());
   }
 
   // Repeats the pattern from the period `first` on; returns the last one.
@@ -374,7 +265,7 @@ class SlotClearing {
     int period = first;
     for (; period >= 0 && !progress_.cancelled(); --period) {
       const double s = place_of(way, period);
-      if (period < first && !has_work(way, ground_, s)) break;
+      if (period < first && !has_work(way, plan_.ground(), s)) break;
       const std::vector<Segment> cut = cut_at(way, s);
       // Once as much is cut as a period reaches, the ground is what the pattern left.
       const bool is_sure = s - begin > way.reach.ahead - way.reach.back + 2 * radius_;
@@ -383,136 +274,47 @@ class SlotClearing {
       else
         link_back(placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))),
                   is_sure, {cut.front().a, angle_of(cut.front().tangent(0))});
-      add(MoveKind::kCut, cut, true);
-      ++opening_.passes;
+      plan_.add(MoveKind::kCut, cut, in_pattern());
+      plan_.count_pass();
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
     const double end = place_of(way, period);
-    note(way, end - begin);
-    note_turns(cut_at(way, begin));
+    notes_.repeated(way, end - begin, cut_at(way, begin));
     return period + 1;
   }
 
   void link_back(const std::vector<Segment>& link, bool is_sure, const Pose& to) {
-    if (!is_sure && !is_free({ground_, ground_.size()}, centres_, link, length_of(link))) {
+    if (!is_sure &&
+        !is_free({plan_.ground(), plan_.ground().size()}, centres_, link, length_of(link))) {
       go_to(to);
       return;
     }
-    add(MoveKind::kLink, link, true);
-    ++opening_.links;
+    plan_.add(MoveKind::kLink, link, in_pattern());
+    plan_.count_link();
   }
 
   void go_to(const Pose& to) {
-    if (opening_.runs.empty()) {
-      append({{DescentKind::kPlunge, to.p, {}, 0, {}, false}, {}, true});
-      return;
-    }
-    const std::vector<Segment> link =
-        quicker_link({ground_, ground_.size()}, centres_, here_, to, turn_radius_, params_);
-    if (link.empty()) {
-      append({{DescentKind::kPlunge, to.p, {}, 0, {}, true}, {}, false});
-      return;
-    }
-    add(MoveKind::kLink, link);
-    ++opening_.links;
+    if (!plan_.link_to(to, centres_, turn_radius_)) plan_.plunge(to, !plan_.is_empty());
   }
 
-  // Goes on from what has grown out of the opening.
-  void take(RegionResult grown) {
-    const std::size_t runs = opening_.runs.size();
-    const std::size_t moves = runs > 0 ? opening_.runs.back().moves.size() : 0;
-    for (std::size_t i = runs > 0 ? runs - 1 : 0; i < grown.runs.size(); ++i) {
-      const PlanarRun& run = grown.runs[i];
-      if (i >= runs) add_descent(run.descent, ground_);
-      for (std::size_t k = i < runs ? moves : 0; k < run.moves.size(); ++k)
-        ground_.add(run.moves[k].segment);
-    }
-    opening_ = std::move(grown);
-    if (opening_.runs.empty()) return;
-    const PlanarRun& run = opening_.runs.back();
-    here_ = {run.descent.at, 0};
-    if (!run.moves.empty())
-      here_ = {run.moves.back().segment.b, angle_of(run.moves.back().segment.tangent(1))};
-  }
-
-  void append(PlanarRun run) {
-    add_descent(run.descent, ground_);
-    for (const PlanarMove& move : run.moves) ground_.add(move.segment);
-    here_ = {run.descent.at, 0};
-    if (!run.moves.empty()) {
-      const Segment& last = run.moves.back().segment;
-      here_ = {last.b, angle_of(last.tangent(1))};
-    }
-    opening_.runs.push_back(std::move(run));
-  }
-
-  void add(MoveKind kind, const std::vector<Segment>& moves, bool in_pattern = false) {
-    for (const Segment& move : moves) {
-      PlanarMove planar;
-      planar.kind = kind;
-      planar.segment = move;
-      planar.in_pattern = in_pattern;
-      opening_.runs.back().moves.push_back(planar);
-      ground_.add(move);
-    }
-    here_ = {moves.back().b, angle_of(moves.back().tangent(1))};
-  }
-
-  void note(const Way& way, double length) {
-    report_.length += length;
-    note_residual(way);
-    if (way.kind == TrochoidKind::kCircular && !circles_at_)
-      circles_at_ = way.stretch.middle.point(0.5);
-    if (length <= report_.longest) return;
-    report_.longest = length;
-    report_.step = way.pattern.step;
-    report_.iterations = iterations(way);
-    report_.residual = iterations(way) == 0 ? 0 : way.pattern.residuals.back();
-    report_.removal_rate = way.removal * (params_.top - params_.levels.front());
-  }
-
-  static int iterations(const Way& way) {
-    return way.pattern.residuals.empty() ? 0 : static_cast<int>(way.pattern.residuals.size()) + 1;
-  }
-
-  void note_turns(const std::vector<Segment>& cut) {
-    const auto sharpest =
-        std::max_element(cut.begin(), cut.end(), [](const Segment& a, const Segment& b) {
-          return std::abs(a.curvature()) < std::abs(b.curvature());
-        });
-    const double radius = 1 / std::abs(sharpest->curvature());
-    if (radius >= turn_radius_ * (1 - 1e-9)) return;
-    TightTurns& turns = opening_.tight_turns;
-    turns.add({turns.rooms > 0 ? 0 : 1, radius, shown_place(task_, sharpest->b)});
-  }
-
-  // Once for all ways of one pattern.
-  void note_residual(const Way& way) {
-    if (iterations(way) == 0 || way.pattern.residuals.back() < kSettled * radius_) return;
-    const Finding finding{FindingCode::kAdvanceUnsettled,
-                          {},
-                          {static_cast<double>(iterations(way)), way.pattern.residuals.back()}};
-    std::vector<Finding>& found = opening_.findings;
-    if (std::find(found.begin(), found.end(), finding) == found.end()) found.push_back(finding);
+  static PlanarMove in_pattern() {
+    PlanarMove move;
+    move.in_pattern = true;
+    return move;
   }
 
   const RegionTask& task_;
   const ClearingParams& params_;
   ClearingParams passes_;
   PatternCache& patterns_;
-  TrochoidReport& report_;
   Progress& progress_;
   double radius_, turn_radius_;
-  double length_before_;  // mm, of the report
   Area centres_;
-  ClearedGround ground_;
-  std::vector<Way> ways_;  // the longest first, both directions of each
+  Plan plan_;
+  SlotWays found_;
+  std::vector<Way>& ways_;  // those found
+  PatternNotes notes_;
   std::unique_ptr<EarlyEnds> early_ends_;
-  RegionResult opening_;
-  Pose here_;
-  std::optional<SlotStretch> longest_stretch_;
-  bool is_too_short_ = false;       // a stretch with a pattern, and no other one serves
-  std::optional<Vec2> circles_at_;  // of the first way along which circles are repeated
 };
 
 }  // namespace

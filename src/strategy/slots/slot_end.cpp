@@ -4,7 +4,6 @@
 #include <cmath>
 #include <utility>
 
-#include "geometry/box_tree.h"
 #include "strategy/reach/entry.h"
 #include "strategy/slots/slot_rooms.h"
 #include "support/both.h"
@@ -13,51 +12,43 @@
 namespace evenload {
 namespace {
 
-std::ptrdiff_t descents(const RegionResult& result) {
-  return std::count_if(result.runs.begin(), result.runs.end(), [](const PlanarRun& run) {
+std::ptrdiff_t descents(const std::vector<PlanarRun>& runs) {
+  return std::count_if(runs.begin(), runs.end(), [](const PlanarRun& run) {
     return run.descent.kind != DescentKind::kPlunge;
   });
 }
 
 // One run of the periods from the `first` on, the way back before each.
-RegionResult periods_from(const Way& way, int first) {
-  RegionResult made;
+void add_periods(const Way& way, int first, Plan& plan) {
   for (int period = first; period >= 0; --period) {
-    std::vector<Segment> moves;
+    const std::vector<Segment> cut = cut_at(way, place_of(way, period));
     if (period < first)
-      moves = placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1)));
+      plan.add(MoveKind::kLink,
+               placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))));
     else
-      made.runs.push_back(
-          {{DescentKind::kPlunge, cut_at(way, place_of(way, first)).front().a, {}, 0, {}, true},
-           {},
-           false});
-    for (const Segment& move : moves) made.runs.back().moves.push_back({MoveKind::kLink, move, 0});
-    for (const Segment& move : cut_at(way, place_of(way, period)))
-      made.runs.back().moves.push_back({MoveKind::kCut, move, 0});
+      plan.plunge({cut.front().a, 0}, true);
+    plan.add(MoveKind::kCut, cut);
   }
-  return made;
 }
 
 }  // namespace
 
-std::optional<RegionResult> clear_part(const RegionTask& whole, const Region& part,
-                                       RegionResult opening, const ClearedGround& opened,
-                                       const ClearingParams& params, Progress& progress) {
+std::optional<RegionResult> clear_part(const Plan& plan, const RegionTask& whole,
+                                       const Region& part, const ClearingParams& params,
+                                       Progress& progress) {
   RegionTask task = whole;
   task.centres = part;
   task.around = {whole.centres};
   task.is_part = true;
-  task.opening = std::move(opening);
-  task.opened = &opened;
   task.stretch_helix = true;
+  Plan grown = plan;
   try {
-    RegionResult cleared = clear_region(task, params, progress);
-    const RegionResult& before = task.opening;
-    if (!before.runs.empty() && descents(cleared) > descents(before)) return std::nullopt;
-    return cleared;
+    clear_region(grown, task, params, progress);
   } catch (const GeometryError&) {
     return std::nullopt;
   }
+  if (!plan.is_empty() && descents(grown.runs()) > descents(plan.runs())) return std::nullopt;
+  return grown.take();
 }
 
 std::optional<Region> end_room(const Region& region, const Area& centres, const Way& way,
@@ -103,18 +94,15 @@ void EarlyEnd::clear() {
 
 std::optional<RegionResult> EarlyEnd::cut(Progress& progress) {
   if (!is_wanted_) return std::nullopt;
-  RegionResult opening = periods_from(way_, settled_);
-  const std::size_t made = opening.runs.front().moves.size();
-  const double radius = 0.5 * passes_.tool_diameter;
-  ClearedGround ground(grown(bounds_of({task_.centres}), radius), radius,
-                       task_.has_open_edges ? &task_.material : nullptr);
-  for (const PlanarMove& move : opening.runs.front().moves) ground.add(move.segment);
-  std::optional<RegionResult> result =
-      clear_part(task_, room_, std::move(opening), ground, passes_, progress);
-  if (!result) return std::nullopt;
-  std::vector<PlanarMove>& moves = result->runs.front().moves;
-  moves.erase(moves.begin(), moves.begin() + static_cast<std::ptrdiff_t>(made));
-  return result;
+  Plan periods(task_, passes_, progress);
+  try {
+    add_periods(way_, settled_, periods);
+  } catch (const Cancelled&) {
+    return std::nullopt;
+  }
+  std::optional<RegionResult> grown = clear_part(periods, task_, room_, passes_, progress);
+  if (grown) grown = since(periods.mark(), std::move(*grown));
+  return grown;
 }
 
 std::optional<RegionResult> EarlyEnd::cleared(Progress& progress) {

@@ -16,11 +16,11 @@
 
 namespace evenload {
 
-// Clears `part` of a task's region after what `opening` has cleared. Nothing where the tool finds
+// What grows out of `plan` where `part` of a task's region is cleared. Nothing where the tool finds
 // no way in, or none at its depth once it is down; then the whole region may still have one.
-std::optional<RegionResult> clear_part(const RegionTask& whole, const Region& part,
-                                       RegionResult opening, const ClearedGround& opened,
-                                       const ClearingParams& params, Progress& progress);
+std::optional<RegionResult> clear_part(const Plan& plan, const RegionTask& whole,
+                                       const Region& part, const ClearingParams& params,
+                                       Progress& progress);
 
 // Beyond the last period of a way, with what periods cannot reach beside it; nothing where more
 // than an end of a slot is there. `centres`: of `region`.

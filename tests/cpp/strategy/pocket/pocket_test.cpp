@@ -97,11 +97,15 @@ TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
   const std::vector<PlanarMove>& moves = whole.runs.front().moves;
   const std::size_t taken = moves.size() / 3;
 
-  task.opening.runs = {whole.runs.front()};
-  task.opening.runs.front().moves.resize(taken);
-  task.opening.passes = 7;
-  task.opening.findings = {{FindingCode::kCirclesForPattern}};
-  const RegionResult rest = clear_region(task, params, progress);
+  RegionResult opening;
+  opening.runs = {whole.runs.front()};
+  opening.runs.front().moves.resize(taken);
+  opening.passes = 7;
+  opening.findings = {{FindingCode::kCirclesForPattern}};
+  Plan plan(task, params, progress);
+  plan.append(std::move(opening));
+  clear_region(plan, task, params, progress);
+  const RegionResult rest = plan.take();
 
   ASSERT_GE(rest.runs.front().moves.size(), taken);
   for (std::size_t i = 0; i < taken; ++i) {

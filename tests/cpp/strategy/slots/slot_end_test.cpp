@@ -41,18 +41,17 @@ struct SlotWithWay {
   }
 
   // All periods from the `first` on, at their places along the way.
-  RegionResult periods_from(int first) const {
-    RegionResult made;
-    made.runs.push_back({{DescentKind::kPlunge, {}, {}, 0, {}, true}, {}, false});
+  Plan periods_from(int first, Progress& progress) const {
+    Plan made(task, params, progress);
     for (int period = first; period >= 0; --period) {
-      if (period < first)
-        for (const Segment& move :
-             placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))))
-          made.runs.back().moves.push_back({MoveKind::kLink, move, 0});
-      for (const Segment& move : cut_at(way, place_of(way, period)))
-        made.runs.back().moves.push_back({MoveKind::kCut, move, 0});
+      const std::vector<Segment> cut = cut_at(way, place_of(way, period));
+      if (period == first)
+        made.plunge({cut.front().a, 0}, true);
+      else
+        made.add(MoveKind::kLink,
+                 placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))));
+      made.add(MoveKind::kCut, cut);
     }
-    made.runs.back().descent.at = made.runs.back().moves.front().segment.a;
     return made;
   }
 
@@ -74,17 +73,15 @@ TEST(EarlyEnd, IsClearedAsAfterAllPeriods) {
   ASSERT_TRUE(end);
   EXPECT_GT(end->passes, 4);
 
-  const RegionResult all = slot.periods_from(first);
-  ClearedGround ground = slot.ground();
-  for (const PlanarMove& move : all.runs.front().moves) ground.add(move.segment);
+  const Plan all = slot.periods_from(first, progress);
   const std::optional<Region> room = end_room(slot.task.centres, slot.area, slot.way, 0);
   ASSERT_TRUE(room);
   const std::optional<RegionResult> later =
-      clear_part(slot.task, *room, all, ground, slot.params, progress);
+      clear_part(all, slot.task, *room, slot.params, progress);
   ASSERT_TRUE(later);
   ASSERT_EQ(later->runs.size(), end->runs.size());
   const std::vector<PlanarMove>& moves = later->runs.front().moves;
-  const std::size_t made = all.runs.front().moves.size();
+  const std::size_t made = all.runs().front().moves.size();
   ASSERT_EQ(moves.size() - made, end->runs.front().moves.size());
   for (std::size_t i = made; i < moves.size(); ++i) {
     const PlanarMove& move = end->runs.front().moves[i - made];
@@ -188,8 +185,9 @@ TEST(Periods, AreCountedBackFromTheLastPlace) {
   ground.add(Segment::line(slot.way.stretch.middle.a, slot.way.stretch.middle.a));
   EXPECT_FALSE(first_to_cut(slot.way, ground));  // no room for a period
   ground.remove_last();
-  const RegionResult all = slot.periods_from(200);
-  for (const PlanarMove& move : all.runs.front().moves) {
+  Progress progress;
+  const Plan all = slot.periods_from(200, progress);
+  for (const PlanarMove& move : all.runs().front().moves) {
     if (slot.way.stretch.middle.nearest(move.segment.b) * slot.way.stretch.middle.length() > 50)
       break;
     ground.add(move.segment);

@@ -1,0 +1,117 @@
+// The path through a region while it is made: its runs, the ground that they clear, and where the
+// tool stands, which are kept in step here alone. Patterns, spirals, ways along passages and passes
+// at constant engagement add to it, one after the other.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "cutting/cleared_ground.h"
+#include "strategy/moves/pass.h"
+#include "strategy/places/area.h"
+#include "strategy/plan/region_task.h"
+#include "strategy/task/clearing_params.h"
+#include "strategy/task/turn_report.h"
+#include "support/progress.h"
+#include "toolpath/finding.h"
+#include "toolpath/planar.h"
+
+namespace evenload {
+
+// What was made of one region, and what is to be told of it.
+struct RegionResult {
+  std::vector<PlanarRun> runs;
+  double uncut_area = 0;  // mm^2
+  int passes = 0;
+  int links = 0;
+  TightTurns tight_turns;
+  std::vector<Finding> findings;
+};
+
+class Plan {
+ public:
+  // Nothing is made; of the ground a pre-drilled hole is clear. `params` and `progress`, of which
+  // looks at the ground are steps, must outlive this object and its copies.
+  Plan(const RegionTask& task, const ClearingParams& params, Progress& progress);
+
+  const RegionResult& made() const { return made_; }
+  const std::vector<PlanarRun>& runs() const { return made_.runs; }
+  bool is_empty() const { return made_.runs.empty(); }
+  const ClearedGround& ground() const { return ground_; }
+  // For passes that are steered, which clear it while they are tried.
+  ClearedGround& ground() { return ground_; }
+  const Pose& here() const { return here_; }
+  // True where the tool stands as it came down: it may set out in any direction.
+  bool may_turn() const { return runs().back().moves.empty(); }
+
+  // ---- ways; links run over cleared ground and are no part of it ----
+
+  // Comes down; what a helix or ramp clears is cleared. The tool stands as `here`.
+  void come_down(const Descent& descent, const Pose& here);
+  void come_down(const Descent& descent) { come_down(descent, {descent.at, 0}); }
+  // Straight down where nothing stands; `again`: because moves of ours cleared the place.
+  void plunge(const Pose& to, bool again);
+  // Goes on by moves of this kind; cuts clear the ground. They take passage and pattern from
+  // `like`.
+  void add(MoveKind kind, const std::vector<Segment>& moves, const PlanarMove& like = {});
+  // The same for a cut that the ground has already, since it was steered there.
+  void post(MoveKind kind, const std::vector<Segment>& moves);
+  // To `to` over ground that was clear before the move numbered `before`, inside `around`; false
+  // where nothing is made yet, where there is no such way, or to go up and down is quicker.
+  bool link_to(const Pose& to, const Area& around, double turn_radius, std::size_t before);
+  bool link_to(const Pose& to, const Area& around, double turn_radius) {
+    return link_to(to, around, turn_radius, ground_.size());
+  }
+  // What the moves do not say: the tool stands as `pose` before it comes down, or turns there.
+  void stand(const Pose& pose) { here_ = pose; }
+
+  // ---- what others made ----
+
+  // Only the ground is cleared by them.
+  void know(const std::vector<PlanarRun>& runs);
+  // Another room of the region, all of it.
+  void append(RegionResult room);
+  // The same where it goes on from here: its first run has no descent of its own.
+  void go_on_by(RegionResult end);
+  // In place of all this what has grown out of it.
+  void adopt(RegionResult grown);
+
+  // ---- what is told ----
+
+  void count_pass() { ++made_.passes; }
+  void count_link() { ++made_.links; }
+  void tell(Finding finding) { made_.findings.push_back(std::move(finding)); }
+  // A turn tighter than wished, `radius` mm; the region counts once.
+  void note_turn(double radius, Vec2 shown_at);
+  void leave(double uncut_area) { made_.uncut_area = uncut_area; }
+
+  // ---- marks ----
+
+  struct Mark {
+    std::size_t runs = 0, moves = 0;  // of the last run
+    std::size_t ground = 0;           // moves
+    int passes = 0, links = 0;
+    Pose here;
+  };
+  Mark mark() const;
+  // As it was, but for what was told. Condition: the ground was not settled since.
+  void roll_back(const Mark& mark);
+
+  RegionResult take() { return std::move(made_); }
+
+ private:
+  void clear(const PlanarRun& run);
+  void stand_at_end();
+  void count(const RegionResult& more);
+
+  const ClearingParams* params_;
+  ClearedGround ground_;
+  RegionResult made_;
+  Pose here_;
+};
+
+// The runs of `made` since `mark` was set; the first of them goes on from there, without a descent
+// of its own.
+RegionResult since(const Plan::Mark& mark, RegionResult made);
+
+}  // namespace evenload
