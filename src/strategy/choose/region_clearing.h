@@ -11,7 +11,8 @@ namespace evenload {
 
 // Goes on from what `plan` has made of this region, if anything; not with `rest`. What it knows of
 // other regions, with a pre-drilled hole elsewhere, is the way in. Condition: `params` checked;
-// climb milling (the caller mirrors for conventional). Stops early when `progress` is cancelled.
+// climb milling (the caller mirrors for conventional). Stops early when `progress` is cancelled, of
+// which the plan's looks at its ground are steps from now on.
 void clear_region(Plan& plan, const RegionTask& task, const ClearingParams& params,
                   Progress& progress);
 // From nothing.
