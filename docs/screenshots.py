@@ -1,6 +1,6 @@
 """Pictures of FreeCAD's window with EvenLoad in it; ./run screenshots starts it in FreeCAD.
 
-$EVENLOAD_GUI_OUT is the folder that gets them, $EVENLOAD_LANGUAGE FreeCAD's name of a language.
+$EVENLOAD_GUI_OUT is the folder that gets them.
 """
 
 import os
@@ -18,7 +18,6 @@ from gui_tools import answering, begun, press, run  # noqa: E402
 from models import case_model, corpus_case, floors_of  # noqa: E402
 from screenshot_windows import WIDE, cut_windows, first_pocket, panels_of_spirals  # noqa: E402
 
-LANGUAGE = os.environ.get("EVENLOAD_LANGUAGE", "English")
 DIALOG = 900, 700
 STAR, AT = 48, 0.35  # mm of height of the star's pocket; the tool's place along the path
 
@@ -79,7 +78,6 @@ def session():
     from evenload.gui import advisor, load_view, simulation, surface
 
     doc = begun(*WINDOW)
-    FreeCADGui.setLocale(LANGUAGE)
     preferences()
     first_pocket()
     FreeCAD.setActiveDocument(doc.Name)

@@ -199,7 +199,7 @@ def in_gui(script, folder, *arguments, **environment):
     )
     report, hang = folder / "result.json", folder / "hang.txt"
     last = log.rstrip()[-2000:] + (hang.read_text() if hang.exists() else "")
-    assert report.exists(), "%s, the last of:\n%s" % (last.splitlines()[-1:], last)
+    assert report.exists(), "%s\nis the last of:\n%s" % ("".join(last.splitlines()[-1:]), last)
     content = json.loads(report.read_text())
     report.unlink()  # another session may use the folder
     assert "traceback" not in content, content["traceback"]

@@ -195,6 +195,7 @@ def test_a_process_that_ends_costs_its_chip_alone(monkeypatch):
         calls.append(text)
         if len(calls) == 2:
             worker._process.kill()
+            worker._process.wait()  # so that nobody is there to take the line
         return original(worker, text)
 
     monkeypatch.setattr(solid_processes._Worker, "_line_after", faulty)

@@ -2,11 +2,31 @@
 
 import threading
 
+import pytest
+from evenload.gui import wrappers
 from evenload.gui.wrappers import forget_the_dead
+from PySide import QtCore
+
+needs_pyside_2 = pytest.mark.skipif(
+    not QtCore.qVersion().startswith("5."), reason="PySide 6 keeps no dead wrappers"
+)
 
 LOOKS = 30  # some hundredths of a second each; fewer than ten met a tuple that was being made
 
 
+@needs_pyside_2
+def test_a_dead_one_is_forgotten_and_a_living_one_is_not(monkeypatch):
+    living, dead = QtCore.QObject(), QtCore.QObject()
+    wrappers._shiboken.delete(dead)
+    forgotten = []
+    monkeypatch.setattr(
+        wrappers._shiboken, "invalidate", lambda wrapper: forgotten.append(id(wrapper))
+    )
+    forget_the_dead()
+    assert id(dead) in forgotten and id(living) not in forgotten
+
+
+@needs_pyside_2
 def test_looking_for_them_disturbs_no_thread_that_makes_tuples():
     ended, failed = threading.Event(), []
 

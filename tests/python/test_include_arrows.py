@@ -125,3 +125,15 @@ def test_the_arrows_have_no_circle():
         ready = {folder for folder, sees in ARROWS.items() if folder not in done and sees <= done}
         assert ready
         done |= ready
+
+
+CLASS = re.compile(r"^( *)(?:class|struct) (\w+)[^;{]*\{$", re.MULTILINE)
+LONGEST_CLASS = 250  # lines
+
+
+@pytest.mark.parametrize("path", FILES, ids=name)
+def test_classes_can_be_read_in_one_sitting(path):
+    text = path.read_text()
+    for begin in CLASS.finditer(text):
+        body = text[begin.start() : text.index("\n%s};" % begin[1], begin.start())]
+        assert body.count("\n") + 2 <= LONGEST_CLASS, begin[2]

@@ -57,6 +57,21 @@ def _collected(count, done, ask):
     return [found[number] for number in range(count)]
 
 
+@contextlib.contextmanager
+def _broken_pipes_told():
+    """While this lasts a line to a worker that has ended is an error to catch in this thread.
+    FreeCAD 1.1's Python leaves the signal as it is, which would end FreeCAD.
+    """
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPIPE})
+    try:
+        yield
+    finally:
+        if signal.SIGPIPE not in before:
+            if signal.SIGPIPE in signal.sigpending():  # else it would come now
+                signal.sigwait({signal.SIGPIPE})
+            signal.pthread_sigmask(signal.SIG_SETMASK, before)
+
+
 class _Worker:
     """A thread that hands cases to a process of its own, and starts another one where it ends."""
 
@@ -76,16 +91,13 @@ class _Worker:
         self._thread.join()
 
     def _run(self):
-        # A line to a worker that has ended is an error to catch. FreeCAD 1.1's Python leaves the
-        # signal as it is, which would end FreeCAD. Here it is held back in this thread alone.
-        signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGPIPE})
         try:
             while not self._is_over:
                 number, case = self._open_cases.get_nowait()
                 self._done.put((number, self._answer(case)))
         except queue.Empty:
             pass
-        except (OSError, RuntimeError) as error:
+        except Exception as error:  # raised again where the answers are taken
             self._done.put((None, error))
         finally:
             self._close()
@@ -100,7 +112,7 @@ class _Worker:
         finally:
             timer.cancel()
             timer.join()  # so that no thread outlives its chip
-        if not line:
+        if not line.endswith("\n"):  # it ended, maybe while it wrote
             self._close()
             return {"flagged": "FreeCAD ended over it, or took more than %g s." % LONGEST}
         answer = json.loads(line)
@@ -108,8 +120,9 @@ class _Worker:
 
     def _line_after(self, text):
         try:
-            self._process.stdin.write(text + "\n")
-            self._process.stdin.flush()
+            with _broken_pipes_told():
+                self._process.stdin.write(text + "\n")
+                self._process.stdin.flush()
             return self._process.stdout.readline()
         except BrokenPipeError:
             return ""
@@ -137,6 +150,7 @@ class _Worker:
         if process:
             process.kill()
             process.wait()
-            with contextlib.suppress(BrokenPipeError):  # of a line that was not taken any more
+            # Of a line that was not taken any more.
+            with contextlib.suppress(BrokenPipeError), _broken_pipes_told():
                 process.stdin.close()
             process.stdout.close()

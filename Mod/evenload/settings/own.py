@@ -250,7 +250,7 @@ OF_FINISHING = (
         page="passes at even distances, seen from above; or Constant cusp height: as far apart as "
         "the surface's slope and curvature allow ([how](finishing.md#2-spacing_by_cusp)), along "
         "contours and spirals at each place of them, between guides by as many passes as keep it "
-        "everywhere",
+        "all between them",
     ),
     Setting(
         "Stepover",

@@ -25,15 +25,6 @@ Pose start_of(const std::vector<Segment>& way) {
   return {way.front().a, angle_of(way.front().tangent(0))};
 }
 
-// Where the tightest turn of a pass ends.
-Vec2 sharpest_place(const std::vector<Segment>& moves) {
-  const auto sharpest =
-      std::max_element(moves.begin(), moves.end(), [](const Segment& a, const Segment& b) {
-        return std::abs(a.curvature()) < std::abs(b.curvature());
-      });
-  return sharpest->b;
-}
-
 }  // namespace
 
 bool PassTaking::take_from_here(Pass pass, double turn_radius) {
@@ -94,10 +85,10 @@ bool PassTaking::take(Pass pass, double turn_radius) {
   work_.look_again(pass.moves);
   // What lies at the ends of the way is cleared, but for less than counts as contact.
   drop_last(pass.moves, pass.idle_after - kKeptIdle * work_.radius);
-  plan_.post(MoveKind::kCut, pass.moves);
+  plan_.add_steered(pass.moves);
   if (work_.task.follow && !work_.task.is_part && !work_.goes_on) work_.task.follow(plan_.runs());
   if (turn_radius > 0 && turn_radius < std::min(tightest_, work_.limits.widest * (1 - 1e-9)))
-    if (const Vec2 at = sharpest_place(pass.moves); is_narrow_at(at)) {
+    if (const Vec2 at = sharpest_of(pass.moves).b; is_narrow_at(at)) {
       tightest_ = turn_radius;
       tightest_at_ = at;
     }
@@ -119,7 +110,6 @@ bool PassTaking::back_to(const Pose& to) {
   };
   plan_.add(MoveKind::kLink, beside_cuts(back.moves, params_.arcs, free));
   plan_.stand(to);
-  if (!back.moves.empty()) plan_.count_link();
   return true;
 }
 

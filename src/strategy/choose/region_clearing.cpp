@@ -185,7 +185,7 @@ void clear_region(Plan& plan, const RegionTask& task, const ClearingParams& para
                   Progress& progress) {
   try {
     RegionClearing(plan, task, params, progress).run();
-  } catch (const Cancelled&) {  // before anything was made
+  } catch (const Cancelled&) {  // before anything more was made
   }
 }
 

@@ -62,4 +62,10 @@ void drop_last(std::vector<Segment>& moves, double length) {
   if (share > 0 && share < 1 - 1e-9) moves.back() = shortened(moves.back(), 0, share);
 }
 
+const Segment& sharpest_of(const std::vector<Segment>& moves) {
+  return *std::max_element(moves.begin(), moves.end(), [](const Segment& a, const Segment& b) {
+    return std::abs(a.curvature()) < std::abs(b.curvature());
+  });
+}
+
 }  // namespace evenload

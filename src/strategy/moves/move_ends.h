@@ -21,4 +21,7 @@ std::vector<Segment> joined(const std::vector<Segment>& moves);
 void drop_first(std::vector<Segment>& moves, double length);
 void drop_last(std::vector<Segment>& moves, double length);
 
+// The move that turns most tightly, the first of several. Condition: not empty.
+const Segment& sharpest_of(const std::vector<Segment>& moves);
+
 }  // namespace evenload

@@ -47,14 +47,11 @@ void PassagePath::follow(const std::vector<Segment>& way, int passage) {
       }
       if (!clear.empty() && leads_on(clear)) {
         plan_.add(MoveKind::kLink, clear);
-        plan_.count_link();
       } else if (!cut || !clear.empty()) {
         reach({part.segment.a, heading_at(part.segment, 0)});
       }
       clear.clear();
-      PlanarMove in_passage;
-      in_passage.passage = passage;
-      plan_.add(MoveKind::kCut, {part.segment}, in_passage);
+      plan_.add(MoveKind::kCut, {part.segment}, {passage});
       cut = true;
     }
   if (cut) plan_.count_pass();

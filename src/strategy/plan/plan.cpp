@@ -35,20 +35,33 @@ void Plan::plunge(const Pose& to, bool again) {
   come_down({DescentKind::kPlunge, to.p, {}, 0, {}, again}, to);
 }
 
-void Plan::add(MoveKind kind, const std::vector<Segment>& moves, const PlanarMove& like) {
+void Plan::add(MoveKind kind, const std::vector<Segment>& moves, MoveTags tags) {
   for (const Segment& segment : moves) {
-    PlanarMove move = like;
+    if (kind == MoveKind::kCut) ground_.add(segment);  // first, since it may throw Cancelled
+    PlanarMove move;
     move.kind = kind;
     move.segment = segment;
-    made_.runs.back().moves.push_back(move);
-    if (kind == MoveKind::kCut) ground_.add(segment);
+    move.passage = tags.passage;
+    move.in_pattern = tags.in_pattern;
+    go(move);
   }
-  if (!moves.empty()) stand_at_end();
 }
 
-void Plan::post(MoveKind kind, const std::vector<Segment>& moves) {
-  for (const Segment& move : moves) made_.runs.back().moves.push_back({kind, move, 0});
-  if (!moves.empty()) stand_at_end();
+void Plan::add_steered(const std::vector<Segment>& moves) {
+  for (const Segment& segment : moves) {
+    PlanarMove move;
+    move.segment = segment;
+    go(move);
+  }
+}
+
+// Links that follow each other count as one.
+void Plan::go(const PlanarMove& move) {
+  std::vector<PlanarMove>& moves = made_.runs.back().moves;
+  if (move.kind == MoveKind::kLink && (moves.empty() || moves.back().kind != MoveKind::kLink))
+    ++made_.links;
+  moves.push_back(move);
+  stand_at_end();
 }
 
 bool Plan::link_to(const Pose& to, const Area& around, double turn_radius, std::size_t before) {
@@ -60,7 +73,6 @@ bool Plan::link_to(const Pose& to, const Area& around, double turn_radius, std::
       quicker_link({ground_, before}, around, here_, to, turn_radius, *params_);
   if (link.empty()) return false;
   add(MoveKind::kLink, link);
-  count_link();
   return true;
 }
 
@@ -69,17 +81,22 @@ void Plan::know(const std::vector<PlanarRun>& runs) {
 }
 
 void Plan::append(RegionResult room) {
+  count(room);
+  const std::size_t first = runs().size();
   for (PlanarRun& run : room.runs) {
-    clear(run);
     run.new_region = is_empty();
     made_.runs.push_back(std::move(run));
   }
   if (!is_empty()) stand_at_end();
-  count(room);
+  for (std::size_t i = first; i < runs().size(); ++i) clear(runs()[i]);  // may throw Cancelled
 }
 
 void Plan::go_on_by(RegionResult end) {
-  for (const PlanarMove& move : end.runs.front().moves) add(move.kind, {move.segment});
+  for (const PlanarMove& move : end.runs.front().moves) {
+    if (move.kind == MoveKind::kCut) ground_.add(move.segment);
+    made_.runs.back().moves.push_back(move);
+    stand_at_end();
+  }
   end.runs.erase(end.runs.begin());
   if (made_.tight_turns.rooms > 0) end.tight_turns.rooms = 0;  // the same region's
   append(std::move(end));
@@ -87,16 +104,11 @@ void Plan::go_on_by(RegionResult end) {
 
 void Plan::adopt(RegionResult grown) {
   const Mark old = mark();
-  for (std::size_t i = old.runs > 0 ? old.runs - 1 : 0; i < grown.runs.size(); ++i) {
-    PlanarRun run = grown.runs[i];
-    if (i < old.runs) {
-      run.descent = {};
-      run.moves.erase(run.moves.begin(), std::next(run.moves.begin(), old.moves));
-    }
-    clear(run);
-  }
   made_ = std::move(grown);
-  if (!is_empty()) stand_at_end();
+  if (is_empty()) return;
+  stand_at_end();
+  if (old.runs > 0) clear(runs()[old.runs - 1].moves, old.moves);
+  for (std::size_t i = old.runs; i < runs().size(); ++i) clear(runs()[i]);  // may throw Cancelled
 }
 
 void Plan::note_turn(double radius, Vec2 shown_at) {
@@ -106,7 +118,8 @@ void Plan::note_turn(double radius, Vec2 shown_at) {
 Plan::Mark Plan::mark() const {
   return {runs().size(),  is_empty() ? 0 : runs().back().moves.size(),
           ground_.size(), made_.passes,
-          made_.links,    here_};
+          made_.links,    made_.findings.size(),
+          here_};
 }
 
 void Plan::roll_back(const Mark& mark) {
@@ -120,8 +133,12 @@ void Plan::roll_back(const Mark& mark) {
 
 void Plan::clear(const PlanarRun& run) {
   add_descent(run.descent, ground_);
-  for (const PlanarMove& move : run.moves)
-    if (move.kind == MoveKind::kCut) ground_.add(move.segment);
+  clear(run.moves, 0);
+}
+
+void Plan::clear(const std::vector<PlanarMove>& moves, std::size_t from) {
+  for (std::size_t i = from; i < moves.size(); ++i)
+    if (moves[i].kind == MoveKind::kCut) ground_.add(moves[i].segment);
 }
 
 void Plan::stand_at_end() {
@@ -149,6 +166,8 @@ RegionResult since(const Plan::Mark& mark, RegionResult made) {
   }
   made.passes -= mark.passes;
   made.links -= mark.links;
+  made.findings.erase(made.findings.begin(),
+                      std::next(made.findings.begin(), static_cast<std::ptrdiff_t>(mark.findings)));
   return made;
 }
 

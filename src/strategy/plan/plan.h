@@ -1,6 +1,7 @@
 // The path through a region while it is made: its runs, the ground that they clear, and where the
-// tool stands, which are kept in step here alone. Patterns, spirals, ways along passages and passes
-// at constant engagement add to it, one after the other.
+// tool stands, in step. Patterns, spirals, ways along passages and passes at constant engagement
+// add to it, one after the other. Passes that are steered are tried in its ground before they are
+// posted.
 #pragma once
 
 #include <cstddef>
@@ -29,10 +30,17 @@ struct RegionResult {
   std::vector<Finding> findings;
 };
 
+// What moves are told apart by, as PlanarMove has it.
+struct MoveTags {
+  int passage = -1;
+  bool in_pattern = false;
+};
+
 class Plan {
  public:
-  // Nothing is made; of the ground a pre-drilled hole is clear. `params` and `progress`, of which
-  // looks at the ground are steps, must outlive this object and its copies.
+  // Nothing is made; of the ground a pre-drilled hole is clear. `params` must outlive this object
+  // and its copies; `progress`, of which looks at the ground are steps, as long as anything is
+  // asked of them.
   Plan(const RegionTask& task, const ClearingParams& params, Progress& progress);
 
   const RegionResult& made() const { return made_; }
@@ -52,11 +60,11 @@ class Plan {
   void come_down(const Descent& descent) { come_down(descent, {descent.at, 0}); }
   // Straight down where nothing stands; `again`: because moves of ours cleared the place.
   void plunge(const Pose& to, bool again);
-  // Goes on by moves of this kind; cuts clear the ground. They take passage and pattern from
-  // `like`.
-  void add(MoveKind kind, const std::vector<Segment>& moves, const PlanarMove& like = {});
-  // The same for a cut that the ground has already, since it was steered there.
-  void post(MoveKind kind, const std::vector<Segment>& moves);
+  // Goes on by moves of this kind; cuts clear the ground.
+  void add(MoveKind kind, const std::vector<Segment>& moves, MoveTags tags = {});
+  // A pass for which the ground has what was steered, while turns in `moves` may be wider and ends
+  // cut off: what that leaves is too little to come back for.
+  void add_steered(const std::vector<Segment>& moves);
   // To `to` over ground that was clear before the move numbered `before`, inside `around`; false
   // where nothing is made yet, where there is no such way, or to go up and down is quicker.
   bool link_to(const Pose& to, const Area& around, double turn_radius, std::size_t before);
@@ -74,13 +82,12 @@ class Plan {
   void append(RegionResult room);
   // The same where it goes on from here: its first run has no descent of its own.
   void go_on_by(RegionResult end);
-  // In place of all this what has grown out of it.
+  // In place of all this what has grown out of it; its ground has the moves as they are posted.
   void adopt(RegionResult grown);
 
   // ---- what is told ----
 
   void count_pass() { ++made_.passes; }
-  void count_link() { ++made_.links; }
   void tell(Finding finding) { made_.findings.push_back(std::move(finding)); }
   // A turn tighter than wished, `radius` mm; the region counts once.
   void note_turn(double radius, Vec2 shown_at);
@@ -92,6 +99,7 @@ class Plan {
     std::size_t runs = 0, moves = 0;  // of the last run
     std::size_t ground = 0;           // moves
     int passes = 0, links = 0;
+    std::size_t findings = 0;
     Pose here;
   };
   Mark mark() const;
@@ -101,7 +109,9 @@ class Plan {
   RegionResult take() { return std::move(made_); }
 
  private:
+  void go(const PlanarMove& move);
   void clear(const PlanarRun& run);
+  void clear(const std::vector<PlanarMove>& moves, std::size_t from);
   void stand_at_end();
   void count(const RegionResult& more);
 
@@ -111,8 +121,8 @@ class Plan {
   Pose here_;
 };
 
-// The runs of `made` since `mark` was set; the first of them goes on from there, without a descent
-// of its own.
+// What of `made` came since `mark` was set: runs, of which the first goes on from there, without a
+// descent of its own, passes, links and findings.
 RegionResult since(const Plan::Mark& mark, RegionResult made);
 
 }  // namespace evenload

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "strategy/moves/move_ends.h"
 #include "strategy/trochoid/trochoid_pattern.h"
 
 namespace evenload {
@@ -29,14 +30,11 @@ void PatternNotes::repeated(const Way& way, double length, const std::vector<Seg
 }
 
 void PatternNotes::note_turns(const std::vector<Segment>& cut) {
-  const auto sharpest =
-      std::max_element(cut.begin(), cut.end(), [](const Segment& a, const Segment& b) {
-        return std::abs(a.curvature()) < std::abs(b.curvature());
-      });
+  const Segment& sharpest = sharpest_of(cut);
   const double wish = std::max(params_.roll_radius, params_.minimum_radius),
-               radius = 1 / std::abs(sharpest->curvature());
+               radius = 1 / std::abs(sharpest.curvature());
   if (radius >= wish * (1 - 1e-9)) return;
-  plan_.note_turn(radius, shown_place(task_, sharpest->b));
+  plan_.note_turn(radius, shown_place(task_, sharpest.b));
 }
 
 void PatternNotes::note_residual(const Way& way) {

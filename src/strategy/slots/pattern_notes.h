@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "strategy/plan/plan.h"
-#include "strategy/slots/slot_clearing.h"
 #include "strategy/slots/slot_way.h"
 
 namespace evenload {

@@ -8,12 +8,12 @@
 
 #include "cutting/load_budget.h"
 #include "strategy/moves/move_ends.h"
-#include "strategy/reach/entry.h"
 #include "strategy/reach/links.h"
 #include "strategy/slots/pattern_notes.h"
 #include "strategy/slots/slot_end.h"
 #include "strategy/slots/slot_junctions.h"
 #include "strategy/slots/slot_rooms.h"
+#include "strategy/slots/slot_start.h"
 #include "strategy/slots/slot_way.h"
 #include "strategy/slots/slot_ways.h"
 #include "support/errors.h"
@@ -22,8 +22,7 @@
 namespace evenload {
 namespace {
 
-// Half rooms: a little narrower than expected, a helix needs so much more for as many turns.
-constexpr double kHelixRoom = 0.01;
+constexpr MoveTags kInPattern{-1, true};
 
 ClearingParams for_passes(ClearingParams params) {
   params.engagement_angle -= load_budget::spared_beside_patterns(params.engagement_angle);
@@ -48,6 +47,7 @@ class SlotClearing {
         plan_(task, params, progress),
         found_(task, params, centres_, patterns),
         ways_(found_.ways),
+        start_(task, params, centres_, found_),
         notes_(task, params, plan_, report) {}
 
   RegionResult run() {
@@ -77,7 +77,7 @@ class SlotClearing {
     if (task_.rest) return;
     try {
       found_.find(use);
-      if (start(use)) follow_ways();
+      if (begin(use)) follow_ways();
     } catch (const Cancelled&) {  // what is made is kept
     }
     early_ends_.reset();
@@ -88,76 +88,32 @@ class SlotClearing {
   // ---- the start ----
 
   // Makes ground in which a way can begin. False where there is none.
-  bool start(Use use) {
+  bool begin(Use use) {
     if (ways_.empty()) return false;
     if (task_.has_open_edges && params_.entry == EntryKind::kAutomatic) {
-      if (begins_outside()) return true;
+      if (start_.is_outside(plan_.ground())) return true;
       if (use == Use::kPockets) return false;  // passes find the open side
     }
-    if (task_.hole) return clear_room_about_hole();
+    if (task_.hole) {
+      const std::optional<Region> room = start_.about_hole();
+      return room && clear_room(*room);
+    }
     if (params_.entry == EntryKind::kPredrilledHole) return false;
-    return clear_first_room(Place::kBegin) || clear_first_room(Place::kPastJunction);
+    return clear_first_room(SlotStart::Place::kBegin) ||
+           clear_first_room(SlotStart::Place::kPastJunction);
   }
 
-  // Where along a way its first room ends.
-  enum class Place { kBegin, kPastJunction };
-
   // Of the longest ways that have one.
-  bool clear_first_room(Place place) {
+  bool clear_first_room(SlotStart::Place place) {
     for (std::size_t first = 0, last = 0; first < ways_.size(); first = last) {
       const double length = ways_[first].length();
       while (last < ways_.size() && ways_[last].length() > length - kOnWall) ++last;
-      if (clear_smallest_end(first, last, place)) return true;
+      const std::optional<WayBegin> begin = start_.smallest_end(first, last, place);
+      if (!begin) continue;
+      begin_ends(*begin->way);
+      if (clear_room(begin->start.room)) return true;
     }
     return false;
-  }
-
-  // Whether the way that is followed first begins beside the stock.
-  bool begins_outside() const {
-    for (const Way& way : ways_) {
-      const std::optional<int> first = first_to_cut(way, plan_.ground());
-      if (!first) continue;
-      const Vec2 p = cut_at(way, place_of(way, *first)).front().a;
-      return std::none_of(task_.material.begin(), task_.material.end(),
-                          [&](const Region& region) { return region.contains(p); });
-    }
-    return false;
-  }
-
-  // Of the ways [first, last), which are equally long: an end of the slot if there is one.
-  bool clear_smallest_end(std::size_t first, std::size_t last, Place place) {
-    std::optional<StartRoom> best;
-    const Way* way = nullptr;  // that begins there
-    for (std::size_t i = first; i < last; ++i) {
-      if (first_place(ways_[i]) > ways_[i].last()) {
-        found_.is_too_short = true;
-        continue;
-      }
-      std::optional<StartRoom> room = place == Place::kBegin
-                                          ? start_room_of(ways_[i], first_place(ways_[i]))
-                                          : room_past_junction(ways_[i]);
-      if (!room) continue;
-      const bool is_better =
-          !best || (room->is_end != best->is_end ? room->is_end
-                                                 : room->room.area() < best->room.area() - kSame);
-      if (!is_better) continue;
-      best = std::move(room);
-      way = &ways_[i];
-    }
-    if (!best) return false;
-    begin_ends(*way);
-    return clear_room(best->room);
-  }
-
-  // Where a way begins in a junction, as the sides of a frame do in its corners: as soon as it has
-  // both walls.
-  std::optional<StartRoom> room_past_junction(const Way& way) const {
-    const double first = first_place(way),
-                 furthest = std::min(way.last(), first + kLongestJunction * way.stretch.half_room);
-    std::optional<StartRoom> room;
-    for (double s = first; !room && s < furthest; s += kMiddleLook * radius_)
-      room = start_room_of(way, s);
-    return room;
   }
 
   // On another core: of all ways but the one that ends where `followed_first` begins. Those of ways
@@ -166,8 +122,8 @@ class SlotClearing {
     std::vector<std::unique_ptr<EarlyEnd>> ends;
     for (const Way& way : ways_) {
       const bool is_start = is_reverse(way.stretch.middle, followed_first.stretch.middle);
-      if (is_start || first_place(way) > way.last()) continue;
-      if (auto end = EarlyEnd::of(task_, centres_, way, first_place(way), passes_))
+      if (is_start || start_.first_place(way) > way.last()) continue;
+      if (auto end = EarlyEnd::of(task_, centres_, way, start_.first_place(way), passes_))
         ends.push_back(std::move(end));
     }
     early_ends_ = std::make_unique<EarlyEnds>(std::move(ends));
@@ -175,31 +131,6 @@ class SlotClearing {
 
   static bool is_reverse(const Segment& a, const Segment& b) {
     return distance(a.a, b.b) < kOnWall && distance(a.b, b.a) < kOnWall;
-  }
-
-  bool clear_room_about_hole() {
-    for (const Way& way : ways_) {
-      const Segment& middle = way.stretch.middle;
-      if (middle.distance_to(*task_.hole) > way.stretch.half_room) continue;
-      const double at = middle.nearest(*task_.hole) * middle.length();
-      // The way back has it nearer.
-      if (at > 0.5 * way.length() + kOnWall) continue;
-      const std::optional<StartRoom> start = start_room_of(way, std::max(first_place(way), at));
-      return start && start->room.contains(*task_.hole) && clear_room(start->room);
-    }
-    return false;
-  }
-
-  // The first place of a period that leaves room behind its front for a helix as wide as the slot.
-  double first_place(const Way& way) const {
-    const double h = way.stretch.half_room, helix = helix_radius(params_, {{}, h});
-    const double stretch = task_.hole ? 0 : wished_stretch(helix, params_) + kHelixRoom * h;
-    return std::max(-way.reach.back, stretch - way.circle_behind);
-  }
-
-  std::optional<StartRoom> start_room_of(const Way& way, double s) const {
-    return start_room(task_.centres, centres_, way.stretch, s,
-                      placed(way.front, pose_on(way.stretch, s)));
   }
 
   // False where the tool finds no way in.
@@ -274,7 +205,7 @@ class SlotClearing {
       else
         link_back(placed(way.pattern.link, pose_on(way.stretch, place_of(way, period + 1))),
                   is_sure, {cut.front().a, angle_of(cut.front().tangent(0))});
-      plan_.add(MoveKind::kCut, cut, in_pattern());
+      plan_.add(MoveKind::kCut, cut, kInPattern);
       plan_.count_pass();
       progress_.report(std::min(1.0, s / way.stretch.middle.length()));
     }
@@ -289,18 +220,11 @@ class SlotClearing {
       go_to(to);
       return;
     }
-    plan_.add(MoveKind::kLink, link, in_pattern());
-    plan_.count_link();
+    plan_.add(MoveKind::kLink, link, kInPattern);
   }
 
   void go_to(const Pose& to) {
     if (!plan_.link_to(to, centres_, turn_radius_)) plan_.plunge(to, !plan_.is_empty());
-  }
-
-  static PlanarMove in_pattern() {
-    PlanarMove move;
-    move.in_pattern = true;
-    return move;
   }
 
   const RegionTask& task_;
@@ -313,6 +237,7 @@ class SlotClearing {
   Plan plan_;
   SlotWays found_;
   std::vector<Way>& ways_;  // those found
+  SlotStart start_;
   PatternNotes notes_;
   std::unique_ptr<EarlyEnds> early_ends_;
 };

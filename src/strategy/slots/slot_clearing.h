@@ -5,27 +5,14 @@
 #include <optional>
 #include <vector>
 
-#include "strategy/choose/region_clearing.h"
+#include "strategy/plan/plan.h"
+#include "strategy/plan/region_task.h"
+#include "strategy/slots/slot_way.h"
 #include "strategy/task/clearing_params.h"
 #include "strategy/trochoid/pattern_cache.h"
 #include "support/progress.h"
 
 namespace evenload {
-
-// Of the longest way along which a pattern was repeated at once, in any region; all 0 where none
-// was.
-struct TrochoidReport {
-  double step = 0;          // mm, of its pattern
-  int iterations = 0;       // passes that were steered; 0 for patterns found in one go
-  double residual = 0;      // mm, at the end of the iteration
-  double removal_rate = 0;  // mm^3/min at the first level: the slot's width times its depth over
-                            // the time per mm, links and wall passes in it, entry and ends not
-  double longest = 0;       // mm, of this way
-  double length = 0;        // mm of slot along which patterns are repeated, all regions together
-};
-
-// Slots wider than this many tool diameters are pockets: they are cleared pass by pass.
-inline constexpr double kWidestSlot = 4;
 
 // Conditions as for clear_region. `report`: of all regions of one call; this one is added.
 RegionResult clear_slots_of(const RegionTask& task, const ClearingParams& params,

@@ -21,6 +21,21 @@ struct Way : SlotPattern {
   double last() const { return stretch.middle.length() - circle_ahead; }
 };
 
+// Of the longest way along which a pattern was repeated at once, in any region; all 0 where none
+// was.
+struct TrochoidReport {
+  double step = 0;          // mm, of its pattern
+  int iterations = 0;       // passes that were steered; 0 for patterns found in one go
+  double residual = 0;      // mm, at the end of the iteration
+  double removal_rate = 0;  // mm^3/min at the first level: the slot's width times its depth over
+                            // the time per mm, links and wall passes in it, entry and ends not
+  double longest = 0;       // mm, of this way
+  double length = 0;        // mm of slot along which patterns are repeated, all regions together
+};
+
+// Slots wider than this many tool diameters are pockets: they are cleared pass by pass.
+inline constexpr double kWidestSlot = 4;
+
 // Share of the tool's radius: between two looks for material along a middle.
 inline constexpr double kMiddleLook = 0.5;
 

@@ -4,7 +4,6 @@
 #include <cmath>
 #include <limits>
 
-#include "strategy/slots/slot_clearing.h"
 #include "support/tolerances.h"
 
 namespace evenload {
