@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy
 from evenload import compiled
+from evenload.ball_end import chip_feeds, loads, places
 from timing import best_time, best_times
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "tests" / "python"))
@@ -26,6 +27,17 @@ STRATEGIES = (
     "between guides",
     "one way between guides",
 )
+# Feeds by chip thickness: the source's 0.08 mm per tooth and 0.35 mm [Varga 2023, table 3].
+BALL = loads.Cutting(10.0, 4, 5100.0, 0.3, {"ktc": 1.0, "krc": 0.0, "kte": 0.0, "kre": 0.0})
+FED, FED_STEPOVER = 0.08 * BALL.teeth * BALL.speed, 0.35
+FED_WAYS = {
+    "0_degrees": dict(angle=0.0),
+    "45_degrees": dict(angle=math.pi / 4),
+    "90_degrees": dict(angle=math.pi / 2),
+    "contours_inwards": dict(pattern="contours inwards"),
+    "spiral_outwards": dict(pattern="spiral outwards"),
+}
+_ENDS = (("before", 1), ("before", 99), ("after", 1), ("after", 99))
 SPACING = 0.45  # mm, of the plain drop cutter: the widest samples of a pass
 
 
@@ -85,6 +97,72 @@ def table(values):
         yield "| %s |" % " | ".join(cells)
 
 
+def chip_feed():
+    """Feeds by chip thickness: what h_m is along paths then, by the part's own curvatures, and the
+    time that finding them takes.
+    """
+    for is_convex, part in ((True, "cx"), (False, "cv")):
+        mesh = compiled.core().surface.FacetMesh(*cases.triangles(is_convex, DEFLECTION))
+        for name, way in FED_WAYS.items():
+            arguments = dict(stepover=FED_STEPOVER, feed=FED, plunge_feed=1e5, allowance=0.0)
+            arguments.update(tolerance=TOLERANCE - DEFLECTION, deflection=DEFLECTION, **way)
+            arguments = cases.options(**arguments)
+            found = []
+
+            def path():
+                found[:] = [compiled.core().surface.finish(mesh, **arguments)]
+
+            def feeds():
+                stepover = max(FED_STEPOVER, found[0].largest_stepover)
+                found[1:] = [
+                    chip_feeds.fed(found[0].toolpath, mesh, arguments, stepover, BALL, 2 * FED)
+                ]
+
+            name = "finishing.chip_feeds.%s.%s" % (part, name)
+            yield name + ".path", best_time(path, 2), "s"
+            yield name + ".compute", best_time(feeds, 2), "s"
+            finish, fed = found
+            yield name + ".least", fed.least, "mm/min"
+            yield name + ".largest", fed.largest, "mm/min"
+            for when, toolpath in (("before", finish.toolpath), ("after", fed.toolpath)):
+                off = 100 * (_thickness(toolpath.moves, is_convex) / fed.thickness - 1)
+                for share in (1, 99):
+                    yield "%s.%s.p%d" % (name, when, share), numpy.percentile(off, share), "%"
+                yield "%s.%s.moves" % (name, when), len(toolpath.moves), ""
+                yield "%s.%s.time" % (name, when), toolpath.report.cutting_time, "s"
+
+
+def _thickness(moves, is_convex, count=2000):
+    """mm, h_m of places between joints and off the borders."""
+    along = places.places_along(moves, count, FED_STEPOVER)
+    normals, curvature, off = cases.bends_under(along.tips[:, 1], BALL.diameter / 2, is_convex)
+    bends = loads.Bends(normals, numpy.zeros(count), curvature, numpy.tile([1.0, 0, 0], (count, 1)))
+    aside = cases.HALF - numpy.abs(along.tips[:, :2]).max(axis=1)
+    felt = loads.loads_at(along, bends, BALL)
+    return felt.mean_thickness[((off > 1.2) & (aside > 2) & (along.uncut != "strip"))[felt.rows]]
+
+
+def fed_table(values):
+    """The table of docs/finishing.md, 7."""
+    for part in ("cx", "cv"):
+        for name in FED_WAYS:
+            of = {
+                key.rsplit("%s.%s." % (part, name), 1)[1]: value
+                for key, value in values.items()
+                if key.startswith("finishing.chip_feeds.%s.%s." % (part, name))
+            }
+            cells = ["%s, %s" % (part.upper(), name.replace("_", " "))]
+            cells.append(
+                "%+.0f … %+.0f %% → %+.0f … %+.0f %%" % tuple(of["%s.p%d" % each] for each in _ENDS)
+            )
+            cells.append("%.0f … %.0f" % (of["least"], of["largest"]))
+            cells += [
+                "%d → %d" % (of["before.moves"], of["after.moves"]),
+                "%.0f → %.0f s" % (of["before.time"], of["after.time"]),
+            ]
+            yield "| %s |" % " | ".join(cells)
+
+
 def growth():
     for share in (4, 20, 100):
         mesh = mesh_of(TOLERANCE / share)
@@ -112,5 +190,5 @@ def drop_cutter():
 
 
 def figures():
-    for part in (test_part, strategies, growth, drop_cutter):
+    for part in (test_part, strategies, chip_feed, growth, drop_cutter):
         yield from part()
