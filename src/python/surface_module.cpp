@@ -13,6 +13,7 @@
 #include "surface/earlier.h"
 #include "surface/fewest_lines.h"
 #include "surface/finish.h"
+#include "surface/ground.h"
 #include "surface/refeed.h"
 
 namespace py = pybind11;
@@ -168,6 +169,28 @@ py::array_t<double> earlier_for_python(const MeshNumbers& segments, const MeshNu
   return result;
 }
 
+// The places along a line at which a pass is sampled, s and z.
+py::array_t<double> samples_for_python(const FacetMesh& mesh, double tool_diameter,
+                                       double corner_radius, std::array<double, 2> from,
+                                       std::array<double, 2> to, double floor, double tolerance) {
+  const Vec2 start{from[0], from[1]}, way = Vec2{to[0], to[1]} - start;
+  if (!(norm(way) > 0 && tolerance > 0))
+    throw std::invalid_argument("A line to be sampled has a length, and a positive tolerance.");
+  const Ground ground{&mesh, {0.5 * tool_diameter, corner_radius}, 0, floor};
+  std::vector<DropSample> samples;
+  {
+    const py::gil_scoped_release unlocked;
+    samples = samples_along(ground, {start, normalized(way)}, 0, norm(way), tolerance);
+  }
+  py::array_t<double> result({static_cast<py::ssize_t>(samples.size()), py::ssize_t{2}});
+  double* into = result.mutable_data();
+  for (const DropSample& sample : samples) {
+    *into++ = sample.s;
+    *into++ = sample.z;
+  }
+  return result;
+}
+
 Toolpath refed_for_python(const Toolpath& path, const MeshNumbers& pieces, double plunge_feed) {
   demand_columns(pieces, kPieceColumns, "Pieces are rows of a move, the share at its end, a feed.");
   const auto p = pieces.unchecked<2>();
@@ -221,6 +244,10 @@ void bind_finishing(py::module_& module) {
         "in mm, "
         "or None; cut_mode; arcs, False: lines only; "
         "threads; progress: callable(share) -> whether to go on.");
+  m.def("samples", &samples_for_python, py::arg("mesh"), py::arg("tool_diameter"),
+        py::arg("corner_radius"), py::arg("start"), py::arg("end"), py::arg("floor"),
+        py::arg("tolerance"),
+        "An array of mm along a line and of the tip's z: where a pass over it is sampled.");
   m.def("earlier_beside", &earlier_for_python, py::arg("segments"), py::arg("places"),
         py::arg("reach"), py::arg("threads") = 0, py::arg("progress") = py::none(),
         "An array of mm in plan to where earlier segments have cut, to the left and to the right "
