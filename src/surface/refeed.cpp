@@ -7,8 +7,6 @@ namespace evenload {
 
 namespace {
 
-constexpr double kSecondsPerMinute = 60;
-
 Waypoint end_of(const Move& move) { return {{move.x, move.y, move.z}, move.sweep}; }
 
 }  // namespace
