@@ -54,10 +54,11 @@ ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL, *OF_FINISHING)
 (TOLERANCE,) = (row for row in SETTINGS if row.name == "Tolerance")
 BOXES = ("Slot", "Spiral", "Passes", "Cut", "Feeds", "Entry", "Path")  # of the panels, from the top
 
-_NAMED = {row.name: row for row in SETTINGS}
+_NAMED = {row.name: row for row in (*SETTINGS, *OF_FINISHING)}
+_STOCK = _NAMED["StockOnFaces"]  # stands below the feed control, which asks for it
 # All settings of the operation that finishes surfaces.
 FINISHING = (
-    *OF_FINISHING,
+    *(row for row in OF_FINISHING if row is not _STOCK),
     _NAMED["CutMode"],
     # The core's path knows one feed: what follows chips is found for it afterwards.
     replace(
@@ -71,6 +72,7 @@ FINISHING = (
         "(finishing.md#7-feeds-by-chip-thickness)",
     ),
     _NAMED["MaximumFeed"],
+    _STOCK,
     replace(
         TOLERANCE,
         doc="Largest distance of the path from the exact one, the surface's triangles included; "
