@@ -81,6 +81,7 @@ MEANT = {
     # The check.
     "Checked against the model.": "The path was read back, and no fault was found.",
     "Made from the models themselves": "A finishing path, whose place the models decide.",
+    "Feeds of the cuts": "A note of the feed control: nothing is to be done.",
     "Not checked": "Turn Check on, unless you know why it is off.",
     "The path cuts": "Refused: the tool would go into the part.",
     "The path has a rapid": "Refused: the tool would crash at rapid speed.",

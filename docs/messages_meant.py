@@ -82,7 +82,7 @@ GROUPS = (
             "Refusals, and notes on what the tool does not reach"
             " ([finishing_operation.md](finishing_operation.md))."
         ),
-        ("operations/finishing.py", "src/surface", "src/feed"),
+        ("operations/finishing.py", "operations/chip_control.py", "src/surface", "src/feed"),
     ),
     (
         "Finishing Advisor",

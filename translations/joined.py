@@ -60,6 +60,8 @@ SENTENCES_OF_THE_CORE = (
     "The allowance must not be negative.",
     "The extension must not be negative.",
     "The lead radius must not be negative.",
+    "The clearance of fixtures must not be negative.",
+    "The fixtures leave the tool none of the picked faces: move them, or lower FixtureClearance.",
     "Passes between guides need two of them.",
     "The tolerance must be positive.",
     "Feeds must be positive.",

@@ -55,10 +55,15 @@ def as_lines(moves):
     """Moves as the core returns them, n x 8, chords in place of their arcs, which leave these by
     LINES_DEFLECTION at the most.
     """
+    return numbered_lines(moves)[0]
+
+
+def numbered_lines(moves):
+    """(the same, for each the number of the move that it is part of)."""
     points, which, rows = _chords(moves, LINES_DEFLECTION)
     lines = numpy.zeros((len(points), rows.shape[1]))
     lines[:, 0], lines[:, 1:4], lines[:, 7] = rows[which, 0], points, rows[which, 7]
-    return lines
+    return lines, which
 
 
 def _chords(moves, deflection):

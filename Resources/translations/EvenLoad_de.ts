@@ -283,6 +283,22 @@
         <source>Whether the open side over which the tool first comes in is chosen by a place</source>
         <translation>Ob die offene Seite, über die das Werkzeug zuerst hereinkommt, durch eine Stelle gewählt wird</translation>
     </message>
+    <message>
+        <source>What stays the same along the cuts: the feed, or the mean thickness of a ball&apos;s chips</source>
+        <translation>Was entlang der Schnitte gleich bleibt: der Vorschub oder die mittlere Dicke der Späne einer Kugel</translation>
+    </message>
+    <message>
+        <source>What the cut before has left above the surface that is made, across it: the feed control&apos;s chips are of that; at first 0.03 of the tool&apos;s diameter</source>
+        <translation>Was die Bearbeitung davor über der entstehenden Fläche stehen ließ, quer zu ihr: Daraus sind die Späne der Vorschubregelung; zunächst 0,03 des Werkzeugdurchmessers</translation>
+    </message>
+    <message>
+        <source>Clamps, vices and other objects that the tool keeps off, as from above: what lies below them is not cut. The button takes what is selected</source>
+        <translation>Spanneisen, Schraubstöcke und anderes, von dem das Werkzeug wegbleibt, wie von oben: Was darunter liegt, wird nicht bearbeitet. Der Knopf nimmt, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>How far the tool stays off the fixtures, all around</source>
+        <translation>Wie weit das Werkzeug rundum von den Spannmitteln wegbleibt</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad</name>
@@ -5063,6 +5079,66 @@ cm³/min</translation>
     <message>
         <source>What &apos;%1&apos; cuts is narrower than a patch of %2 mm, whose roughness is told: pick wider faces.</source>
         <translation>Was „%1“ schneidet, ist schmaler als ein Ausschnitt von %2 mm, dessen Rauheit angegeben wird: breitere Flächen wählen.</translation>
+    </message>
+    <message>
+        <source>FeedControl is &apos;%1&apos;, but the tool &apos;%2&apos; has no ball end, and the chips that are known are those of a ball: take a ball end mill, or another FeedControl.</source>
+        <translation>[FeedControl] ist &apos;%1&apos;, aber das Werkzeug &apos;%2&apos; hat kein Kugelende, und bekannt sind nur die Späne einer Kugel: einen Kugelfräser nehmen oder eine andere [FeedControl].</translation>
+    </message>
+    <message>
+        <source>FeedControl is &apos;%1&apos;, but without a spindle speed there is no feed per tooth: set that of the tool controller.</source>
+        <translation>[FeedControl] ist &apos;%1&apos;, aber ohne Spindeldrehzahl gibt es keinen Vorschub je Zahn: die der Werkzeugsteuerung setzen.</translation>
+    </message>
+    <message>
+        <source>Feeds of the cuts: %1 to %2 mm/min, for chips with a mean thickness of %3 µm.</source>
+        <translation>Vorschübe der Schnitte: %1 bis %2 mm/min, für Späne mit einer mittleren Dicke von %3 µm.</translation>
+    </message>
+    <message>
+        <source>StockOnFaces is %1 mm: it must lie between 0 and the ball&apos;s radius of %2 mm.</source>
+        <translation>[StockOnFaces] ist %1 mm: Es muss zwischen 0 und dem Kugelradius von %2 mm liegen.</translation>
+    </message>
+    <message>
+        <source>What stays the same along the cuts: the feed, or the mean thickness of a ball&apos;s chips</source>
+        <translation>Was entlang der Schnitte gleich bleibt: der Vorschub oder die mittlere Dicke der Späne einer Kugel</translation>
+    </message>
+    <message>
+        <source>What the cut before has left above the surface that is made, across it: the feed control&apos;s chips are of that; at first 0.03 of the tool&apos;s diameter</source>
+        <translation>Was die Bearbeitung davor über der entstehenden Fläche stehen ließ, quer zu ihr: Daraus sind die Späne der Vorschubregelung; zunächst 0,03 des Werkzeugdurchmessers</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no faces that the tool could keep off: take it out of Fixtures.</source>
+        <translation>&apos;%1&apos; hat keine Flächen, von denen das Werkzeug wegbleiben könnte: es aus [Fixtures] herausnehmen.</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a model of the job, which the tool keeps off anyway: take it out of Fixtures.</source>
+        <translation>&apos;%1&apos; ist ein Modell des Auftrags, von dem das Werkzeug ohnehin wegbleibt: es aus [Fixtures] herausnehmen.</translation>
+    </message>
+    <message>
+        <source>Clamps, vices and other objects that the tool keeps off, as from above: what lies below them is not cut. The button takes what is selected</source>
+        <translation>Spanneisen, Schraubstöcke und anderes, von dem das Werkzeug wegbleibt, wie von oben: Was darunter liegt, wird nicht bearbeitet. Der Knopf nimmt, was ausgewählt ist</translation>
+    </message>
+    <message>
+        <source>Fixture clearance</source>
+        <translation>Abstand der Spannmittel</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Spannmittel</translation>
+    </message>
+    <message>
+        <source>How far the tool stays off the fixtures, all around</source>
+        <translation>Wie weit das Werkzeug rundum von den Spannmitteln wegbleibt</translation>
+    </message>
+    <message>
+        <source>SafeHeight (%1 mm) lies below the top of the fixtures and their clearance (%2 mm): raise it.</source>
+        <translation>[SafeHeight] (%1 mm) liegt unter der Oberkante der Spannmittel samt ihrem Abstand (%2 mm): erhöhen.</translation>
+    </message>
+    <message>
+        <source>The clearance of fixtures must not be negative.</source>
+        <translation>Der Abstand der Spannmittel darf nicht negativ sein.</translation>
+    </message>
+    <message>
+        <source>The fixtures leave the tool none of the picked faces: move them, or lower FixtureClearance.</source>
+        <translation>Die Spannmittel lassen dem Werkzeug keine der ausgewählten Flächen: sie versetzen oder [FixtureClearance] verringern.</translation>
     </message>
 </context>
 <context>

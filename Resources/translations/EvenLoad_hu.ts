@@ -283,6 +283,22 @@
         <source>Whether the open side over which the tool first comes in is chosen by a place</source>
         <translation>Egy hely válassza-e ki azt a nyitott oldalt, amelyen át a szerszám először érkezik</translation>
     </message>
+    <message>
+        <source>What stays the same along the cuts: the feed, or the mean thickness of a ball&apos;s chips</source>
+        <translation>Mi marad állandó a forgácsolás során: az előtolás vagy a gömbvégű maró forgácsának átlagos vastagsága</translation>
+    </message>
+    <message>
+        <source>What the cut before has left above the surface that is made, across it: the feed control&apos;s chips are of that; at first 0.03 of the tool&apos;s diameter</source>
+        <translation>Amit az előző megmunkálás a készülő felület fölött hagyott, arra merőlegesen: az előtolás-szabályozás forgácsai ebből vannak; kezdetben a szerszámátmérő 0,03-szorosa</translation>
+    </message>
+    <message>
+        <source>Clamps, vices and other objects that the tool keeps off, as from above: what lies below them is not cut. The button takes what is selected</source>
+        <translation>Szorítók, satuk és más objektumok, amelyeket a szerszám felülről elkerül: ami alattuk van, azt nem forgácsolja. A gomb a kijelölt objektumokat veszi át</translation>
+    </message>
+    <message>
+        <source>How far the tool stays off the fixtures, all around</source>
+        <translation>Milyen távol marad a szerszám a befogóeszközöktől, körös-körül</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad</name>
@@ -5063,6 +5079,66 @@ cm³/min</translation>
     <message>
         <source>What &apos;%1&apos; cuts is narrower than a patch of %2 mm, whose roughness is told: pick wider faces.</source>
         <translation>Amit „%1“ vág, keskenyebb egy %2 mm-es foltnál, amelynek érdességét megadjuk: szélesebb felületeket kell választani.</translation>
+    </message>
+    <message>
+        <source>FeedControl is &apos;%1&apos;, but the tool &apos;%2&apos; has no ball end, and the chips that are known are those of a ball: take a ball end mill, or another FeedControl.</source>
+        <translation>[FeedControl]: &apos;%1&apos;, de a(z) &apos;%2&apos; szerszám vége nem gömb, és csak a gömb forgácsai ismertek: válasszon gömbvégű marót vagy más értéket ehhez: [FeedControl].</translation>
+    </message>
+    <message>
+        <source>FeedControl is &apos;%1&apos;, but without a spindle speed there is no feed per tooth: set that of the tool controller.</source>
+        <translation>[FeedControl]: &apos;%1&apos;, de fordulatszám nélkül nincs fogankénti előtolás: adja meg a szerszámvezérlőét.</translation>
+    </message>
+    <message>
+        <source>Feeds of the cuts: %1 to %2 mm/min, for chips with a mean thickness of %3 µm.</source>
+        <translation>A forgácsolás előtolásai: %1 – %2 mm/min, %3 µm átlagos vastagságú forgácsokhoz.</translation>
+    </message>
+    <message>
+        <source>StockOnFaces is %1 mm: it must lie between 0 and the ball&apos;s radius of %2 mm.</source>
+        <translation>[StockOnFaces]: %1 mm; 0 és a gömb %2 mm-es sugara közé kell esnie.</translation>
+    </message>
+    <message>
+        <source>What stays the same along the cuts: the feed, or the mean thickness of a ball&apos;s chips</source>
+        <translation>Mi marad állandó a forgácsolás során: az előtolás vagy a gömbvégű maró forgácsának átlagos vastagsága</translation>
+    </message>
+    <message>
+        <source>What the cut before has left above the surface that is made, across it: the feed control&apos;s chips are of that; at first 0.03 of the tool&apos;s diameter</source>
+        <translation>Amit az előző megmunkálás a készülő felület fölött hagyott, arra merőlegesen: az előtolás-szabályozás forgácsai ebből vannak; kezdetben a szerszámátmérő 0,03-szorosa</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; has no faces that the tool could keep off: take it out of Fixtures.</source>
+        <translation>A(z) &apos;%1&apos; objektumnak nincs felülete, amelyet a szerszám elkerülhetne: vegye ki innen: [Fixtures].</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is a model of the job, which the tool keeps off anyway: take it out of Fixtures.</source>
+        <translation>A(z) &apos;%1&apos; a munka modellje, amelyet a szerszám amúgy is elkerül: vegye ki innen: [Fixtures].</translation>
+    </message>
+    <message>
+        <source>Clamps, vices and other objects that the tool keeps off, as from above: what lies below them is not cut. The button takes what is selected</source>
+        <translation>Szorítók, satuk és más objektumok, amelyeket a szerszám felülről elkerül: ami alattuk van, azt nem forgácsolja. A gomb a kijelölt objektumokat veszi át</translation>
+    </message>
+    <message>
+        <source>Fixture clearance</source>
+        <translation>Befogók távolsága</translation>
+    </message>
+    <message>
+        <source>Fixtures</source>
+        <translation>Befogóeszközök</translation>
+    </message>
+    <message>
+        <source>How far the tool stays off the fixtures, all around</source>
+        <translation>Milyen távol marad a szerszám a befogóeszközöktől, körös-körül</translation>
+    </message>
+    <message>
+        <source>SafeHeight (%1 mm) lies below the top of the fixtures and their clearance (%2 mm): raise it.</source>
+        <translation>[SafeHeight] (%1 mm) a befogóeszközök és távolságuk teteje (%2 mm) alatt van: emelje meg.</translation>
+    </message>
+    <message>
+        <source>The clearance of fixtures must not be negative.</source>
+        <translation>A befogóeszközök távolsága nem lehet negatív.</translation>
+    </message>
+    <message>
+        <source>The fixtures leave the tool none of the picked faces: move them, or lower FixtureClearance.</source>
+        <translation>A befogóeszközök a kijelölt felületek közül egyet sem hagynak a szerszámnak: helyezze át őket, vagy csökkentse: [FixtureClearance].</translation>
     </message>
 </context>
 <context>

@@ -10,8 +10,11 @@
 
 #include "python/clearing_params.h"
 #include "surface/drop.h"
+#include "surface/earlier.h"
 #include "surface/fewest_lines.h"
 #include "surface/finish.h"
+#include "surface/ground.h"
+#include "surface/refeed.h"
 
 namespace py = pybind11;
 
@@ -25,6 +28,7 @@ using MeshCounts = py::array_t<std::uint32_t, py::array::c_style | py::array::fo
 using MeshFlags = py::array_t<bool, py::array::c_style | py::array::forcecast>;
 
 constexpr py::ssize_t kContactFigures = 9;
+constexpr py::ssize_t kSegmentColumns = 4, kPlaceColumns = 5, kPieceColumns = 3;
 
 void demand_columns(const py::array& rows, py::ssize_t columns, const char* sentence) {
   if (rows.ndim() != 2 || rows.shape(1) != columns) throw std::invalid_argument(sentence);
@@ -76,7 +80,8 @@ py::array_t<double> contacts_for_python(const FacetMesh& mesh, double tool_diame
 
 using GuidePoints = std::vector<std::vector<std::array<double, 2>>>;
 
-FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallback& callback) {
+FinishParams finish_params(Keywords& keywords, double& deflection, const FacetMesh*& fixtures,
+                           FinishCallback& callback) {
   FinishParams params;
   double diameter = 0;
   keywords.required("tool_diameter", diameter);
@@ -105,6 +110,8 @@ FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallbac
     params.guides.emplace_back();
     for (const auto& [x, y] : guide) params.guides.back().push_back({x, y});
   }
+  keywords.optional("fixtures", fixtures);
+  keywords.optional("fixture_clearance", params.fixture_clearance);
   keywords.required("tolerance", params.tolerance);
   keywords.required("deflection", deflection);
   keywords.required("floor", params.floor);
@@ -125,11 +132,73 @@ FinishParams finish_params(Keywords& keywords, double& deflection, FinishCallbac
 Finish finish_for_python(const FacetMesh& mesh, const py::kwargs& arguments) {
   Keywords keywords("finish", arguments);
   double deflection = 0;
+  const FacetMesh* fixtures = nullptr;
   FinishCallback callback;
-  const FinishParams params = finish_params(keywords, deflection, callback);
+  const FinishParams params = finish_params(keywords, deflection, fixtures, callback);
   Progress watch = progress_of(callback);
   const py::gil_scoped_release unlocked;
-  return finish_surface(mesh, params, deflection, watch);
+  return finish_surface(mesh, params, deflection, watch, fixtures);
+}
+
+py::array_t<double> earlier_for_python(const MeshNumbers& segments, const MeshNumbers& places,
+                                       double reach, int threads, const FinishCallback& callback) {
+  demand_columns(segments, kSegmentColumns, "Segments are rows of x, y and x, y.");
+  demand_columns(places, kPlaceColumns,
+                 "Places are rows of x, y, the way's x, y and the number of a segment.");
+  if (!(reach > 0)) throw std::invalid_argument("The reach must be positive.");
+  const auto s = segments.unchecked<2>();
+  const auto p = places.unchecked<2>();
+  std::vector<PlanSegment> cut;
+  for (py::ssize_t i = 0; i < s.shape(0); ++i)
+    cut.push_back({{s(i, 0), s(i, 1)}, {s(i, 2), s(i, 3)}});
+  std::vector<PlaceOnPath> wanted;
+  for (py::ssize_t i = 0; i < p.shape(0); ++i)
+    wanted.push_back({{p(i, 0), p(i, 1)}, {p(i, 2), p(i, 3)}, static_cast<std::size_t>(p(i, 4))});
+  Progress asked = progress_of(callback);
+  std::vector<EarlierBeside> found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = earlier_beside(cut, wanted, reach, threads, asked);
+  }
+  py::array_t<double> result({static_cast<py::ssize_t>(found.size()), py::ssize_t{2}});
+  double* into = result.mutable_data();
+  for (const EarlierBeside& each : found) {
+    *into++ = each.left;
+    *into++ = each.right;
+  }
+  return result;
+}
+
+// The places along a line at which a pass is sampled, s and z.
+py::array_t<double> samples_for_python(const FacetMesh& mesh, double tool_diameter,
+                                       double corner_radius, std::array<double, 2> from,
+                                       std::array<double, 2> to, double floor, double tolerance) {
+  const Vec2 start{from[0], from[1]}, way = Vec2{to[0], to[1]} - start;
+  if (!(norm(way) > 0 && tolerance > 0))
+    throw std::invalid_argument("A line to be sampled has a length, and a positive tolerance.");
+  const Ground ground{&mesh, {0.5 * tool_diameter, corner_radius}, 0, floor};
+  std::vector<DropSample> samples;
+  {
+    const py::gil_scoped_release unlocked;
+    samples = samples_along(ground, {start, normalized(way)}, 0, norm(way), tolerance);
+  }
+  py::array_t<double> result({static_cast<py::ssize_t>(samples.size()), py::ssize_t{2}});
+  double* into = result.mutable_data();
+  for (const DropSample& sample : samples) {
+    *into++ = sample.s;
+    *into++ = sample.z;
+  }
+  return result;
+}
+
+Toolpath refed_for_python(const Toolpath& path, const MeshNumbers& pieces, double plunge_feed) {
+  demand_columns(pieces, kPieceColumns, "Pieces are rows of a move, the share at its end, a feed.");
+  const auto p = pieces.unchecked<2>();
+  std::vector<FedPiece> wanted;
+  for (py::ssize_t i = 0; i < p.shape(0); ++i)
+    wanted.push_back({static_cast<std::size_t>(p(i, 0)), p(i, 1), p(i, 2)});
+  const py::gil_scoped_release unlocked;
+  return with_feeds(path, wanted, plunge_feed);
 }
 
 std::vector<std::array<double, 2>> lines_for_python(const std::vector<std::array<double, 2>>& curve,
@@ -171,8 +240,24 @@ void bind_finishing(py::module_& module) {
         "with `guides`, two lists of (x, y); angle in rad; cusp_height in mm, 0: constant "
         "stepover; boundary: tool contact or "
         "tool centre; allowance in mm; extension beyond the faces in mm; lead_radius in mm, 0: "
-        "straight down and up; cut_mode; arcs, False: lines only; "
+        "straight down and up; fixtures, a FacetMesh that the tool keeps off by fixture_clearance "
+        "in mm, "
+        "or None; cut_mode; arcs, False: lines only; "
         "threads; progress: callable(share) -> whether to go on.");
+  m.def("samples", &samples_for_python, py::arg("mesh"), py::arg("tool_diameter"),
+        py::arg("corner_radius"), py::arg("start"), py::arg("end"), py::arg("floor"),
+        py::arg("tolerance"),
+        "An array of mm along a line and of the tip's z: where a pass over it is sampled.");
+  m.def("earlier_beside", &earlier_for_python, py::arg("segments"), py::arg("places"),
+        py::arg("reach"), py::arg("threads") = 0, py::arg("progress") = py::none(),
+        "An array of mm in plan to where earlier segments have cut, to the left and to the right "
+        "of the feed, infinite where none has; segments: rows of x, y, x, y; places: rows of x, y, "
+        "the feed's way x, y, and the number of their segment.");
+  m.def(
+      "with_feeds", &refed_for_python, py::arg("toolpath"), py::arg("pieces"),
+      py::arg("plunge_feed"),
+      "The Toolpath at other feeds: rows of a move's number, the share of it at which a piece "
+      "ends, the piece's feed in mm/min, which downwards is no more than the plunge feed allows.");
   m.def("fewest_lines", &lines_for_python, py::arg("curve"), py::arg("below"), py::arg("above"),
         "The fewest lines along (s, z) that leave it by no more than below and above, in mm.");
 }

@@ -21,8 +21,8 @@ namespace {
 void check(const FinishParams& p, double deflection) {
   for (const double number :
        {p.cutter.radius, p.cutter.corner, p.angle, p.stepover, p.cusp_height, p.allowance,
-        p.extension, p.lead_radius, p.tolerance, p.floor, p.top, p.safe_height, p.clearance_height,
-        p.feed, p.plunge_feed, p.rapid_feed, deflection})
+        p.extension, p.lead_radius, p.fixture_clearance, p.tolerance, p.floor, p.top, p.safe_height,
+        p.clearance_height, p.feed, p.plunge_feed, p.rapid_feed, deflection})
     demand(std::isfinite(number), "A number for finishing is not finite.");
   demand(p.cutter.radius > 0, "The tool's radius must be positive.");
   demand(p.cutter.corner >= 0 && p.cutter.corner <= p.cutter.radius,
@@ -36,6 +36,7 @@ void check(const FinishParams& p, double deflection) {
          "The cusp height must be no more than the radius of the tool's ball or corner.");
   demand(p.allowance >= 0, "The allowance must not be negative.");
   demand(p.extension >= 0, "The extension must not be negative.");
+  demand(p.fixture_clearance >= 0, "The clearance of fixtures must not be negative.");
   demand(p.lead_radius >= 0, "The lead radius must not be negative.");
   demand(!is_between_guides(p.pattern) || p.guides.size() == 2,
          "Passes between guides need two of them.");
@@ -149,7 +150,7 @@ std::vector<PassPart> all_parts(const Ground& ground, const FinishParams& params
 }  // namespace
 
 Finish finish_surface(const FacetMesh& mesh, const FinishParams& params, double deflection,
-                      Progress& progress) {
+                      Progress& progress, const FacetMesh* fixtures) {
   check(params, deflection);
   std::optional<Extension> extension;
   if (params.extension > 0) extension.emplace(mesh, params.extension);
@@ -158,10 +159,15 @@ Finish finish_surface(const FacetMesh& mesh, const FinishParams& params, double 
                       params.allowance,
                       params.floor,
                       params.by_contact,
-                      extension ? &*extension : nullptr};
+                      extension ? &*extension : nullptr,
+                      fixtures,
+                      params.fixture_clearance};
   Finish result;
   try {
     std::vector<PassPart> parts = all_parts(ground, params, deflection, result, progress);
+    demand(!parts.empty() || !fixtures,
+           "The fixtures leave the tool none of the picked faces: move them, or lower "
+           "FixtureClearance.");
     demand(!parts.empty(),
            "The tool touches none of the picked faces: take a smaller one, or lower "
            "FinalDepth.");

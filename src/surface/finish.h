@@ -27,9 +27,10 @@ struct Finish {
 };
 
 // deflection: mm by which the triangles leave the part, of which only the distance of passes by
-// their cusps takes heed. Throws std::invalid_argument for parameters out of their ranges, and
+// their cusps takes heed. fixtures: what the tool keeps off besides, may be null; nothing of it may
+// stand above the safe height. Throws std::invalid_argument for parameters out of their ranges, and
 // where nothing is picked or the tool nowhere touches what is. A cancelled path is empty.
 Finish finish_surface(const FacetMesh& mesh, const FinishParams& params, double deflection,
-                      Progress& progress);
+                      Progress& progress, const FacetMesh* fixtures = nullptr);
 
 }  // namespace evenload

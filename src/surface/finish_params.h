@@ -54,9 +54,10 @@ struct FinishParams {
   double lead_radius = 0;  // mm, >= 0: of the upright arcs from and into the air
   // Two open lines in plan, mm, for passes between guides.
   std::vector<std::vector<Vec2>> guides;
-  double tolerance = 0.01;  // mm, > 0: of the path against the triangles, see finish.h
-  double floor = 0;         // mm: the tip never goes lower
-  double top = 0;           // mm: nothing stands higher, so rapids may come down to it
+  double fixture_clearance = 0;  // mm, >= 0: between the tool and fixtures
+  double tolerance = 0.01;       // mm, > 0: of the path against the triangles, see finish.h
+  double floor = 0;              // mm: the tip never goes lower
+  double top = 0;                // mm: nothing stands higher, so rapids may come down to it
   double safe_height = 0, clearance_height = 0;      // mm, of rapids
   double feed = 0, plunge_feed = 0, rapid_feed = 0;  // mm/min
   bool is_climb = true;

@@ -30,8 +30,8 @@ class Sampling {
            std::vector<DropSample>& samples) const {
     const DropSample first = at(0.5 * (a.s + middle.s), a);
     const DropSample second = at(0.5 * (middle.s + b.s), middle);
-    const bool matters =
-        a.is_at_work || first.is_at_work || middle.is_at_work || second.is_at_work || b.is_at_work;
+    const bool matters = does_matter(a) || does_matter(first) || does_matter(middle) ||
+                         does_matter(second) || does_matter(b);
     const double off =
         std::max({off_chord(a, b, first), off_chord(a, b, middle), off_chord(a, b, second)});
     if (!matters || off <= near_ || b.s - a.s <= shortest_) {
@@ -43,6 +43,10 @@ class Sampling {
   }
 
  private:
+  static bool does_matter(const DropSample& sample) {
+    return sample.is_at_work || sample.is_kept_off;
+  }
+
   const Ground& ground_;
   const PlanLine& line_;
   double near_, shortest_;
@@ -85,8 +89,15 @@ DropSample sample_at(const Ground& ground, const PlanLine& line, double s, std::
   const Vec2 at = line.at(s);
   const ToolContact contact = drop(*ground.mesh, ground.cutter.grown(ground.allowance), at,
                                    ground.floor - ground.allowance, beside);
-  const bool is_at_work = is_at_work_at(ground, at, contact);
-  return {s, contact.z + ground.allowance, is_at_work, contact.facet};
+  const double z = contact.z + ground.allowance;
+  if (ground.fixtures) {
+    const double clearance = ground.fixture_clearance;
+    const ToolContact over =
+        drop(*ground.fixtures, ground.cutter.grown(clearance), at, ground.floor - clearance);
+    if (over.touches && over.z + clearance > z)
+      return {s, over.z + clearance, false, true, contact.facet};
+  }
+  return {s, z, is_at_work_at(ground, at, contact), false, contact.facet};
 }
 
 double spacing_of(const Cutter& cutter, double tolerance) {

@@ -17,6 +17,10 @@ struct Ground {
   bool by_contact = true;
   // Where passes go on beyond the picked faces; `mesh` is its ground then.
   const Extension* extension = nullptr;
+  // What the tool keeps off besides, by a clearance, mm, all around; where that lifts it, it is not
+  // at work.
+  const FacetMesh* fixtures = nullptr;
+  double fixture_clearance = 0;
 };
 
 // A place on a line in plan.
@@ -24,6 +28,7 @@ struct DropSample {
   double s = 0;                    // mm along the line
   double z = 0;                    // mm, of the tip
   bool is_at_work = false;         // whether the tool is to cut here
+  bool is_kept_off = false;        // whether a fixture keeps it up
   std::uint32_t facet = kNoFacet;  // that it touches
 };
 
@@ -43,7 +48,8 @@ DropSample sample_at(const Ground& ground, const PlanLine& line, double s,
 // from the tool's true height as kChordShare of `tolerance` at the most, distances taken in the
 // upright plane of the line, an arc's unrolled. Where the height jumps, beside an upright wall, two
 // samples are nearer than kJumpShare of it. A bump that is missed between two stands out by
-// kBumpShare of it; places where the tool is not at work are sampled no finer than that takes.
+// kBumpShare of it; places where the tool is not at work, nor kept up by a fixture, are sampled no
+// finer than that takes.
 std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
                                       double end, double tolerance);
 // Chords that a sample in their middle shows to be this far off are halved; the four quarters of

@@ -11,7 +11,6 @@ namespace evenload {
 
 namespace {
 
-constexpr double kSecondsPerMinute = 60;
 constexpr double kNowhere = 1e-6;  // mm: no move is as short
 
 class PathMaker {

@@ -7,6 +7,8 @@
 
 namespace evenload {
 
+inline constexpr double kSecondsPerMinute = 60;  // feeds are in mm/min
+
 struct Waypoint : SpacePoint {
   // rad, counter-clockwise positive: by how much the piece that leads here from the corner before
   // turns, seen from above, at an even slope; 0: it is a line.

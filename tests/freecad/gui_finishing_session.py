@@ -50,6 +50,24 @@ def surface_by_button(page):
     return found
 
 
+def fixtures_by_button(doc, op, page):
+    """[names in the property, text of the button] with nothing selected, and with two objects."""
+    boxes = []
+    for name in ("Clamp", "Vice"):
+        boxes.append(doc.addObject("Part::Box", name))
+        boxes[-1].Placement.Base = FreeCAD.Vector(60, 60, 0)
+    doc.recompute()
+    for chosen in ([], boxes, boxes[:1]):
+        FreeCADGui.Selection.clearSelection()
+        for each in chosen:
+            FreeCADGui.Selection.addSelection(doc.Name, each.Name)
+        page.widgets["Fixtures"].click()
+        later(50)
+        clearance = page.widgets["FixtureClearance"].isEnabled()
+        yield [each.Name for each in op.Fixtures], page.widgets["Fixtures"].text(), clearance
+    FreeCADGui.Selection.clearSelection()
+
+
 def session():
     from evenload import host
 
@@ -95,6 +113,7 @@ def session():
     result["results"] = page.status.text()
     result["surface"] = surface_by_button(page)
     picture("finishing")
+    result["fixtures"] = list(fixtures_by_button(doc, op, page))
     resize_dock(page, NARROW)
     result["too_wide"] = too_wide(page)
     picture("narrow")

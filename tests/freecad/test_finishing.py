@@ -496,3 +496,141 @@ def test_arcs_lead_into_passes_and_follow_the_tool(bench):
     b.done(op)
     ways = [(s, e) for name, s, e in lines_of(op) if name == "G1"]
     assert all(abs(e.z - s.z) < 1e-6 for s, e in ways if (s.x, s.y) != (e.x, e.y))
+
+
+# ---- feeds by chip thickness ----
+
+
+def fed(bench, **properties):
+    """A Bench with a finishing operation on CV, four teeth at 5100 rev/min and 0.08 mm each."""
+    b, op = finish(bench, part(False), PassAngle=90, Stepover=1.0, **properties)
+    b.controller.Tool.Flutes = 4
+    b.controller.SpindleSpeed = 5100
+    b.set(b.controller, HorizFeed="1632 mm/min", VertFeed="6000 mm/min")
+    return b, op
+
+
+def feeds_of(op):
+    """mm/min, each once, of lines."""
+    return {round(60 * c.Parameters["F"], 3) for c in op.Path.Commands if c.Name == "G1"}
+
+
+def test_the_feed_follows_the_chips_up_to_its_maximum_and_report_tells_it(bench):
+    b, op = fed(bench)
+    b.done(op)
+    assert op.FeedControl == "Constant feed" and 60 * op.MaximumFeed.Value == pytest.approx(3264)
+    assert op.StockOnFaces.Value == pytest.approx(0.3) and "MaximumFeed" not in op.OwnValues
+    constant = [c.toGCode() for c in op.Path.Commands]
+    assert op.Report == KEPT_OFF and feeds_of(op) == {1632}
+    b.set(op, FeedControl="Constant chip thickness")
+    b.done(op)
+    assert min(feeds_of(op)) < 1500 and 1700 < max(feeds_of(op)) < 3264
+    told_feeds = re.match(r"Feeds of the cuts: (\d+) to (\d+) mm/min, for chips with", op.Report)
+    assert kind_of(op.Report.split("\n")[0]) == FACT
+    assert int(told_feeds[2]) == pytest.approx(max(feeds_of(op)), abs=1)
+    b.set(op, MaximumFeed="1700 mm/min")
+    b.done(op)
+    assert max(feeds_of(op)) <= 1700 + 1e-6
+    b.set(op, FeedControl="Constant feed")
+    b.done(op)
+    assert [c.toGCode() for c in op.Path.Commands] == constant
+
+
+@pytest.mark.parametrize(
+    "change, sentence",
+    [
+        ({"MaximumFeed": "1600 mm/min"}, "1600 mm/min: it must not be below"),
+        ({"StockOnFaces": 5.0}, "5 mm: it must lie between 0 and the ball's radius of 5 mm"),
+        ({"StockOnFaces": 0.0}, "0 mm: it must be positive"),
+    ],
+)
+def test_feed_control_refuses_what_it_cannot_hold(bench, change, sentence):
+    b, op = fed(bench, FeedControl="Constant chip thickness")
+    b.set(op, **change)
+    assert sentence in b.refused(op)
+
+
+def test_feed_control_needs_a_ball_and_a_spindle_speed(bench):
+    b, op = fed(bench, FeedControl="Constant chip thickness")
+    b.set(b.controller, SpindleSpeed=0)
+    assert "without a spindle speed there is no feed per tooth" in b.refused(op)
+    b.set(b.controller, SpindleSpeed=5100)
+    b.controller.Tool = host.create_tool("bullnose", {"Diameter": 10})
+    assert "has no ball end, and the chips that are known" in b.refused(op)
+    b.set(op, FeedControl="Constant feed")
+    b.done(op)
+
+
+def test_feed_control_is_the_same_after_saving_and_reopening(bench, tmp_path):
+    b, op = fed(bench, FeedControl="Constant chip thickness")
+    b.done(op)
+    before = [c.toGCode() for c in op.Path.Commands]
+    with reopened(b.doc, tmp_path / "fed.FCStd") as doc:
+        again = doc.getObject("Finish")
+        assert again.FeedControl == "Constant chip thickness"
+        again.touch()
+        doc.recompute()
+        assert [c.toGCode() for c in again.Path.Commands] == before
+
+
+def test_an_operation_from_before_there_was_a_feed_control_has_a_constant_feed(bench, tmp_path):
+    b, op = fed(bench)
+    for name in ("FeedControl", "MaximumFeed", "StockOnFaces"):
+        op.removeProperty(name)
+    with reopened(b.doc, tmp_path / "old.FCStd") as doc:
+        again = doc.getObject("Finish")
+        assert again.FeedControl == "Constant feed"
+        again.touch()
+        doc.recompute()
+        assert again.isValid() and again.Report == KEPT_OFF
+        assert 60 * again.MaximumFeed.Value == pytest.approx(3264)
+        assert again.StockOnFaces.Value == pytest.approx(0.3)
+
+
+def test_undo_brings_the_constant_feed_back(bench):
+    b, op = fed(bench)
+    b.done(op)
+    b.doc.UndoMode = 1
+    b.doc.openTransaction("control")
+    op.FeedControl = "Constant chip thickness"
+    op.MaximumFeed = "2000 mm/min"
+    b.doc.commitTransaction()
+    assert "MaximumFeed" in op.OwnValues
+    b.doc.undo()
+    assert op.FeedControl == "Constant feed" and "MaximumFeed" not in op.OwnValues
+    assert 60 * op.MaximumFeed.Value == pytest.approx(3264)
+
+
+def test_a_fed_path_can_be_stopped(bench):
+    b, op = fed(bench, FeedControl="Constant chip thickness")
+    asked = []
+
+    def progress(share):
+        asked.append(share)
+        return share < 0.61
+
+    op.Proxy.progress = progress
+    op.touch()
+    b.doc.recompute()
+    assert not op.isValid() and op.Report.startswith("Cancelled") and asked[-1] >= 0.61
+
+
+def test_a_job_file_takes_the_feed_control(tmp_path):
+    part(False).exportStep(str(tmp_path / "part.step"))
+    read = Part.read(str(tmp_path / "part.step"))
+    parameters = {"FeedControl": "Constant chip thickness", "MaximumFeed": 2500, "Stepover": 1.0}
+    job = {
+        "name": "trough",
+        "model": "part.step",
+        "base": list(upper(read)),
+        "tool": {"diameter": 10, "shape": "ballend", "flutes": 4},
+        "cutting": {"feed": 1632, "plunge_feed": 6000, "spindle_speed": 5100},
+        "operation": {"type": "finishing", "parameters": {**parameters, "StockOnFaces": 0.2}},
+        "output": {"gcode": "trough.ngc"},
+    }
+    (tmp_path / "jobs.json").write_text(json.dumps({"jobs": [job]}))
+    (done,) = batch.run_file(str(tmp_path / "jobs.json"), lambda line: None)["jobs"]
+    assert done["ok"], done["error"]
+    assert any(
+        note.startswith("Feeds of the cuts: ") for note in done["figures"]["report"].split("\n")
+    )

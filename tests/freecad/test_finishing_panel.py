@@ -46,5 +46,13 @@ def test_apply_computes_the_path_and_tells_its_time(session):
     )
 
 
+def test_a_button_takes_what_is_selected_as_fixtures(session):
+    assert session["fixtures"] == [
+        [[], "none", False],
+        [["Clamp", "Vice"], "Clamp, Vice", True],
+        [["Clamp"], "Clamp", True],
+    ]
+
+
 def test_walls_cannot_be_picked_edges_can(session):
     assert session["picked"] == session["wanted"]

@@ -37,6 +37,22 @@ def distance(points, is_convex):
     return found if is_convex else -found
 
 
+def bends_under(y, ball, is_convex):
+    """(normals, n x 3, curvature along y, 1/mm, > 0 convex, mm in plan to the next joint) of the
+    part where a ball of a radius over the ordinates y touches it.
+    """
+    sense = 1 if is_convex else -1
+    dome, fillet = DOME + sense * ball, FILLET - sense * ball  # of the ball's centres
+    joint, ends, aside = dome * math.sin(LEAN), HALF - FLAT, numpy.abs(y)
+    parts = [aside < joint, aside < ends]
+    curvature = numpy.select(parts, [sense / DOME, -sense / FILLET], 0.0)
+    sine = numpy.select(parts, [aside / dome, (ends - aside) / fillet], 0.0)
+    normals = numpy.column_stack(
+        [numpy.zeros(len(y)), sense * numpy.sign(y) * sine, numpy.sqrt(1 - sine**2)]
+    )
+    return normals, curvature, numpy.minimum(numpy.abs(aside - joint), numpy.abs(aside - ends))
+
+
 def section(deflection):
     """Ordinates of the section's points, chords between which leave it by `deflection` mm."""
 

@@ -23,7 +23,9 @@ ARROWS = {
     "face_inspection": {"host", "ground", "settings", "geometry", "inspection", "pictures"},
     "stability": {"host", "ground", "simulation", "dynamics", "pictures"},
     "suggestion": {"host", "ground", "simulation", "stability", "optimisation"},
-    "operations": {"host", "ground", "settings", "geometry", "simulation", "stability"},
+    "operations": {
+        *("host", "ground", "settings", "geometry", "simulation", "stability", "ball_end"),
+    },
     "advisor": {
         *("host", "ground", "settings", "geometry", "operations", "ball_end", "face_inspection"),
     },
@@ -79,7 +81,8 @@ LATE = {
 WITHOUT_FREECAD = {
     *(
         "dynamics",
-        *("ball_end.__init__", "ball_end.chips", "ball_end.loads", "ball_end.places"),
+        *("ball_end.__init__", "ball_end.chip_feeds", "ball_end.chips", "ball_end.loads"),
+        *("ball_end.places", "ball_end.relief", "ball_end.thickness"),
         *("ball_end.regressions", "ball_end.sections", "ball_end.source", "ball_end.surfaces"),
         "inspection",
         "pictures.figure",

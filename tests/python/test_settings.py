@@ -167,6 +167,7 @@ def test_what_follows_the_tool_follows_from_diameter_and_feeds():
         "MinimumRadius": pytest.approx(0.9),
         "Stepover": pytest.approx(0.3),
         "LeadRadius": pytest.approx(0.6),
+        "StockOnFaces": pytest.approx(0.18),
     }
 
 

@@ -11,14 +11,15 @@ from evenload import face_inspection, host, machines, materials
 from evenload import tool as tools
 from evenload.ball_end.loads import Cutting
 from evenload.geometry import facets
-from evenload.operations import compute, finishing
+from evenload.operations import chip_control, compute, finishing
 from evenload.operations.seen import Seen, settings_of
-from evenload.settings.setting import CHOICE, LENGTH
+from evenload.settings.setting import CHOICE, LENGTH, SPEED
 from evenload.settings.table import FINISHING
 
 STOCK = 0.3  # mm that stand above the surface: the source's allowance [Varga 2023, table 3]
 STEPOVER, CUSP_HEIGHT = "Stepover", "CuspHeight"
 SAME = 1e-9  # mm
+SECONDS_PER_MINUTE = 60.0
 
 
 @dataclass(frozen=True)
@@ -67,6 +68,7 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
         found = _defaults(job, controller)
     _set(found, settings, tool.diameter / 2)
     finishing.check(found, tool)
+    chip_control.check(found, tool, data)
     base = finishing.faces_of(finishing.of_models(job, faces))
     models = facets.read(base, job.Model.Group)
     picked = face_inspection.picked(base)
@@ -115,7 +117,7 @@ def _set(found, settings, radius):
             raise ValueError(
                 "The finishing operation has no '%s': it has %s." % (name, ", ".join(rows))
             )
-        setattr(found, name, _length(value) if rows[name].type == LENGTH else value)
+        setattr(found, name, _as_property(rows[name], value))
     if STEPOVER in settings and CUSP_HEIGHT not in settings:
         stepover = min(found.Stepover.Value, 2 * radius)
         found.CuspHeight = _length(finishing.cusp_height_of(stepover, radius))
@@ -143,6 +145,13 @@ def _defaults(job, controller):
     found.SafeHeight = _length(top + sheet.SafeHeightOffset.Value)
     found.ClearanceHeight = _length(top + sheet.ClearanceHeightOffset.Value)
     return found
+
+
+def _as_property(row, value):
+    """A value in mm or mm/min as FreeCAD has it of an operation."""
+    if row.type == LENGTH:
+        return _length(value)
+    return value / SECONDS_PER_MINUTE if row.type == SPEED else value
 
 
 def _length(value):

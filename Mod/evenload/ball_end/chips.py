@@ -140,7 +140,7 @@ def chips(
         raise ValueError("A patch is one place: its position is 0.")
     rows = numpy.stack([column.ravel() for column in columns], axis=-1)
     found = core().chips(
-        [in_core(each) for each in surfaces], STEPS.index(steps), rows, threads, _asked
+        [in_core(each) for each in surfaces], STEPS.index(steps), rows, threads, waiting.answer
     )
     volume, tool_face, previous_face, thickness, start, end, tip = (
         column.reshape(shape) for column in found.T
@@ -154,11 +154,6 @@ def chips(
         tip_share=tip,
         tool_diameter=2 * columns[2],
     )
-
-
-def _asked(share):
-    waiting.go_on(share)
-    return True
 
 
 def _numbered(surface):

@@ -96,7 +96,7 @@ def loads_at(places, bends, cutting):
             *(directions[rows], 0, [uncut[row] for row in rows], "centre"),
         )
 
-    parts = list(_possible(chips_of, numpy.arange(len(surfaces)), refusals))
+    parts = list(possible(chips_of, numpy.arange(len(surfaces)), refusals))
     if not parts:
         raise ValueError(refusals[0])
     rows = numpy.concatenate([part for part, _ in parts])
@@ -189,7 +189,7 @@ def _patches(bends):
     return [("patch", *row) for row in numpy.column_stack(columns).tolist()]
 
 
-def _possible(chips_of, rows, refusals):
+def possible(chips_of, rows, refusals):
     """(rows, their Chip) of places that have chips; sentences of the others go into refusals."""
     try:
         found = chips_of(rows)
@@ -198,7 +198,7 @@ def _possible(chips_of, rows, refusals):
             refusals.append(str(error))
             return
         for half in numpy.array_split(rows, 2):
-            yield from _possible(chips_of, half, refusals)
+            yield from possible(chips_of, half, refusals)
     else:
         yield rows, found
 

@@ -4,13 +4,11 @@ from dataclasses import dataclass
 
 import numpy
 
+from evenload import compiled
 from evenload.planar import CUT, as_lines
 
 REACH = 1.5  # of the largest stepover: a pass further away is no neighbour
-OWN = 0.02  # of the reach: nearer than this it is the same pass
-AROUND = numpy.array([(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1)])  # cells
 GOLDEN = (5**0.5 - 1) / 2  # whose multiples are even within 1, however many they are
-CELLS = 1 << 32  # more than there are in a row
 
 
 @dataclass(frozen=True)
@@ -69,67 +67,16 @@ def places_along(moves, count, stepover):
     own = numpy.minimum(numpy.searchsorted(until, along, side="right"), len(until) - 1)
     ways = (ends - starts)[own] / lengths[own, None]
     tips = starts[own] + (along - until[own] + lengths[own])[:, None] * ways
-    left, right = _earlier(tips[:, :2], ways[:, :2], own, starts[:, :2], ends[:, :2], stepover)
+    left, right = earlier_beside(
+        starts[:, :2], ends[:, :2], tips[:, :2], ways[:, :2], own, stepover
+    )
     return Places(tips, ways, rows[1:, 7][is_cut][own], left, right, float(until[-1]))
 
 
-def _earlier(tips, ways, own, starts, ends, stepover):
-    """(left, right) of Places: where the line across the feed meets earlier segments in plan."""
-    reach = REACH * stepover
-    near = _Near(tips, starts, ends, reach)
-    found = numpy.full((2, len(tips)), numpy.inf)
-    for row in numpy.flatnonzero(numpy.hypot(*ways.T) > 0):
-        segments = near.segments(row)
-        segments = segments[segments < own[row]]
-        x, y = ways[row] / numpy.hypot(*ways[row])
-        turned = numpy.array([[x, -y], [y, x]])  # its columns: along the feed, to its left
-        found[:, row] = _crossed(
-            (starts[segments] - tips[row]) @ turned, (ends[segments] - tips[row]) @ turned, reach
-        )
-    return found
-
-
-def _crossed(starts, ends, reach):
-    """[to the left, to the right] where segments cross the line across the feed, nearest to it."""
-    crosses = (starts[:, 0] <= 0) != (ends[:, 0] <= 0)
-    (u0, v0), (u1, v1) = starts[crosses].T, ends[crosses].T
-    across = v0 - u0 * (v1 - v0) / (u1 - u0)
-    return [
-        side[(side > OWN * reach) & (side < reach)].min(initial=numpy.inf)
-        for side in (across, -across)
-    ]
-
-
-class _Near:
-    """Which segments come near to which tips: by points on them, in square cells."""
-
-    def __init__(self, tips, starts, ends, reach):
-        # Half of what points on a segment are apart, and the reach itself.
-        self._size = 1.5 * reach
-        self._cells = numpy.floor(tips / self._size).astype(numpy.int64)
-        wanted = numpy.unique([_key(self._cells + around) for around in AROUND])
-        counts = numpy.ceil(numpy.hypot(*(ends - starts).T) / reach).astype(int)
-        counts = numpy.maximum(counts, 1)
-        segments = numpy.repeat(numpy.arange(len(starts)), counts)
-        number = numpy.arange(len(segments)) - numpy.repeat(numpy.cumsum(counts) - counts, counts)
-        share = ((number + 0.5) / counts[segments])[:, None]
-        points = starts[segments] + share * (ends - starts)[segments]
-        keys = _key(numpy.floor(points / self._size).astype(numpy.int64))
-        is_near = numpy.isin(keys, wanted)
-        order = numpy.argsort(keys[is_near], kind="stable")
-        self._keys, self._segments = keys[is_near][order], segments[is_near][order]
-
-    def segments(self, row):
-        """Numbers of the segments near a tip, each once."""
-        keys = [_key(self._cells[row] + around) for around in AROUND]
-        lows, highs = (
-            numpy.searchsorted(self._keys, keys, side=side) for side in ("left", "right")
-        )
-        return numpy.unique(
-            numpy.concatenate([self._segments[low:high] for low, high in zip(lows, highs)])
-        )
-
-
-def _key(cells):
-    """One number for the two of each cell."""
-    return cells[..., 0] * CELLS + cells[..., 1]
+def earlier_beside(starts, ends, tips, ways, own, stepover):
+    """(left, right) of Places: mm in plan to where the line across the feed meets segments, whose
+    starts and ends are n x 2, before each place's own, no further off than REACH of the stepover.
+    """
+    segments = numpy.hstack([starts, ends])
+    wanted = numpy.column_stack([tips, ways, own])
+    return compiled.core().surface.earlier_beside(segments, wanted, REACH * stepover).T

@@ -105,6 +105,29 @@ def of(base, models, tolerance):
     return of_triangles(read(base, models).triangles(tolerance))
 
 
+def fixtures(objects, models, tolerance):
+    """(the core's FacetMesh, mm by which it leaves them, mm of their top) of document objects that
+    a tool keeps off; nearer than the tolerance in mm. Raises ValueError with a sentence.
+    """
+    found = []
+    for obj in objects:
+        if obj in models:
+            raise ValueError(
+                "'%s' is a model of the job, which the tool keeps off anyway: take it out of "
+                "Fixtures." % obj.Label
+            )
+        shape = placed(obj)
+        if shape is None or not shape.Faces:
+            raise ValueError(
+                "'%s' has no faces that the tool could keep off: take it out of Fixtures."
+                % obj.Label
+            )
+        text = shape.exportBrepToString()
+        found.append(Model(obj.Label, text, is_round(shape), bool(shape.Solids), ()))
+    read = Models(tuple(found)).triangles(tolerance)
+    return of_triangles(read).mesh, read.deflection, read.highest
+
+
 def of_triangles(found):
     """The Facets of Triangles."""
     mesh = compiled.core().surface.FacetMesh(found.points, found.numbers, found.picked)

@@ -4,12 +4,14 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtGui
 
+from evenload.gui.slots import slot
 from evenload.settings.setting import (
     ANGLE,
     BOOL,
     CHOICE,
     INTEGER,
     LENGTH,
+    LINKS,
     NUMBER,
     NUMBERS,
     POINT,
@@ -57,6 +59,8 @@ def widget_of(setting):
         if setting.unset:
             widget.setPlaceholderText(FreeCAD.Qt.translate("EvenLoad", setting.unset))
         return widget
+    if setting.type == LINKS:
+        return TakenObjects()
     if setting.is_fine:
         return FineBox()
     if setting.type == INTEGER:
@@ -137,6 +141,8 @@ def value_of(widget, point=None):
         return tuple(float(box.property("rawValue")) for box in point)
     if isinstance(widget, QtGui.QComboBox):
         return widget.itemData(widget.currentIndex())
+    if isinstance(widget, TakenObjects):
+        return widget.objects
     if isinstance(widget, FineBox):
         return widget.mm()
     if isinstance(widget, QtGui.QAbstractSpinBox):
@@ -156,6 +162,8 @@ def show(widget, value, point=None):
     blocked = widget.blockSignals(True)
     if isinstance(widget, QtGui.QComboBox):
         widget.setCurrentIndex(widget.findData(value))
+    elif isinstance(widget, TakenObjects):
+        widget.set_objects(value)
     elif isinstance(widget, FineBox):
         widget.set_mm(value.Value)
     elif isinstance(widget, QtGui.QAbstractSpinBox):
@@ -217,6 +225,27 @@ class FineBox(QtGui.QDoubleSpinBox):
 
     def mm(self):
         return self.value() * self._factor
+
+
+class TakenObjects(QtGui.QPushButton):
+    """A button that takes the objects which are selected when it is pressed, and lists them."""
+
+    def __init__(self):
+        super().__init__()
+        self.setMinimumWidth(NARROWEST)
+        self.setSizePolicy(QtGui.QSizePolicy.Ignored, QtGui.QSizePolicy.Fixed)
+        self.set_objects([])
+        self.clicked.connect(slot(self._take))
+
+    def set_objects(self, objects):
+        self.objects = list(objects)
+        names = ", ".join(each.Label for each in self.objects)
+        # In a text of a button an ampersand marks a key.
+        self.setText(names.replace("&", "&&") or FreeCAD.Qt.translate("EvenLoad", "none"))
+
+    def _take(self):
+        found = [each.Object for each in FreeCADGui.Selection.getSelectionEx()]
+        self.set_objects(list(dict.fromkeys(found)))
 
 
 def differs(before, value):

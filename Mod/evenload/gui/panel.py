@@ -102,6 +102,8 @@ class OperationPage(PreviewPage):
                     box.editingFinished.connect(take)
             elif isinstance(widget, QtGui.QComboBox):
                 widget.activated.connect(take)
+            elif isinstance(widget, fields.TakenObjects):
+                widget.clicked.connect(take)
             else:
                 widget.toggled.connect(take)
 

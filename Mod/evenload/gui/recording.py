@@ -35,7 +35,7 @@ def lines_of(obj):
     yield _set("ToolController", _object(obj.ToolController))
     yield _set("Base", _base(obj.Base))
     for row in obj.Proxy.settings:
-        if row.type != LINKS and not _follows(obj, row):
+        if not _follows(obj, row):
             yield _set(row.name, _value(obj, row))
     bound = dict(obj.ExpressionEngine)
     for name in DEPTHS:
@@ -70,6 +70,8 @@ def _base(base):
 
 def _value(obj, row):
     value = row.of(obj)
+    if row.type == LINKS:
+        return "[%s]" % ", ".join(map(_object, value))
     if row.type == SPEED:
         return repr("%.12g mm/min" % value)
     if row.type == POINT:

@@ -23,7 +23,7 @@ class Gate:
 
 class SurfaceGate:
     """What can be selected while a panel for surfaces is open: faces that do not stand upright,
-    and edges and sketches as guides.
+    edges and sketches as guides, and whole objects with faces as fixtures.
     """
 
     def allow(self, doc, obj, sub):
@@ -32,6 +32,8 @@ class SurfaceGate:
             return False
         if is_outline(obj) or sub.startswith("Edge"):
             return True
+        if not sub:
+            return bool(shape.Faces)
         return sub.startswith("Face") and not _is_wall(shape.getElement(sub))
 
 

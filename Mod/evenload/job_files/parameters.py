@@ -6,7 +6,7 @@ import FreeCAD
 
 from evenload import host
 from evenload.job_files.keys import NUMBER
-from evenload.settings.setting import BOOL, CHOICE, POINT, SPEED
+from evenload.settings.setting import BOOL, CHOICE, LINKS, POINT, SPEED
 
 # FreeCAD's own properties of an operation that a job file may set.
 HOST_PARAMETERS = (
@@ -21,8 +21,8 @@ HOST_PARAMETERS = (
 
 
 def set_all(op, parameters, number):
-    """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points or
-    courses.
+    """Numbers are mm, degrees and mm/min, texts are quantities with a unit, lists are points,
+    courses or names of objects.
     """
     known = [s.name for s in op.Proxy.settings] + list(HOST_PARAMETERS)
     for name, value in parameters.items():
@@ -48,6 +48,14 @@ def set_all(op, parameters, number):
             ) from None
 
 
+def _named(doc, name):
+    """The object of a name or a label."""
+    found = [each for each in doc.Objects if name in (each.Name, each.Label)]
+    if not found:
+        raise ValueError("there is no object '%s'" % name)
+    return found[0]
+
+
 def _set_one(op, name, kind, value):
     """Sets a property; raises where FreeCAD refuses the value, or would take another for it."""
     if kind == BOOL and not isinstance(value, bool):
@@ -58,6 +66,8 @@ def _set_one(op, name, kind, value):
         raise ValueError("it must be a choice")
     if kind == POINT and isinstance(value, list):
         value = FreeCAD.Vector(*value)
+    if kind == LINKS:
+        value = [_named(op.Document, each) for each in value]
     setattr(op, name, value)
     taken = getattr(op, name)
     if isinstance(value, str) and hasattr(taken, "Value"):

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from evenload import compiled, host
 from evenload import tool as tools
 from evenload.geometry import facets, guides
-from evenload.operations import base, checks, compute, job_model, registry
+from evenload.operations import base, checks, chip_control, compute, job_model, registry
 from evenload.operations.following import assign
 from evenload.operations.refusal import Cancelled
 from evenload.operations.seen import settings_of
@@ -17,6 +17,9 @@ from evenload.settings.table import BETWEEN_GUIDES, EVEN_CUSPS, FINISHING
 from evenload.waiting import Stopped
 
 NAME = "EvenLoad Finishing"
+COARSEST = (
+    0.05  # mm by which triangles leave fixtures, for which the tool stays as much further off
+)
 
 
 @dataclass
@@ -34,11 +37,15 @@ class Task:
         """The Computation. watch: callable(share) -> whether to go on, or None. Raises ValueError
         with a sentence for what cannot be done, Cancelled where it was stopped.
         """
-        finish = compiled.core().surface.finish(self.facets.mesh, **self.arguments, progress=watch)
+        mesh, asked = self.facets.mesh, chip_control.path_watch(self.settings, watch)
+        finish = compiled.core().surface.finish(mesh, **self.arguments, progress=asked)
         if finish.toolpath.report.termination == "cancelled":
             raise Cancelled(0.0)
-        notes = self.notes + _notes(self.settings, self.tool, finish.toolpath) + [KEPT_OFF]
-        return Computation(self.facets, finish.toolpath, finish, self.tool, self.data, notes)
+        toolpath, said = chip_control.fed(
+            finish, mesh, self.settings, self.tool, self.data, self.arguments, watch
+        )
+        notes = self.notes + _notes(self.settings, self.tool, toolpath) + said + [KEPT_OFF]
+        return Computation(self.facets, toolpath, finish, self.tool, self.data, notes)
 
     def is_same(self, other):
         """Whether another task makes the same path: it must be of the same triangles, which are
@@ -121,6 +128,7 @@ class Finishing(base.Operation):
 
     def check_settings(self, obj, tool, data):
         check(obj, tool)
+        chip_control.check(obj, tool, data)
 
     # ---- running ----
 
@@ -163,7 +171,7 @@ class Finishing(base.Operation):
             settings_of(obj, self.settings),
             tool,
             data,
-            {**arguments_of(obj, tool, data, found), **lines},
+            {**arguments_of(obj, tool, data, found), **lines, **_fixtures(obj, job)},
             compute.spindle_notes(obj, data),
         )
 
@@ -237,6 +245,25 @@ def check(obj, tool):
             "CuspHeight is %g mm: it must lie between 0 and the %g mm of the tool's radius at its "
             "end." % (obj.CuspHeight.Value, corner)
         )
+
+
+def _fixtures(obj, job):
+    """{keyword: value} of the core's finish(), of what the tool keeps off besides the models."""
+    if not obj.Fixtures:
+        return {}
+    try:
+        mesh, deflection, top = facets.fixtures(
+            obj.Fixtures, job.Model.Group, max(obj.Tolerance.Value, COARSEST)
+        )
+    except Stopped:
+        raise Cancelled(0.0) from None
+    clearance = obj.FixtureClearance.Value + deflection
+    if obj.SafeHeight.Value < top + clearance:
+        raise ValueError(
+            "SafeHeight (%g mm) lies below the top of the fixtures and their clearance (%g mm): "
+            "raise it." % (obj.SafeHeight.Value, round(top + clearance, 3))
+        )
+    return {"fixtures": mesh, "fixture_clearance": clearance}
 
 
 def _check_heights(obj, found):

@@ -24,7 +24,7 @@ _WISHES = (
     "Entry is a helix, not a ramp",
     "SlotWidth was not used",
 )
-_FACTS = (CHECKED, KEPT_OFF, "The spindle of ")
+_FACTS = (CHECKED, KEPT_OFF, "The spindle of ", "Feeds of the cuts: ")
 _DEPTH_OF = re.compile(r": cut down to -?[0-9.e+-]+ mm\.$")
 _STANDING = re.compile(r"^The spindle of .* does not turn")
 

@@ -6,6 +6,7 @@ from evenload.settings.setting import (
     CHOICE,
     INTEGER,
     LENGTH,
+    LINKS,
     NOT_NEGATIVE,
     NUMBER,
     NUMBERS,
@@ -13,6 +14,7 @@ from evenload.settings.setting import (
     POSITIVE,
     Setting,
 )
+from evenload.settings.shared import CONSTANT_CHIP
 
 # For operations that can work on what others left.
 REST_MACHINING = Setting(
@@ -321,6 +323,29 @@ OF_FINISHING = (
         page="what stays on the whole part, across its surface",
     ),
     Setting(
+        "Fixtures",
+        LINKS,
+        [],
+        "Clamps, vices and other objects that the tool keeps off, as from above: what lies below "
+        "them is not cut. The button takes what is selected",
+        label="Fixtures",
+        box="Passes",
+        default="none",
+        page="clamps, vices and other objects with a shape that the tool keeps off, as from above: "
+        "what lies below them is not cut; in job files a list of their names",
+    ),
+    Setting(
+        "FixtureClearance",
+        LENGTH,
+        1.0,
+        "How far the tool stays off the fixtures, all around",
+        label="Fixture clearance",
+        box="Passes",
+        range=NOT_NEGATIVE,
+        needs="Fixtures",
+        page="how far the tool stays off the fixtures, all around, links and ways over them too",
+    ),
+    Setting(
         "LeadRadius",
         LENGTH,
         None,
@@ -336,5 +361,20 @@ OF_FINISHING = (
         page="of the upright arcs by which the tool comes into a pass from the air and leaves one, "
         "tangentially; down to an eighth of it, or none, where the part is in the way; 0: straight "
         "down and up",
+    ),
+    Setting(
+        "StockOnFaces",
+        LENGTH,
+        None,
+        "What the cut before has left above the surface that is made, across it: the feed "
+        "control's chips are of that; at first 0.03 of the tool's diameter",
+        label="Stock on the faces",
+        box="Feeds",
+        range=POSITIVE,
+        follows=lambda diameter, feed, rapid: 0.03 * diameter,
+        when=("FeedControl", [CONSTANT_CHIP]),
+        default="0.03 × tool",
+        page="what the cut before has left above the surface that is made, across it; only "
+        "Constant chip thickness asks for it",
     ),
 )

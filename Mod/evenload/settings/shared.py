@@ -18,7 +18,8 @@ from evenload.settings.setting import (
 
 HOLE_ENTRIES = ("Automatic", "Predrilled hole")  # choices of Entry that use a set hole
 CONSTANT_FEED, CONSTANT_FORCE = "Constant feed", "Constant force"
-FEED_CONTROLS = [CONSTANT_FEED, "Constant removal rate", "Constant chip thickness", CONSTANT_FORCE]
+CONSTANT_CHIP = "Constant chip thickness"
+FEED_CONTROLS = [CONSTANT_FEED, "Constant removal rate", CONSTANT_CHIP, CONSTANT_FORCE]
 
 SETTINGS = (
     Setting(

@@ -19,12 +19,19 @@ from evenload.settings.own import (
     SPIRALS,
     REST_MACHINING,
 )
-from evenload.settings.shared import CONSTANT_FORCE, HOLE_ENTRIES, SETTINGS
+from evenload.settings.shared import (
+    CONSTANT_CHIP,
+    CONSTANT_FEED,
+    CONSTANT_FORCE,
+    HOLE_ENTRIES,
+    SETTINGS,
+)
 
 __all__ = [
     "ALL",
     "BETWEEN_GUIDES",
     "BOXES",
+    "CONSTANT_CHIP",
     "CONSTANT_FORCE",
     "EVEN_CUSPS",
     "FINISHING",
@@ -47,12 +54,25 @@ ALL = (*SETTINGS, *OF_ADAPTIVE, *OF_TROCHOID, *OF_LAME_SPIRAL, *OF_FINISHING)
 (TOLERANCE,) = (row for row in SETTINGS if row.name == "Tolerance")
 BOXES = ("Slot", "Spiral", "Passes", "Cut", "Feeds", "Entry", "Path")  # of the panels, from the top
 
-(_CUT_MODE,) = (row for row in SETTINGS if row.name == "CutMode")
-(_ARCS,) = (row for row in SETTINGS if row.name == "Arcs")
+_NAMED = {row.name: row for row in (*SETTINGS, *OF_FINISHING)}
+_STOCK = _NAMED["StockOnFaces"]  # stands below the feed control, which asks for it
 # All settings of the operation that finishes surfaces.
 FINISHING = (
-    *OF_FINISHING,
-    _CUT_MODE,
+    *(row for row in OF_FINISHING if row is not _STOCK),
+    _NAMED["CutMode"],
+    # The core's path knows one feed: what follows chips is found for it afterwards.
+    replace(
+        _NAMED["FeedControl"],
+        value=[CONSTANT_FEED, CONSTANT_CHIP],
+        doc="What stays the same along the cuts: the feed, or the mean thickness of a ball's chips",
+        keyword=None,
+        is_first=False,
+        page="or Constant chip thickness: each cut at the feed at which a ball's chip has the mean "
+        "thickness that it has on a plane, [as far as MaximumFeed allows]"
+        "(finishing.md#7-feeds-by-chip-thickness)",
+    ),
+    _NAMED["MaximumFeed"],
+    _STOCK,
     replace(
         TOLERANCE,
         doc="Largest distance of the path from the exact one, the surface's triangles included; "
@@ -61,7 +81,7 @@ FINISHING = (
         "surface included; into the part it goes by a third of it at the most, by a fifth where no "
         "face is round in two directions",
     ),
-    replace(_ARCS, page="no: lines only, also along contours and spirals"),
+    replace(_NAMED["Arcs"], page="no: lines only, also along contours and spirals"),
 )
 
 
