@@ -24,6 +24,24 @@ int tenths_of(double number) {
              : -1;
 }
 
+// LinuxCNC's G76 is a thread, whose depths are I, J and K; elsewhere it bores a hole.
+bool cuts_a_thread(const GCodeLine& line) {
+  return line.has('I') && line.has('J') && line.has('K');
+}
+
+void exclude(const GCodeLine& line, std::uint32_t& groups, int group, const GCodeWord& word,
+             bool exclusive) {
+  if (!exclusive) return;
+  if (groups & (1U << group))
+    line.fail(text_of(word.text) +
+              " and another code of its kind exclude each other: put them on two lines.");
+  groups |= 1U << group;
+}
+
+void add_unknown(GCodeLineCodes& codes, const GCodeWord& word) {
+  codes.unknown += (codes.unknown.empty() ? "" : " ") + text_of(word.text);
+}
+
 class Interpreter {
  public:
   explicit Interpreter(const GCodeOptions& options)
@@ -114,24 +132,6 @@ class Interpreter {
       }
     }
     return codes;
-  }
-
-  // LinuxCNC's G76 is a thread, whose depths are I, J and K; elsewhere it bores a hole.
-  static bool cuts_a_thread(const GCodeLine& line) {
-    return line.has('I') && line.has('J') && line.has('K');
-  }
-
-  static void exclude(const GCodeLine& line, std::uint32_t& groups, int group,
-                      const GCodeWord& word, bool exclusive) {
-    if (!exclusive) return;
-    if (groups & (1U << group))
-      line.fail(text_of(word.text) +
-                " and another code of its kind exclude each other: put them on two lines.");
-    groups |= 1U << group;
-  }
-
-  static void add_unknown(GCodeLineCodes& codes, const GCodeWord& word) {
-    codes.unknown += (codes.unknown.empty() ? "" : " ") + text_of(word.text);
   }
 
   void apply_g(GCodeLine& line, GCodeLineCodes& codes, int tenths, GGroup group,
