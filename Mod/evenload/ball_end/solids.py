@@ -146,7 +146,7 @@ def _measured(solid, surfaces):
         areas[left.kind] += face.Area
     for kind, area in areas.items():
         # Between two passes the stock's surface may be gone.
-        may_be_gone = kind == "stock" and len(surfaces) > 4
+        may_be_gone = kind == "stock" and sum(each.kind == "pass" for each in surfaces) > 1
         if area == 0 and not may_be_gone:
             raise Flagged("It has no face of the %s." % kind)
     volume = solid.Volume

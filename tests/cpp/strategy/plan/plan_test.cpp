@@ -86,6 +86,7 @@ TEST_F(PlanTest, LinksOverClearGroundAloneAndClearsNothingByThem) {
 
 TEST_F(PlanTest, GoesBackToAMark) {
   begin();
+  plan.tell({FindingCode::kHelixForRamp});
   const Plan::Mark mark = plan.mark();
   plan.add(MoveKind::kCut, line({40, 20}, {40, 30}));
   plan.plunge({{20, 20}, 0}, true);
@@ -96,6 +97,7 @@ TEST_F(PlanTest, GoesBackToAMark) {
   ASSERT_EQ(later.runs.front().moves.size(), 1u);
   EXPECT_EQ(later.runs.front().moves.front().segment.b, (Vec2{40, 30}));
   EXPECT_EQ(later.passes, 1);
+  EXPECT_TRUE(later.findings.empty());
 
   plan.roll_back(mark);
   EXPECT_EQ(plan.runs().size(), 1u);
@@ -109,6 +111,7 @@ TEST_F(PlanTest, GoesBackToAMark) {
   plan.go_on_by(later);
   EXPECT_EQ(plan.runs().size(), 2u);
   EXPECT_EQ(plan.made().passes, 2);
+  EXPECT_EQ(plan.made().findings.size(), 1u);
   EXPECT_EQ(plan.here().p, (Vec2{20, 30}));
   EXPECT_TRUE(plan.ground().is_clear({40, 30}));
 }
@@ -141,6 +144,48 @@ TEST_F(PlanTest, TakesWhatOthersMade) {
   EXPECT_EQ(plan.ground().size(), moves);  // nothing twice
   EXPECT_EQ(plan.here().p, (Vec2{20, 30}));
   EXPECT_EQ(plan.made().findings.size(), 1u);
+}
+
+// Path, ground and place are in step, wherever the job is cancelled.
+TEST_F(PlanTest, IsSoundWhereItIsCancelled) {
+  Progress impatient([](double) { return false; });
+  Plan cancelled(task, params, impatient);
+  cancelled.plunge({{5, 5}, 0}, false);
+  std::vector<Segment> moves;
+  for (int i = 0; i < 1000; ++i)
+    moves.push_back(Segment::line({5 + 0.02 * i, 5}, {5.02 + 0.02 * i, 5}));
+  EXPECT_THROW(cancelled.add(MoveKind::kCut, moves), Cancelled);
+  const std::vector<PlanarMove>& made = cancelled.runs().back().moves;
+  ASSERT_LT(made.size(), moves.size());
+  EXPECT_EQ(made.size(), cancelled.ground().size());
+  EXPECT_EQ(cancelled.here().p, made.empty() ? (Vec2{5, 5}) : made.back().segment.b);
+}
+
+TEST_F(PlanTest, KeepsWhatOthersMadeWhereItIsCancelled) {
+  RegionResult room;
+  room.runs.push_back({{DescentKind::kPlunge, {5, 5}, {}, 0, {}, false}, {}, true});
+  for (int i = 0; i < 1000; ++i)
+    room.runs.back().moves.push_back(
+        {MoveKind::kCut, Segment::line({5 + 0.02 * i, 5}, {5.02 + 0.02 * i, 5}), 0});
+  room.passes = 3;
+  Progress impatient([](double) { return false; });
+  Plan appended(task, params, impatient), adopted(task, params, impatient);
+  EXPECT_THROW(appended.append(room), Cancelled);
+  EXPECT_THROW(adopted.adopt(room), Cancelled);
+  for (const Plan* each : {&appended, &adopted}) {
+    EXPECT_EQ(each->runs().back().moves.size(), 1000u);
+    EXPECT_EQ(each->made().passes, 3);
+    EXPECT_NEAR(distance(each->here().p, {25, 5}), 0, 1e-9);
+  }
+}
+
+TEST_F(PlanTest, CountsLinksThatFollowEachOtherOnce) {
+  begin();
+  plan.add(MoveKind::kLink, line({40, 20}, {30, 20}));
+  plan.add(MoveKind::kLink, line({30, 20}, {25, 20}));
+  plan.add(MoveKind::kCut, line({25, 20}, {25, 30}));
+  plan.add(MoveKind::kLink, line({25, 30}, {25, 25}));
+  EXPECT_EQ(plan.made().links, 2);
 }
 
 TEST_F(PlanTest, CountsARegionsTightTurnsOnce) {

@@ -88,6 +88,27 @@ TEST(PocketTest, IsEnteredOverTheOpenSideThatIsWished) {
     }
 }
 
+// The ground of a hole that was drilled before is clear, wherever the tool comes in.
+TEST(PocketTest, IsClearedOverAnOpenSideThoughThereIsAHole) {
+  std::vector<Vertex> corners = rectangle(0, 0, 60, 40).vertices();
+  corners[0].open = true;
+  const Region pocket = make_region(Curve(corners, true));
+  for (const Vec2 hole : {Vec2{30, 20}, Vec2{30, 5}, Vec2{54, 34}}) {
+    SCOPED_TRACE(testing::Message() << hole.x << ", " << hole.y);
+    ClearingParams params;
+    params.entry_point = hole;
+    params.hole_diameter = params.tool_diameter + 2;
+    Progress progress;
+    const Toolpath path = clear_pocket({pocket}, params, progress);
+    EXPECT_EQ(path.report.termination, Termination::kComplete);
+    EXPECT_NEAR(path.report.uncut_area, 0, 1e-3);
+    EXPECT_LT(path.report.max_engagement, params.engagement_angle + 2 * kPi / 180);
+    const Vec2 first = first_place(path);
+    EXPECT_TRUE(first.y < 0 || distance(first, hole) <= 0.5 * params.hole_diameter)
+        << first.x << ", " << first.y;
+  }
+}
+
 TEST(PocketTest, ARegionIsGoneOnWithFromWhereItsOpeningEnds) {
   const ClearingParams params;
   RegionTask task = square_task(params);
