@@ -5,6 +5,7 @@ import importlib
 import json
 import math
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -198,8 +199,11 @@ def in_gui(script, folder, *arguments, **environment):
         **environment,
     )
     report, hang = folder / "result.json", folder / "hang.txt"
-    last = log.rstrip()[-2000:] + (hang.read_text() if hang.exists() else "")
-    assert report.exists(), "%s\nis the last of:\n%s" % ("".join(last.splitlines()[-1:]), last)
+    if not report.exists():
+        words = hang.read_text() if hang.exists() else ""
+        raise AssertionError(
+            "%s\nis the last of:\n%s%s" % (_end_of(log, words), log[-2000:], words)
+        )
     content = json.loads(report.read_text())
     report.unlink()  # another session may use the folder
     assert "traceback" not in content, content["traceback"]
@@ -207,6 +211,20 @@ def in_gui(script, folder, *arguments, **environment):
     seen = "\n".join(text for text, _ in content["report_view"])
     assert errors == [], "%s, among:\n%s" % (errors, seen)
     return content
+
+
+def _end_of(log, words):
+    """In one line where FreeCAD crashed, by faulthandler's words, or the last line that it wrote."""
+    fatal = re.search("^Fatal Python error: .*$", words, re.MULTILINE)
+    if not fatal:
+        return "".join((log.rstrip() + "\n" + words).splitlines()[-1:])
+    frames = re.findall(
+        r'File ".*?([^/"]+)", line (\d+) in (\S+)', words.split("Current thread 0x")[-1]
+    )
+    # From Python 3.14 on there are those of C, too.
+    calls = re.findall(r'Binary file ".*?([^/"]+)", at (\S+)', words)
+    named = ["%s:%s %s" % frame for frame in frames[:6]] + ["%s %s" % call for call in calls[3:13]]
+    return "%s in %s" % (fatal.group(), " < ".join(named))
 
 
 def errors_in(report_view, provoked):

@@ -4,6 +4,7 @@ import queue
 import threading
 
 from evenload import waiting
+from evenload.gui import garbage
 
 
 class Refused:
@@ -17,7 +18,8 @@ class Worker:
     """Does one task at a time: a new one stops that before.
 
     A task is a generator of results. Whoever waits takes them by `results`, in the thread that he
-    is in. What a task raises but ValueError is raised there again.
+    is in. What a task raises but ValueError is raised there again. Tasks start in the window's
+    thread.
     """
 
     def __init__(self):
@@ -31,6 +33,7 @@ class Worker:
         self._stop = threading.Event()
         arguments = task, self._results, self._stop
         self._thread = threading.Thread(target=_work, args=arguments, daemon=True)
+        garbage.stays_here(self._thread)
         self._thread.start()
 
     def cancel(self):
