@@ -11,8 +11,19 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import begun, click, later, panel_of_another, picture, press  # noqa: E402
-from gui_tools import is_enabled, result, run, toolbar_texts  # noqa: E402
+from gui_tools import (  # noqa: E402
+    begun,
+    click,
+    is_enabled,
+    later,
+    panel_of_another,
+    picture,
+    press,
+    result,
+    run,
+    toolbar_texts,
+    until,
+)
 
 
 def select(obj, *names):
@@ -29,13 +40,9 @@ def shown():
     return advisor._shown
 
 
-def wait(view, most=2400):
-    """Until the comparison has ended."""
-    for _ in range(most):
-        if not view.task.is_busy:
-            return
-        later(50)
-    raise AssertionError("The comparison does not end.")
+def ended(view):
+    """Waits until the comparison has ended."""
+    until(lambda: not view.task.is_busy)
 
 
 def texts(dock, column):
@@ -164,8 +171,7 @@ def session():
     FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
     view = shown()[0]
     dock = view.dock
-    while not view.rows:
-        later(50)
+    until(lambda: view.rows)
     picture("under_way")
     result["busy"] = [view.task.is_busy, dock.bar.isVisible()]
     click(dock.cancel)
@@ -183,7 +189,7 @@ def session():
     dock.asked.CuspHeight.setValue(0.2)
     result["stepover_of_cusp"] = dock.asked.Stepover.value()
     later(50)
-    wait(view)
+    ended(view)
     result["names"] = texts(dock, 0)
     result["headers"] = headers(dock)
     result["marked"] = marked(dock)
@@ -241,11 +247,11 @@ def session():
     view = shown()[0]
     dock = view.dock
     result["of_operation"] = [dock.faces.text(), op.Label, dock.make.text()]
-    wait(view)
+    ended(view)
     result["inches"] = [headers(dock), dock.asked.Stepover.text()]
     picture("inches")
     result["own_panel"] = in_panel(view, op)
-    wait(view)
+    ended(view)
     choose(dock, "Contours inwards")
     click(dock.make)
     later(300)

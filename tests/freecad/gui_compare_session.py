@@ -8,8 +8,20 @@ import FreeCADGui
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, answering, begun, later, ours_and_theirs, picture  # noqa: E402
-from gui_tools import is_enabled, result, run, toolbar_texts, widgets  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    answering,
+    begun,
+    is_enabled,
+    later,
+    ours_and_theirs,
+    picture,
+    result,
+    run,
+    toolbar_texts,
+    until,
+    widgets,
+)
 
 COMPARE, REPORT = "EvenLoad_Compare", "EvenLoad_Report"
 
@@ -23,11 +35,7 @@ def select(*objects):
 
 def ended(task):
     """Waits until a task is done; the window has to be alive meanwhile."""
-    for _ in range(400):
-        later(50)
-        if not task.is_busy:
-            return
-    raise AssertionError("the task does not end")
+    until(lambda: not task.is_busy)
 
 
 def windows():

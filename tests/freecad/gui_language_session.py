@@ -18,6 +18,7 @@ from gui_tools import (  # noqa: E402
     result,
     run,
     toolbar_texts,
+    until,
 )
 from models import SQUARE, block_with, face_of, floors_of, sketch_of  # noqa: E402
 
@@ -133,10 +134,7 @@ def simulation_of(op):
     FreeCADGui.Selection.addSelection(op)
     FreeCADGui.runCommand("EvenLoad_Simulation")
     view = simulation._shown[-1]
-    for _ in range(400):
-        later(50)
-        if not view.task.is_busy:
-            break
+    until(lambda: not view.task.is_busy)
     picture("simulation")
     seen = texts_in(view.dock) + [view.dock.windowTitle()]
     view.dock.close()
@@ -212,10 +210,7 @@ def suggested_for(op):
     for most in (0.0, 1.0):  # N, of which the first is no limit
         view.dock.limits.max_force.setValue(most)
         view.suggest()
-        for _ in range(400):
-            later(50)
-            if not view.task.is_busy:
-                break
+        until(lambda: not view.task.is_busy)
         picture("optimise_%d" % most)
         seen += texts_in(view.dock)
     seen.append(view.dock.windowTitle())
@@ -236,13 +231,14 @@ def preferences_page():
 def surface_of(op):
     """The texts of the dock Show Surface, with its figures and remarks."""
     from evenload.gui import surface
+    from evenload.surface_simulation import rough_map
 
+    rough_map.PLACES = 4  # of whose texts there are no more with many
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(op)
     FreeCADGui.runCommand("EvenLoad_ShowSurface")
     (view,) = surface._shown
-    while view.task.is_busy:
-        later(50)
+    until(lambda: not view.task.is_busy)
     picture("surface")
     seen = [
         *texts_in(view.dock),

@@ -8,8 +8,20 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import begun, later, ours_and_theirs, panel_of_another, picture  # noqa: E402
-from gui_tools import press, result, run, toolbar_texts, unfold_all, widgets  # noqa: E402
+from gui_tools import (  # noqa: E402
+    begun,
+    later,
+    ours_and_theirs,
+    panel_of_another,
+    picture,
+    press,
+    result,
+    run,
+    toolbar_texts,
+    unfold_all,
+    until,
+    widgets,
+)
 
 NAME = "EvenLoad_Optimise"
 
@@ -55,11 +67,7 @@ def quick(view):
 def suggested(view):
     """Presses Suggest and waits; the window has to be alive meanwhile."""
     view.dock.suggest.click()
-    for _ in range(600):
-        later(50)
-        if not view.task.is_busy:
-            return
-    raise AssertionError("no suggestion comes")
+    until(lambda: not view.task.is_busy)
 
 
 def state(op):

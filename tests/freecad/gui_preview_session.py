@@ -27,10 +27,8 @@ from gui_preview_tools import (  # noqa: E402
     shown,
     state,
     turn,
-    until,
-    wait,
 )
-from gui_tools import later, press, result, run, set_up  # noqa: E402
+from gui_tools import later, press, result, run, set_up, until, wait  # noqa: E402
 
 OK, APPLY = QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply
 CHANGES, BETWEEN = 20, 100  # ms: 20 changes in 2 s

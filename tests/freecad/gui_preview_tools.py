@@ -14,7 +14,6 @@ from PySide import QtCore, QtGui
 
 CANCEL = QtGui.QDialogButtonBox.Cancel
 TICK = 20  # ms
-MOST = 20  # s that anything is waited for
 # What FreeCAD writes whenever it saves: the document's name and the time, the state of flags that
 # tell what was touched.
 SAVED = (
@@ -44,22 +43,6 @@ class Ticks:
         longest = self.longest
         self.reset()
         return round(longest, 3)
-
-
-def until(is_so):
-    """Lets the GUI go on until something is so; the s that this takes."""
-    begin = time.monotonic()
-    while not is_so():
-        assert time.monotonic() - begin < MOST, "it never came"
-        wait(5)
-    return round(time.monotonic() - begin, 3)
-
-
-def wait(milliseconds):
-    """The same as `later`, which collects garbage besides: that would be measured, too."""
-    loop = QtCore.QEventLoop()
-    QtCore.QTimer.singleShot(milliseconds, loop.quit)
-    loop.exec_()
 
 
 def opened(op):

@@ -9,8 +9,19 @@ import numpy
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, click, later, ours_and_theirs  # noqa: E402
-from gui_tools import picture, result, run, toolbar_texts, widgets  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    begun,
+    click,
+    later,
+    ours_and_theirs,
+    picture,
+    result,
+    run,
+    toolbar_texts,
+    until,
+    widgets,
+)
 
 NODE = "EvenLoadLoad"
 
@@ -35,11 +46,7 @@ def docks():
 
 def simulated(view):
     """Waits until nothing is under way; the window has to be alive meanwhile."""
-    for _ in range(400):
-        later(50)
-        if not view.task.is_busy:
-            return
-    raise AssertionError("the simulation does not end")
+    until(lambda: not view.task.is_busy)
 
 
 def command(op):
@@ -153,11 +160,8 @@ def reported(view):
         view.save_report()
     finally:
         QtGui.QFileDialog.getSaveFileName = ask
-    for _ in range(400):
-        later(50)
-        if not view.report.task.is_busy:
-            return view.dock.told.text()
-    raise AssertionError("the report does not end")
+    until(lambda: not view.report.task.is_busy)
+    return view.dock.told.text()
 
 
 def points_of(faces):

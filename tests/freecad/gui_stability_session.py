@@ -21,37 +21,19 @@ from gui_tools import (  # noqa: E402
     result,
     run,
     toolbar_texts,
+    until,
 )
 
 TAP = os.environ["EVENLOAD_TAP_TEST"]
-PATIENCE = 20.0  # s
 
 
 def grab(widget, name):
     widget.grab().save(os.path.join(OUT, name + ".png"))
 
 
-def wait_for(what):
-    """Lets the GUI go on until something is true. Not by `later`, which would hold all threads up
-    while it looks for cycles.
-    """
-    loop, began = QtCore.QEventLoop(), time.monotonic()
-
-    def look():
-        if what() or time.monotonic() - began > PATIENCE:
-            loop.quit()
-
-    timer = QtCore.QTimer()
-    timer.timeout.connect(look)
-    timer.start(5)
-    loop.exec_()
-    timer.stop()
-    assert what(), "in vain"
-
-
 def settled(window):
     """Waits until the chart and its verdict are there."""
-    wait_for(lambda: not window.worker.is_busy and not window.timer.isActive())
+    until(lambda: not window.worker.is_busy and not window.timer.isActive())
 
 
 def text_of(window):
@@ -84,13 +66,13 @@ def state(op):
     }
 
 
-def longest_gap(until):
+def longest_gap(is_so):
     """The longest time in ms between two ticks of a timer while something is not yet true."""
     ticks = [time.monotonic()]
     timer = QtCore.QTimer()
     timer.timeout.connect(lambda: ticks.append(time.monotonic()))
     timer.start(5)
-    wait_for(until)
+    until(is_so)
     timer.stop()
     return 1e3 * max(b - a for a, b in zip(ticks, ticks[1:]))
 
@@ -195,9 +177,9 @@ def session():
         window.view.field = None
         began = time.monotonic()
         window.cut.engagement.setValue(angle)
-        wait_for(lambda: window.view.field is not None)
+        until(lambda: window.view.field is not None)
         firsts.append(time.monotonic() - began)
-        wait_for(lambda: window.view.field is not None and window.view.field.share == 1)
+        until(lambda: window.view.field is not None and window.view.field.share == 1)
         alls.append(time.monotonic() - began)
         settled(window)
     result["first"], result["all"] = min(firsts), min(alls)
@@ -246,7 +228,7 @@ def session():
     # The best cut.
     window.limits.margin.setValue(15)
     click(window.best_button)
-    wait_for(lambda: not window.searcher.is_busy and window.best is not None)
+    until(lambda: not window.searcher.is_busy and window.best is not None)
     settled(window)
     best = window.best
     result["best"] = [best.speed, best.depth, best.cut_mode, best.spectral_radius]

@@ -13,7 +13,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import OUT, begun, later, picture, result, run, widgets  # noqa: E402
+from gui_tools import OUT, begun, later, picture, result, run, until, widgets  # noqa: E402
 
 NODE = "EvenLoadSurface"
 
@@ -42,13 +42,9 @@ def command():
     later(100)
 
 
-def wait(view, most=2400):
-    """Until the simulation has ended."""
-    for _ in range(most):
-        if not view.task.is_busy:
-            return
-        later(50)
-    raise AssertionError("The simulation does not end.")
+def ended(view):
+    """Waits until the simulation has ended."""
+    until(lambda: not view.task.is_busy)
 
 
 def select(obj):
@@ -183,7 +179,7 @@ def session():
     command()
     (view,) = shown()
     result["busy"] = view.task.is_busy and view.dock.bar.isVisible()
-    wait(view)
+    ended(view)
     result["shown"] = [nodes_in_scene(), docks()]
     result["bar_gone"] = not view.dock.bar.isVisible()
     result["seen"] = seen_of(view)
@@ -204,7 +200,7 @@ def session():
     op.Stepover = 1.2
     doc.recompute()
     later(200)
-    wait(view)
+    ended(view)
     result["follows"] = view.known is not before and view.known.found.mean_cusp > found.mean_cusp
     # What is under way can be stopped, and what was known stays.
     view.simulate()
@@ -227,7 +223,7 @@ def session():
     # Nothing is read any more once it is gone.
     command()
     (view,) = shown()
-    wait(view)
+    ended(view)
     op.touch()
     doc.recompute()
     is_waiting = view._again.isActive()
@@ -238,7 +234,7 @@ def session():
     later(100)
     # So does closing its dock, or the document.
     command()
-    wait(shown()[0])
+    ended(shown()[0])
     shown()[0].dock.close()
     later(200)
     result["dock_closed"] = [nodes_in_scene(), docks(), len(shown())]

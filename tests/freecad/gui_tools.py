@@ -7,6 +7,7 @@ import faulthandler
 import gc
 import json
 import os
+import time
 import traceback
 
 import FreeCAD
@@ -14,6 +15,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 OUT = os.environ["EVENLOAD_GUI_OUT"]
+MOST = 120  # s that anything is waited for, on a machine that others use
 LAST_ERROR = "The session ends."  # stands in the report view, or its errors were not seen
 result = {}
 # Sentences that the script provokes: the only errors that the report view may hold at the end.
@@ -40,15 +42,30 @@ class _Panel:
         self.form = QtGui.QWidget()
 
 
-def later(milliseconds=300):
-    """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
-    makes a widget in the place of one that is gone, Python may else take it for that one.
-    """
-    from evenload.gui.wrappers import forget_the_dead
-
+def wait(milliseconds):
+    """Lets the GUI go on for a while."""
     loop = QtCore.QEventLoop()
     QtCore.QTimer.singleShot(milliseconds, loop.quit)
     loop.exec_()
+
+
+def until(is_so, most=MOST):
+    """Lets the GUI go on until something is so, for `most` s at the longest; the s that it took."""
+    begin = time.monotonic()
+    while not is_so():
+        assert time.monotonic() - begin < most, "it never came"
+        wait(5)
+    return round(time.monotonic() - begin, 3)
+
+
+def later(milliseconds=300):
+    """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
+    makes a widget in the place of one that is gone, Python may else take it for that one. That
+    takes as long as many a wait, so `wait` and `until` leave it.
+    """
+    from evenload.gui.wrappers import forget_the_dead
+
+    wait(milliseconds)
     gc.collect()
     forget_the_dead()
 
@@ -275,10 +292,8 @@ def run(session):
         except BaseException:
             result["traceback"] = traceback.format_exc()
         FreeCAD.Console.PrintError(LAST_ERROR + "\n")
-        for _ in range(100):  # FreeCAD 1.1 writes into the report view by and by
-            if any(LAST_ERROR in line for line in report_view()):
-                break
-            later(50)
+        # FreeCAD 1.1 writes into the report view by and by.
+        until(lambda: any(LAST_ERROR in line for line in report_view()))
         # What FreeCAD says as it starts is no error unless it looks like one.
         result["report_view"] = [
             (line, number >= len(started)) for number, line in enumerate(report_view())
