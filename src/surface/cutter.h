@@ -2,6 +2,7 @@
 // no corner.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace evenload {
@@ -17,7 +18,7 @@ struct Cutter {
   double rise(double distance) const {
     const double beyond = distance - flat();
     if (!(beyond > 0)) return 0;
-    return corner - std::sqrt(std::fmax(0.0, (corner - beyond) * (corner + beyond)));
+    return corner - std::sqrt(std::max(0.0, (corner - beyond) * (corner + beyond)));
   }
 
   // The tool whose contacts are `allowance` mm off this one's all around, tip included.

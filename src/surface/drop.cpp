@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "support/parallel.h"
 
@@ -15,6 +16,7 @@ constexpr double kSeam = 1e-9;
 constexpr int kMostSteps = 60;       // bisection alone would have a double's precision by then
 constexpr int kDeepest = 64;         // of the tree, whose depth is the logarithm of its size
 constexpr std::size_t kAtOnce = 64;  // places that one task looks at
+constexpr std::size_t kMany = 64;    // facets: the tree finds sooner what counts at one place
 
 bool is_over(const Facet& facet, Vec2 at) {
   for (std::size_t k = 0; k < 3; ++k) {
@@ -123,14 +125,68 @@ void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutt
   if (best.z > before) best.facet = number;
 }
 
-// The highest that the tip could be lifted by what lies in a box; -infinity where it is beyond the
-// tool's reach.
-double highest_by(const FacetNode& node, const Cutter& cutter, Vec2 at) {
-  const double dx = std::max({node.x0 - at.x, at.x - node.x1, 0.0});
-  const double dy = std::max({node.y0 - at.y, at.y - node.y1, 0.0});
+// A box in plan.
+struct Box {
+  double x0, y0, x1, y1;
+};
+
+Box box_of(const Facet& facet) {
+  const auto& [a, b, c] = facet.corners;
+  return {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.x, b.x, c.x}),
+          std::max({a.y, b.y, c.y})};
+}
+
+Box box_of(const FacetNode& node) { return {node.x0, node.y0, node.x1, node.y1}; }
+
+// The highest that the tip could be lifted, over a place no farther than `half` from `middle` along
+// x and y, by what lies in a box up to `top`, as far as that is above `least`; -infinity where not,
+// and where it is beyond the tool's reach.
+double highest_by(const Box& box, double top, const Cutter& cutter, Vec2 middle, double half,
+                  double least) {
+  if (!(top > least)) return -HUGE_VAL;
+  const double dx = std::max(std::max(box.x0 - middle.x, middle.x - box.x1) - half, 0.0);
+  const double dy = std::max(std::max(box.y0 - middle.y, middle.y - box.y1) - half, 0.0);
   const double squared = dx * dx + dy * dy;
   if (squared > cutter.radius * cutter.radius) return -HUGE_VAL;
-  return node.top - cutter.rise(std::sqrt(squared));
+  return top - cutter.rise(std::sqrt(squared));
+}
+
+// Calls look(facet, highest) for the facets that may lift the tip above least() over a place no
+// farther than `half` from `middle`, what may lift it more mostly before what may not, as long as
+// it answers true.
+template <typename Least, typename Look>
+void each_above(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double half,
+                const Least& least, const Look& look) {
+  const std::vector<FacetNode>& nodes = mesh.nodes();
+  if (nodes.empty()) return;
+  struct Waiting {
+    std::uint32_t node;
+    double highest;
+  };
+  const auto waiting = [&](std::uint32_t number) -> Waiting {
+    const FacetNode& node = nodes[number];
+    return {number, highest_by(box_of(node), node.top, cutter, middle, half, least())};
+  };
+  std::array<Waiting, 2 * kDeepest> stack;
+  std::size_t size = 0;
+  stack[size++] = waiting(0);
+  while (size > 0) {
+    const Waiting next = stack[--size];
+    if (!(next.highest > least())) continue;
+    const FacetNode& node = nodes[next.node];
+    if (node.count == 0) {
+      Waiting lower = waiting(next.node + 1), higher = waiting(node.first);
+      if (lower.highest > higher.highest) std::swap(lower, higher);
+      stack[size++] = lower;  // what may be higher is looked at before
+      stack[size++] = higher;
+      continue;
+    }
+    for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
+      const Facet& facet = mesh.facets()[i];
+      const double highest = highest_by(box_of(facet), facet.top, cutter, middle, half, least());
+      if (highest > least() && !look(i, highest)) return;
+    }
+  }
 }
 
 }  // namespace
@@ -139,31 +195,55 @@ ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double fl
                  std::uint32_t first) {
   ToolContact best;
   best.z = floor;
-  const std::vector<FacetNode>& nodes = mesh.nodes();
-  if (nodes.empty()) return best;
   if (first != kNoFacet) touch_facet(mesh, first, cutter, at, best);
-  struct Waiting {
-    std::uint32_t node;
-    double highest;
-  };
-  std::array<Waiting, 2 * kDeepest> stack;
-  std::size_t size = 0;
-  stack[size++] = {0, highest_by(nodes[0], cutter, at)};
-  while (size > 0) {
-    const Waiting next = stack[--size];
-    if (!(next.highest > best.z)) continue;
-    const FacetNode& node = nodes[next.node];
-    if (node.count == 0) {
-      Waiting lower{next.node + 1, highest_by(nodes[next.node + 1], cutter, at)};
-      Waiting higher{node.first, highest_by(nodes[node.first], cutter, at)};
-      if (lower.highest > higher.highest) std::swap(lower, higher);
-      stack[size++] = lower;  // what may be higher is looked at before
-      stack[size++] = higher;
-      continue;
-    }
-    for (std::uint32_t i = node.first; i < node.first + node.count; ++i)
-      touch_facet(mesh, i, cutter, at, best);
+  each_above(
+      mesh, cutter, at, 0, [&] { return best.z; },
+      [&](std::uint32_t facet, double) {
+        touch_facet(mesh, facet, cutter, at, best);
+        return true;
+      });
+  return best;
+}
+
+DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double half,
+                       double floor)
+    : mesh_(mesh), cutter_(cutter), floor_(floor) {
+  // Everywhere the tool is over the place that it touches in the middle.
+  const ToolContact contact = evenload::drop(mesh, cutter, middle, floor);
+  double least = floor;
+  if (contact.touches) {
+    const Vec2 from = plan(contact.point) - middle;
+    const double farthest = std::hypot(std::abs(from.x) + half, std::abs(from.y) + half);
+    // What lifts it as far counts as well.
+    if (farthest <= cutter.radius)
+      least = std::max(floor, contact.point.z - cutter.rise(farthest) - kSeam);
   }
+  std::vector<std::pair<double, std::uint32_t>> found;
+  each_above(
+      mesh, cutter, middle, half, [&] { return least; },
+      [&](std::uint32_t facet, double highest) {
+        found.emplace_back(-highest, facet);
+        return found.size() <= kMany;
+      });
+  is_worth_it_ = found.size() <= kMany;
+  if (!is_worth_it_) return;
+  std::sort(found.begin(), found.end());
+  above_.reserve(found.size());
+  for (const auto& [highest, number] : found) {
+    const Facet& facet = mesh.facets()[number];
+    const Box box = box_of(facet);
+    above_.push_back({box.x0, box.y0, box.x1, box.y1, facet.top, number});
+  }
+}
+
+ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
+  if (!is_worth_it_) return evenload::drop(mesh_, cutter_, at, floor_, first);
+  ToolContact best;
+  best.z = floor_;
+  if (first != kNoFacet) touch_facet(mesh_, first, cutter_, at, best);
+  for (const Above& each : above_)
+    if (highest_by({each.x0, each.y0, each.x1, each.y1}, each.top, cutter_, at, 0, best.z) > best.z)
+      touch_facet(mesh_, each.facet, cutter_, at, best);
   return best;
 }
 

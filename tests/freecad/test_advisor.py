@@ -51,6 +51,7 @@ def by_name(rows):
     return {row.strategy.name: row for row in rows}
 
 
+@pytest.mark.core
 def test_on_a_plane_figures_are_those_of_the_closed_forms(job_of):
     b = job_of(Part.makeBox(40, 30, 10))
     rows = advisor.advice(
@@ -97,6 +98,7 @@ def test_the_impulse_is_the_force_over_the_time_of_the_cuts(job_of):
     assert first.impulse / (60 * 40 * 60 / FEED) > least
 
 
+@pytest.mark.core
 @pytest.mark.parametrize("strategy", [advisor.STRATEGIES[k] for k in (1, 5, 8)], ids=str)
 def test_seconds_are_those_of_the_operation_that_it_makes(job_of, strategy):
     b = job_of(part(True))
@@ -128,7 +130,9 @@ def advised():
     return found
 
 
-BOTH = pytest.mark.parametrize("is_convex", [True, False], ids=["CX", "CV"])
+BOTH = pytest.mark.parametrize(
+    "is_convex", [True, pytest.param(False, marks=pytest.mark.core)], ids=["CX", "CV"]
+)
 
 
 @BOTH
@@ -332,7 +336,10 @@ def test_once_read_no_document_is_needed(job_of):
     assert before.seconds > 0
 
 
-@pytest.mark.parametrize("share", [0.05, 0.55, 0.96])
+@pytest.mark.parametrize(
+    "share",
+    [pytest.param(0.05, marks=pytest.mark.core), 0.55, pytest.param(0.96, marks=pytest.mark.core)],
+)
 def test_it_is_stopped_wherever_it_is(job_of, share):
     b = job_of(part(True))
     question = advisor.read(b.job, faces_of(b), Stepover=4.0)

@@ -97,8 +97,12 @@ def test_a_mesh_is_refused(doc):
         facets.of([(mesh, ("Face1",))], [mesh], TOLERANCE)
 
 
-@pytest.mark.parametrize("angle", [0, 30, 90])
-@pytest.mark.parametrize("is_convex", [True, False], ids=["CX", "CV"])
+@pytest.mark.parametrize(
+    "angle", [0, pytest.param(30, marks=pytest.mark.core), pytest.param(90, marks=pytest.mark.core)]
+)
+@pytest.mark.parametrize(
+    "is_convex", [True, pytest.param(False, marks=pytest.mark.core)], ids=["CX", "CV"]
+)
 def test_the_ball_touches_the_part_all_along_and_never_cuts_into_it(bench, is_convex, angle):
     b, op = finish(bench, part(is_convex), PassAngle=angle)
     b.done(op)
@@ -176,7 +180,9 @@ def test_one_way_cuts_in_one_direction_and_comes_back_over_the_part(bench):
     assert all(e.x > s.x for _, s, e in cuts_of(op) if abs(e.x - s.x) > 1)
 
 
-@pytest.mark.parametrize("strategy", ["Contours inwards", "Contours outwards"])
+@pytest.mark.parametrize(
+    "strategy", ["Contours inwards", pytest.param("Contours outwards", marks=pytest.mark.core)]
+)
 def test_contours_touch_the_part_all_along(bench, strategy):
     b, op = finish(bench, part(False), Strategy=strategy)
     b.done(op)
@@ -224,7 +230,9 @@ def test_round_passes_are_arcs_which_posts_and_controls_keep(
     assert len(re.findall(r"^G[23] ", posted, re.MULTILINE)) == len(arcs)
 
 
-@pytest.mark.parametrize("strategy", ["Contours inwards", "Spiral outwards"])
+@pytest.mark.parametrize(
+    "strategy", ["Contours inwards", pytest.param("Spiral outwards", marks=pytest.mark.core)]
+)
 def test_round_passes_are_lines_for_controllers_without_arcs(bench, strategy):
     b, op = finish(bench, cone(), Strategy=strategy, Arcs=False)
     b.done(op)
@@ -253,6 +261,7 @@ def test_other_tools_leave_a_flat_face_level(bench, tool):
         assert op.CuspHeight.Value == 0
 
 
+@pytest.mark.core
 def test_a_ball_on_a_sphere_beside_a_wall_keeps_off_both(bench):
     shape = Part.makeBox(60, 40, 10).fuse(Part.makeSphere(15, Vector(20, 20, 5)))
     shape = shape.fuse(Part.makeBox(10, 40, 25, Vector(50, 0, 0))).removeSplitter()

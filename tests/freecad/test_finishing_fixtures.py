@@ -85,7 +85,10 @@ def corners_of(op):
 STRATEGIES = ["Zig-zag", "One way", "Contours inwards", "Spiral outwards"]
 
 
-@pytest.mark.parametrize("strategy", STRATEGIES)
+@pytest.mark.parametrize(
+    "strategy",
+    [STRATEGIES[0], *(pytest.param(each, marks=pytest.mark.core) for each in STRATEGIES[1:])],
+)
 def test_a_clamp_over_the_edge_is_not_touched(bench, strategy):
     b, op = finish(bench, Strategy=strategy)
     fixture = clamp(b.doc)
@@ -110,7 +113,7 @@ def test_what_is_not_near_a_fixture_is_cut_as_before(bench):
     assert len(away) > 500 and len(away - after) < 10  # but for a pass's beginning or end
 
 
-@pytest.mark.parametrize("clearance", [0.0, 0.3])
+@pytest.mark.parametrize("clearance", [0.0, pytest.param(0.3, marks=pytest.mark.core)])
 def test_a_leaning_pin_may_be_as_near_as_is_wished(bench, clearance):
     b, op = finish(bench, PassAngle=30, FixtureClearance=clearance)
     fixture = pin(b.doc)

@@ -521,7 +521,13 @@ def test_freecads_own_operations_can_be_read(square, kind):
     assert min(box[0], box[2]) >= 2.9 and max(box[1], box[3]) <= 27.1
 
 
-@pytest.mark.parametrize("name", sorted(p.stem for p in CORPUS.glob("*.json")))
+NAMES = sorted(path.stem for path in CORPUS.glob("*.json"))
+
+
+@pytest.mark.parametrize(
+    "name",
+    [pytest.param(name, marks=pytest.mark.core if k % 8 else ()) for k, name in enumerate(NAMES)],
+)
 def test_floors_and_model_agree_on_what_must_stay(bench, name):
     case = corpus_case(name)
     z = -case["axial_depth"]

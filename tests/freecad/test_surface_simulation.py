@@ -87,6 +87,7 @@ def test_a_coarse_resolution_tells_the_same_cusps_and_warns(plane):
     assert "cusps may be missed" in found.notes[0]
 
 
+@pytest.mark.core
 def test_the_wish_for_even_cusps_is_met_on_the_dome(finished):
     _, op = finished(part(True), Spacing=EVEN_CUSPS, CuspHeight=0.01, PassAngle=0.0)
     found = surface_simulation.simulate(op)
@@ -97,6 +98,7 @@ def test_the_wish_for_even_cusps_is_met_on_the_dome(finished):
     assert found.cusp_95 == pytest.approx(0.01, rel=0.1)
 
 
+@pytest.mark.core
 @pytest.mark.parametrize("strategy", ["Contours inwards", "Spiral outwards"])
 def test_contours_and_spirals_have_a_wish_as_well(finished, strategy):
     asked = {"Strategy": strategy, "CuspHeight": 0.01}
@@ -109,6 +111,7 @@ def test_contours_and_spirals_have_a_wish_as_well(finished, strategy):
     assert surface_simulation.simulate(op).wish_share is None
 
 
+@pytest.mark.core
 def test_an_even_stepover_over_the_dome_leaves_what_its_curvature_says(finished):
     _, op = finished(part(True), Stepover=0.5, PassAngle=0.0)
     found = surface_simulation.simulate(op, tolerance=0.001)
@@ -198,6 +201,7 @@ def few_patches(monkeypatch):
     monkeypatch.setattr(rough_map, "PLACES", 9)
 
 
+@pytest.mark.core
 def test_roughness_all_over_is_that_of_the_patches_at_its_places(plane):
     _, op = plane
     found = surface_simulation.simulate(op, resolution=0.2)

@@ -12,6 +12,8 @@ from test_refusals import NUMBERS as OF_REFUSALS
 
 import collect  # noqa: I100
 
+pytestmark = pytest.mark.core  # texts alone, which no FreeCAD and no Python reads otherwise
+
 LANGUAGES = sorted(FILES)
 FILLED = "17.25", "Kind"  # a number and a name that stand in no pattern
 REFUSAL = "Maximum feed is 10 mm/min: it must not be below the tool controller's horizontal feed "

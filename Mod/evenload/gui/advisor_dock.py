@@ -21,7 +21,7 @@ NAME = "EvenLoadFinishingAdvisor"  # of the dock
 LEFT, HEIGHT = 285, 380  # pixels
 MOST = 50.0  # mm, of lengths
 ARROW = 12  # pixels that the sign of the order takes of a heading
-BAR = 200  # steps of the progress bar, whose drawing takes as long as some work
+BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
 LENGTHS = ("Stepover", "CuspHeight", "stock")  # of what is asked, in mm
 
 

@@ -17,7 +17,7 @@ _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadOptimise"  # of the dock
 LEFT, TABLE, HEIGHT, SPACING = 300, 110, 470, 16  # pixels; table and dock are so high at least
-BAR = 200  # steps of the progress bar, whose drawing takes as long as some work
+BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
 
 
 class OptimiseDock(manual.Dock):

@@ -22,7 +22,7 @@ _translate = FreeCAD.Qt.translate
 NAME = "EvenLoadSimulation"  # of the dock
 LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
 CM3 = 1e3  # mm3
-BAR = 200  # steps of the progress bar, whose drawing takes as long as some work
+BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
 ROW = '<tr><td style="padding-right: 10px">%s</td>%s</tr>'
 SIGN = '<span style="color: %s">\u25a0</span> '  # of the areas in the 3D view
 CELL = '<td align="right" style="padding-left: 8px">%s</td>'

@@ -12,7 +12,7 @@ from evenload.gui.surface_measures import BARE
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadSurfaceDock"
-BAR = 200  # steps of the progress bar, whose drawing takes as long as some work
+BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
 # Of the table of figures: what it is, the value.
 ROW = '<tr><td style="padding-right: 12px">%s</td><td align="right">%s</td></tr>'
 

@@ -133,6 +133,34 @@ TEST(Drop, OnRandomTrianglesItIsTheHighestThatASearchFinds) {
   }
 }
 
+TEST(Drop, InAWindowItIsTheSameAtEachPlace) {
+  std::mt19937 random(12);
+  for (const std::size_t count : {0U, 3U, 30U, 400U})  // of the many more than a window keeps
+    for (int round = 0; round < 20; ++round) {
+      std::vector<std::array<SpacePoint, 3>> triangles(count);
+      for (auto& triangle : triangles) {
+        const Vec2 about{uniform(random, -15, 15), uniform(random, -15, 15)};
+        for (SpacePoint& p : triangle)
+          p = {about.x + uniform(random, -4, 4), about.y + uniform(random, -4, 4),
+               uniform(random, -3, 3)};
+      }
+      const FacetMesh mesh = mesh_of(triangles);
+      const Vec2 middle{uniform(random, -20, 20), uniform(random, -20, 20)};
+      const double half = uniform(random, 0, 1) < 0.5 ? 0.3 : 3.0;
+      for (const Cutter& tool : kTools)
+        for (const double floor : {kFloor, 1.0}) {
+          const DropWindow window(mesh, tool, middle, half, floor);
+          for (int i = 0; i < 20; ++i) {
+            const Vec2 at{middle.x + uniform(random, -half, half),
+                          middle.y + uniform(random, -half, half)};
+            const ToolContact here = window.drop(at, kNoFacet), alone = drop(mesh, tool, at, floor);
+            EXPECT_NEAR(here.z, alone.z, 1e-12);
+            EXPECT_EQ(here.touches, alone.touches);
+          }
+        }
+    }
+}
+
 TEST(Drop, OverASphereAndACylinderItIsAsFarOffAsTheTrianglesAre) {
   constexpr double kRound = 20;
   constexpr int kSides = 400;
