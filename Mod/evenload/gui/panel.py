@@ -117,8 +117,9 @@ class OperationPage(PreviewPage):
 
     def updateData(self, obj, prop):
         super().updateData(obj, prop)
-        if prop in (*self.result_names, *self.kind.fitted):
+        if prop in self.kind.fitted:
             self._show_settings(obj)
+        if prop in (*self.result_names, *self.kind.fitted):
             self._refresh.start()
 
     def modifyStandardButtons(self, buttonBox):

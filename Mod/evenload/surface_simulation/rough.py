@@ -101,6 +101,10 @@ def cut_cells(simulation):
 
 def _cell(simulation, at):
     """(row, column) of the cut cell nearest to a place, or to the middle of all of them."""
+    if at is not None:
+        under = _under(simulation, at)
+        if under is not None and simulation.is_covered[under]:
+            return under
     rows, columns = cut_cells(simulation)
     x, y = simulation.x[columns], simulation.y[rows]
     wanted = (x.mean(), y.mean()) if at is None else at
@@ -109,6 +113,16 @@ def _cell(simulation, at):
     if at is not None and apart[nearest] > 2 * simulation.resolution:
         raise ValueError("No pass cuts the faces at x = %g, y = %g." % tuple(wanted))
     return rows[nearest], columns[nearest]
+
+
+def _under(simulation, at):
+    """(row, column) of the cell at a place, None beside all of them."""
+    x, y = simulation.x, simulation.y
+    steps = [(place - along[0]) / simulation.resolution for place, along in zip(at, (x, y))]
+    if not all(-0.5 <= step < len(along) - 0.5 for step, along in zip(steps, (x, y))):
+        return None
+    column, row = map(round, steps)
+    return row, column
 
 
 def _way_and_feed(moves, number, at):
