@@ -4,10 +4,10 @@ import gc
 import threading
 import time
 
-import pytest
 from evenload.gui.worker import Worker
 from PySide import QtCore
 
+APPLICATION = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
 MANY, LONGEST = 50, 60  # pieces of garbage; s until the window's thread has collected them
 
 
@@ -23,21 +23,15 @@ class InACycle:
         self.ended_in.append(threading.get_ident())
 
 
-@pytest.fixture(scope="module")
-def until():
+def until(condition):
     """Lets Qt go on until a condition holds."""
-    application = QtCore.QCoreApplication.instance() or QtCore.QCoreApplication([])
-
-    def until(condition):
-        end = time.monotonic() + LONGEST
-        while not condition():
-            assert time.monotonic() < end
-            application.processEvents(QtCore.QEventLoop.AllEvents, 50)
-
-    return until
+    end = time.monotonic() + LONGEST
+    while not condition():
+        assert time.monotonic() < end
+        APPLICATION.processEvents(QtCore.QEventLoop.AllEvents, 50)
 
 
-def test_it_is_collected_in_the_windows_thread_alone_while_another_works(until):
+def test_it_is_collected_in_the_windows_thread_alone_while_another_works():
     begin, full, enough = threading.Event(), threading.Event(), threading.Event()
 
     def holds_containers():
@@ -61,7 +55,7 @@ def test_it_is_collected_in_the_windows_thread_alone_while_another_works(until):
     until(gc.isenabled)
 
 
-def test_it_stays_uncollected_where_somebody_wants_that(until):
+def test_it_stays_uncollected_where_somebody_wants_that():
     worker = Worker()
     gc.disable()
     try:

@@ -25,7 +25,7 @@ def stays_here(thread):
         return  # by this already, or by somebody who wants none collected at all
     gc.disable()
     if _timer is None:
-        _timer = QtCore.QTimer()
+        _timer = QtCore.QTimer(QtCore.QCoreApplication.instance())  # which ends it, not Python
         _timer.setInterval(LOOK)
         _timer.timeout.connect(_look)
     _timer.start()
