@@ -139,8 +139,8 @@ Box box_of(const Facet& facet) {
 Box box_of(const FacetNode& node) { return {node.x0, node.y0, node.x1, node.y1}; }
 
 // The highest that the tip could be lifted, over a place no farther than `half` from `middle` along
-// x and y, by what lies in a box up to `top`, as far as that is above `least`; -infinity where not,
-// and where it is beyond the tool's reach.
+// x and y, by what lies in a box up to `top`; any number that is not above `least` where that
+// cannot be.
 double highest_by(const Box& box, double top, const Cutter& cutter, Vec2 middle, double half,
                   double least) {
   if (!(top > least)) return -HUGE_VAL;
@@ -208,13 +208,14 @@ ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double fl
 DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double half,
                        double floor)
     : mesh_(mesh), cutter_(cutter), floor_(floor) {
-  // Everywhere the tool is over the place that it touches in the middle.
+  // Where the tool reaches from all of the window what it touches in the middle, it is nowhere
+  // lower than that allows.
   const ToolContact contact = evenload::drop(mesh, cutter, middle, floor);
   double least = floor;
   if (contact.touches) {
     const Vec2 from = plan(contact.point) - middle;
     const double farthest = std::hypot(std::abs(from.x) + half, std::abs(from.y) + half);
-    // What lifts it as far counts as well.
+    // Less a little, for what touches at just that height must be found, too.
     if (farthest <= cutter.radius)
       least = std::max(floor, contact.point.z - cutter.rise(farthest) - kSeam);
   }

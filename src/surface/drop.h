@@ -33,14 +33,15 @@ struct ToolContact {
 ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
                  std::uint32_t first = kNoFacet);
 
-// The same for many places beside each other: what of the part can lift the tool anywhere between
-// them is looked for once.
+// Drops at many places beside each other: what of the part can lift the tool anywhere between them
+// is looked for once.
 class DropWindow {
  public:
   // Of the places no farther than `half`, mm, along x and along y from `middle`.
   DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double half, double floor);
 
-  // As evenload::drop(). Condition: `at` is one of the places.
+  // As evenload::drop(), though where it touches two facets at one height it may tell of the other.
+  // Condition: `at` is one of the places.
   ToolContact drop(Vec2 at, std::uint32_t first) const;
 
  private:
@@ -55,7 +56,7 @@ class DropWindow {
   bool is_worth_it_ = true;   // whether these are few
 };
 
-// The same for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
+// drop() for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
 std::vector<ToolContact> drop_all(const FacetMesh& mesh, const Cutter& cutter,
                                   const std::vector<Vec2>& places, double floor, int threads,
                                   Progress& progress);

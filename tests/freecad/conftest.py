@@ -218,9 +218,9 @@ def _end_of(log, words):
     fatal = re.search("^Fatal Python error: .*$", words, re.MULTILINE)
     if not fatal:
         return "".join((log.rstrip() + "\n" + words).splitlines()[-1:])
-    frames = re.findall(
-        r'File ".*?([^/"]+)", line (\d+) in (\S+)', words.split("Current thread 0x")[-1]
-    )
+    thread = words.partition("Current thread 0x")[2].partition("\n\n")[0]
+    thread = words.partition("Current thread 0x")[2].partition("\n\n")[0]
+    frames = re.findall(r'File ".*?([^/"]+)", line (\d+) in (\S+)', thread)
     # From Python 3.14 on there are those of C, too.
     calls = re.findall(r'Binary file ".*?([^/"]+)", at (\S+)', words)
     named = ["%s:%s %s" % frame for frame in frames[:6]] + ["%s %s" % call for call in calls[3:13]]

@@ -191,6 +191,21 @@ def notes(page):
     return seen
 
 
+def changed_elsewhere(op):
+    """What is left at OK of what was changed beside the open panel, and computed."""
+    before = op.CutMode
+    opened(op)
+    op.CutMode = "Conventional"
+    op.Document.recompute()
+    later(100)
+    press(QtGui.QDialogButtonBox.Ok)
+    later()
+    left = op.CutMode
+    op.CutMode = before
+    op.Document.recompute()
+    return left
+
+
 def session():
     from evenload import host
     from models import SQUARE, block_with, face_of, floors_of, sketch_of
@@ -213,6 +228,7 @@ def session():
     result["wide"] = fits(operations)
     result["fields"] = fields(adaptive)
     result["remembered"] = remembered(adaptive)
+    result["changed_elsewhere"] = changed_elsewhere(adaptive)
     result["status"] = status(adaptive)
     result["job_time"] = job.CycleTime
     result["times"] = [op.CuttingTime for op in operations.values()]

@@ -4,6 +4,7 @@ import gc
 import threading
 import time
 
+from evenload.gui import garbage
 from evenload.gui.worker import Worker
 from PySide import QtCore
 
@@ -56,12 +57,28 @@ def test_it_is_collected_in_the_windows_thread_alone_while_another_works():
 
 
 def test_it_stays_uncollected_where_somebody_wants_that():
-    worker = Worker()
     gc.disable()
     try:
+        worker = Worker()
         worker.start(lambda: iter([1]))
         worker.join()
-        until(lambda: worker.results() == [1])
+        until(lambda: not garbage._timer.isActive())
         assert not gc.isenabled()
     finally:
         gc.enable()
+
+
+def test_who_switches_it_on_meanwhile_has_it_in_the_windows_thread_alone():
+    enough = threading.Event()
+
+    def waits():
+        enough.wait(LONGEST)
+        yield True
+
+    worker = Worker()
+    worker.start(waits)
+    gc.enable()
+    until(lambda: not gc.isenabled())
+    enough.set()
+    worker.join()
+    until(gc.isenabled)

@@ -42,6 +42,10 @@ def test_what_is_not_set_looks_so_and_keeps_what_needs_it_shut(session):
     assert seen["unset_again"] == ""
 
 
+def test_what_is_changed_elsewhere_stays_at_ok(session):
+    assert session["changed_elsewhere"] == "Conventional"
+
+
 def test_a_field_takes_nothing_beyond_its_limits_and_shows_what_holds(session):
     radius, radius_text, angle, angle_text = session["fields"]["beyond"]
     assert radius == pytest.approx(0.9) and radius_text.startswith(("0.90", "0,90"))

@@ -201,7 +201,6 @@ def few_patches(monkeypatch):
     monkeypatch.setattr(rough_map, "PLACES", 9)
 
 
-@pytest.mark.core
 def test_roughness_all_over_is_that_of_the_patches_at_its_places(plane):
     _, op = plane
     found = surface_simulation.simulate(op, resolution=0.2)

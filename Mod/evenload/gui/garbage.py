@@ -2,7 +2,7 @@
 
 Python collects in the thread that makes its count full. Among the garbage are panels that FreeCAD
 and others have closed, and Qt's widgets may only end in the window's thread: FreeCAD crashes where
-another one ends them. So while threads work the window's thread alone collects.
+another one ends them. So while the threads of a Worker work the window's thread alone collects.
 """
 
 import gc
@@ -13,6 +13,7 @@ LOOK = 100  # ms between looks at the counts, and at whether threads work still
 
 _working = []
 _timer = None
+_is_off_by_this = False
 
 
 def stays_here(thread):
@@ -21,9 +22,7 @@ def stays_here(thread):
     """
     global _timer
     _working.append(thread)
-    if not gc.isenabled():
-        return  # by this already, or by somebody who wants none collected at all
-    gc.disable()
+    _switch_off()
     if _timer is None:
         _timer = QtCore.QTimer(QtCore.QCoreApplication.instance())  # which ends it, not Python
         _timer.setInterval(LOOK)
@@ -31,21 +30,31 @@ def stays_here(thread):
     _timer.start()
 
 
+def _switch_off():
+    """Somebody else may have switched it off before, and on again meanwhile."""
+    global _is_off_by_this
+    if gc.isenabled():
+        gc.disable()
+        _is_off_by_this = True
+
+
 def _look():
+    global _is_off_by_this
     _working[:] = [thread for thread in _working if thread.is_alive()]
     if _working:
-        _collect_what_is_due()
+        _switch_off()
+        if _is_off_by_this:
+            _collect_young()
         return
     _timer.stop()
-    gc.enable()
+    if _is_off_by_this:
+        gc.enable()
+        _is_off_by_this = False
 
 
-def _collect_what_is_due():
-    """What Python would collect now."""
-    due = [
-        generation
-        for generation, (count, most) in enumerate(zip(gc.get_count(), gc.get_threshold()))
-        if 0 < most < count
-    ]
-    if due:
-        gc.collect(due[-1])
+def _collect_young():
+    """What Python would collect now of young objects; it goes through the old ones by itself, once
+    it is switched on again, for that takes a user's time.
+    """
+    if gc.get_count()[0] > gc.get_threshold()[0]:
+        gc.collect(1)

@@ -65,6 +65,10 @@ class FormPage(_gui.op.TaskPanelPage):
         """Brings the status up to date."""
         raise NotImplementedError
 
+    def refresh(self):
+        """Shows what a recompute has changed."""
+        self.show_status()
+
     def getForm(self):
         self.settings = {setting.name: setting for setting in self.kind.settings}
         self.result_names = [setting.name for setting in self.kind.results]
@@ -76,10 +80,11 @@ class FormPage(_gui.op.TaskPanelPage):
         form = manual.Widget()
         form.set_page(self.manual_page)
         form.destroyed.connect(_forget_the_panel)
-        # Whether an operation is valid shows only after the recompute that sets its results.
+        # Whether an operation is valid shows only after the recompute that sets its results, one by
+        # one; what is shown then takes longer than a result.
         self._refresh = QtCore.QTimer(form)
         self._refresh.setSingleShot(True)
-        self._refresh.timeout.connect(slot(self.show_status))
+        self._refresh.timeout.connect(slot(self.refresh))
         whole = QtGui.QVBoxLayout(form)
         whole.setContentsMargins(0, 2, 0, 2)
         above = QtGui.QHBoxLayout()

@@ -117,10 +117,12 @@ class OperationPage(PreviewPage):
 
     def updateData(self, obj, prop):
         super().updateData(obj, prop)
-        if prop in self.kind.fitted:
-            self._show_settings(obj)
         if prop in (*self.result_names, *self.kind.fitted):
             self._refresh.start()
+
+    def refresh(self):
+        self._show_settings(self.obj)
+        super().refresh()
 
     def modifyStandardButtons(self, buttonBox):
         """Has FreeCAD's buttons take less than the 80 pixels and more that each would have at

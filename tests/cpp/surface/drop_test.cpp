@@ -133,6 +133,39 @@ TEST(Drop, OnRandomTrianglesItIsTheHighestThatASearchFinds) {
   }
 }
 
+// A step of 2 mm with upright walls: level facets, and edges that walls and floors share.
+std::vector<std::array<SpacePoint, 3>> step() {
+  std::vector<std::array<SpacePoint, 3>> triangles;
+  const auto quad = [&](SpacePoint a, SpacePoint b, SpacePoint c, SpacePoint d) {
+    triangles.push_back({a, b, c});
+    triangles.push_back({a, c, d});
+  };
+  quad({-20, -20, 0}, {20, -20, 0}, {20, 20, 0}, {-20, 20, 0});
+  quad({-3, -4, 2}, {6, -4, 2}, {6, 5, 2}, {-3, 5, 2});
+  quad({-3, -4, 0}, {6, -4, 0}, {6, -4, 2}, {-3, -4, 2});
+  quad({6, -4, 0}, {6, 5, 0}, {6, 5, 2}, {6, -4, 2});
+  return triangles;
+}
+
+TEST(Drop, InAWindowItIsTheSameOverLevelAndUprightFacets) {
+  const FacetMesh mesh = mesh_of(step());
+  std::mt19937 random(13);
+  for (int round = 0; round < 200; ++round) {
+    const Vec2 middle{uniform(random, -12, 12), uniform(random, -12, 12)};
+    const double half = uniform(random, 0, 1) < 0.5 ? 0.2 : 2.0;
+    for (const Cutter& tool : kTools) {
+      const DropWindow window(mesh, tool, middle, half, kFloor);
+      const std::uint32_t hint = drop(mesh, tool, middle, kFloor).facet;
+      for (const double x : {-half, 0.3 * half, half})
+        for (const double y : {-half, -0.7 * half, half}) {
+          const Vec2 at{middle.x + x, middle.y + y};
+          EXPECT_NEAR(window.drop(at, hint).z, drop(mesh, tool, at, kFloor).z, 1e-12);
+          EXPECT_NEAR(window.drop(at, kNoFacet).z, drop(mesh, tool, at, kFloor, hint).z, 1e-12);
+        }
+    }
+  }
+}
+
 TEST(Drop, InAWindowItIsTheSameAtEachPlace) {
   std::mt19937 random(12);
   for (const std::size_t count : {0U, 3U, 30U, 400U})  // of the many more than a window keeps
