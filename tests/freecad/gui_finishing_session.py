@@ -19,9 +19,9 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
-    set_up,
     unfold_all,
     widgets,
+    workbench,
 )
 
 
@@ -71,9 +71,7 @@ def fixtures_by_button(doc, op, page):
 def session():
     from evenload import host
 
-    set_up()
-    FreeCADGui.activateWorkbench(host.WORKBENCH)
-    later(800)
+    workbench()
     bars = [b for b in widgets(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]
     icons = [a.icon() for b in bars for a in b.actions() if "EvenLoad Finishing" in a.text()]
     result["icon"] = bool(icons) and not icons[0].isNull()

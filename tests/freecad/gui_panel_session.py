@@ -11,7 +11,7 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_panels import fit_of, in_panel, opened, operation_on, picture  # noqa: E402
-from gui_tools import click, fold_all, later, leave, press, result, run, set_up  # noqa: E402
+from gui_tools import click, fold_all, later, leave, press, result, run, workbench  # noqa: E402
 
 LAPTOP = 1366, 980  # pixels: what is above the report view is as high as all of a laptop's 768
 METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
@@ -210,10 +210,7 @@ def session():
     from evenload import host
     from models import SQUARE, block_with, face_of, floors_of, sketch_of
 
-    set_up()
-    FreeCADGui.activateWorkbench(host.WORKBENCH)
-    FreeCADGui.getMainWindow().resize(1200, 1400)
-    later(800)
+    workbench(1200, 1400)
     doc = FreeCAD.newDocument("Session")
     part = doc.addObject("Part::Feature", "Part")
     part.Shape = block_with(face_of(SQUARE))

@@ -28,7 +28,7 @@ from gui_preview_tools import (  # noqa: E402
     state,
     turn,
 )
-from gui_tools import later, press, result, run, set_up, until, wait  # noqa: E402
+from gui_tools import later, press, result, run, until, wait, workbench  # noqa: E402
 
 OK, APPLY = QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply
 CHANGES, BETWEEN = 20, 100  # ms: 20 changes in 2 s
@@ -238,12 +238,7 @@ def two_panels(doc, job, op):
 
 
 def session():
-    from evenload import host
-
-    set_up()
-    FreeCADGui.activateWorkbench(host.WORKBENCH)
-    FreeCADGui.getMainWindow().resize(1300, 1000)
-    later(800)
+    workbench(1300, 1000)
     ticks = Ticks()
     doc, job, op = job_with("Session", 60.0)
     result["follows"] = follows(doc, op, ticks)

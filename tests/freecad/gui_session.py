@@ -25,6 +25,7 @@ from gui_tools import (  # noqa: E402
     set_up,
     unfold_all,
     widgets,
+    workbench,
 )
 
 
@@ -235,8 +236,7 @@ def session():
     set_up()
     fold_all()
     reopened()
-    FreeCADGui.activateWorkbench(host.WORKBENCH)
-    later(800)
+    workbench()
     window = FreeCADGui.getMainWindow()
     menus = {m.title().replace("&", ""): m for m in window.menuBar().findChildren(QtGui.QMenu)}
     result["menu"] = "EvenLoad Adaptive" in texts(menus[host.MENU.replace("&", "")])

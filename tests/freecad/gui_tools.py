@@ -184,11 +184,15 @@ def base_list(op):
 
 
 def set_up():
-    """mm/min, none of the warnings that FreeCAD gives new users in dialogs, and a camera that is at
-    once where it shall be.
+    """mm/min, none of the warnings that FreeCAD gives new users in dialogs, a camera that is at once
+    where it shall be, and a plain background: without a graphics card that takes most of what
+    drawing takes.
     """
     view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     view.SetBool("UseNavigationAnimations", False)  # since 1.0
+    for each in ("Gradient", "RadialGradient", "ShowNaviCube"):
+        view.SetBool(each, False)
+    view.SetBool("Simple", True)
     for module in ("Path", "CAM"):
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
         settings.SetBool("WarningSuppressVelocity", True)
@@ -196,15 +200,21 @@ def set_up():
     FreeCAD.Units.setSchema(6)
 
 
-def begun(width, height):
-    """An empty document in a window of so many pixels, with the workbench and mm/min."""
+def workbench(*size):
+    """The workbench, set up, in a window of so many pixels or as it is."""
     from evenload import host
 
     set_up()
     FreeCADGui.activateWorkbench(host.WORKBENCH)
-    FreeCADGui.getMainWindow().resize(width, height)
+    if size:
+        FreeCADGui.getMainWindow().resize(*size)
     later(800)
     keep_modules()
+
+
+def begun(width, height):
+    """An empty document in the workbench, in a window of so many pixels."""
+    workbench(width, height)
     return FreeCAD.newDocument("Session")
 
 
