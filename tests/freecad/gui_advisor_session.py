@@ -23,6 +23,7 @@ from gui_tools import (  # noqa: E402
     run,
     toolbar_texts,
     until,
+    within,
 )
 
 
@@ -88,7 +89,7 @@ def cut_off(dock):
     return [
         widget.metaObject().className()
         for kind in kinds
-        for widget in area.widget().findChildren(kind)
+        for widget in within(area.widget(), kind)
         if widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
     ]
 

@@ -22,6 +22,7 @@ from gui_tools import (  # noqa: E402
     run,
     toolbar_texts,
     until,
+    within,
 )
 
 TAP = os.environ["EVENLOAD_TAP_TEST"]
@@ -48,7 +49,7 @@ def cut_off(window):
     return [
         widget.metaObject().className()
         for kind in kinds
-        for widget in area.widget().findChildren(kind)
+        for widget in within(area.widget(), kind)
         if widget.isVisible()
         and widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
     ]
@@ -135,9 +136,7 @@ def tap_test(window):
     try:
         stability_modes.QtGui.QFileDialog.getOpenFileName = staticmethod(lambda *_: (TAP, ""))
         with answering(use):
-            button = next(
-                b for b in window.modes.findChildren(QtGui.QPushButton) if "Tap" in b.text()
-            )
+            button = next(b for b in within(window.modes, QtGui.QPushButton) if "Tap" in b.text())
             click(button)
     finally:
         stability_modes.QtGui.QFileDialog.getOpenFileName = chosen

@@ -85,6 +85,14 @@ def widgets(kind):
     return [each for each in QtGui.QApplication.allWidgets() if isinstance(each, kind)]
 
 
+def within(widget, kind=QtGui.QWidget):
+    """The widgets of a class in another. Not by its findChildren, either: those that Qt makes and
+    ends by itself, as the list of a combo box, are taken for others that it makes in their place,
+    and FreeCAD 1.1 crashed where these were asked.
+    """
+    return [each for each in widgets(kind) if widget.isAncestorOf(each)]
+
+
 def picture(name):
     window = FreeCADGui.getMainWindow()
     docks = [d for d in widgets(QtGui.QDockWidget) if d.isVisible()]
