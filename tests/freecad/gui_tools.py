@@ -4,13 +4,11 @@ pictures, and what was seen as JSON in $EVENLOAD_GUI_OUT/result.json.
 
 import contextlib
 import faulthandler
-import functools
 import gc
 import json
 import os
 import time
 import traceback
-from importlib import import_module
 
 import FreeCAD
 import FreeCADGui
@@ -84,29 +82,7 @@ def widgets(kind):
     """All widgets of a class. Not by the main window's findChildren: its wrapper would keep those
     of the children, and these are taken for other widgets when they are gone.
     """
-    return [each for each in _all_widgets() if isinstance(each, kind)]
-
-
-def _all_widgets():
-    """PySide does not learn of the end of a widget that Qt has made and ended by itself, and as long
-    as its wrapper is kept it is taken for what stands in its place, whatever that is: FreeCAD 1.1
-    crashed where a widget was asked what only a box of buttons can tell.
-    """
-    found = QtGui.QApplication.allWidgets()
-    mistaken = [each for each in found if not each.inherits(_class_of(type(each)))]
-    if not mistaken:
-        return found
-    shiboken = import_module("shiboken" + QtCore.qVersion()[0].replace("5", "2"))
-    for each in mistaken:
-        shiboken.invalidate(each)
-    return QtGui.QApplication.allWidgets()
-
-
-@functools.lru_cache(maxsize=None)
-def _class_of(kind):
-    """Qt's name of the class of a wrapper, which may be derived from it in Python."""
-    own = next(each for each in kind.__mro__ if each.__module__.startswith("PySide"))
-    return own.staticMetaObject.className()
+    return [each for each in QtGui.QApplication.allWidgets() if isinstance(each, kind)]
 
 
 def within(widget, kind=QtGui.QWidget):
@@ -241,12 +217,12 @@ def workbench(*size):
     if size:
         FreeCADGui.getMainWindow().resize(*size)
     later(800)
-    keep_modules()
 
 
 def begun(width, height):
     """An empty document in the workbench, in a window of so many pixels."""
     workbench(width, height)
+    keep_modules()
     return FreeCAD.newDocument("Session")
 
 
