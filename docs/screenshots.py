@@ -121,4 +121,4 @@ def session():
     window("inspect")
 
 
-run(session)
+run(session, are_views_plain=False)

@@ -219,7 +219,6 @@ def _end_of(log, words):
     if not fatal:
         return "".join((log.rstrip() + "\n" + words).splitlines()[-1:])
     thread = words.partition("Current thread 0x")[2].partition("\n\n")[0]
-    thread = words.partition("Current thread 0x")[2].partition("\n\n")[0]
     frames = re.findall(r'File ".*?([^/"]+)", line (\d+) in (\S+)', thread)
     # From Python 3.14 on there are those of C, too.
     calls = re.findall(r'Binary file ".*?([^/"]+)", at (\S+)', words)

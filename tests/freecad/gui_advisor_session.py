@@ -23,7 +23,6 @@ from gui_tools import (  # noqa: E402
     run,
     toolbar_texts,
     until,
-    within,
 )
 
 
@@ -89,7 +88,7 @@ def cut_off(dock):
     return [
         widget.metaObject().className()
         for kind in kinds
-        for widget in within(area.widget(), kind)
+        for widget in area.widget().findChildren(kind)
         if widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
     ]
 

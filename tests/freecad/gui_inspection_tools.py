@@ -4,7 +4,7 @@ import os
 
 import FreeCAD
 import FreeCADGui
-from gui_tools import OUT, click, later, within
+from gui_tools import OUT, click, later
 from PySide import QtGui
 
 
@@ -62,7 +62,7 @@ def cut_off(dock):
     return [
         widget.metaObject().className()
         for kind in kinds
-        for widget in within(area.widget(), kind)
+        for widget in area.widget().findChildren(kind)
         if widget.isVisible()
         and widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
     ]

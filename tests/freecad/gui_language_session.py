@@ -19,7 +19,6 @@ from gui_tools import (  # noqa: E402
     run,
     toolbar_texts,
     until,
-    within,
 )
 from models import SQUARE, block_with, face_of, floors_of, sketch_of  # noqa: E402
 
@@ -37,7 +36,7 @@ COMMANDS = (
 def texts_in(widget):
     """The texts that a widget and those in it show, tooltips too, as plain text."""
     found, document = [], QtGui.QTextDocument()
-    for each in (widget, *within(widget)):
+    for each in (widget, *widget.findChildren(QtGui.QWidget)):
         found.append(each.toolTip())
         if isinstance(each, (QtGui.QLabel, QtGui.QAbstractButton)):
             found.append(each.text())

@@ -22,7 +22,6 @@ from gui_tools import (  # noqa: E402
     run,
     toolbar_texts,
     until,
-    within,
 )
 
 TAP = os.environ["EVENLOAD_TAP_TEST"]
@@ -49,7 +48,7 @@ def cut_off(window):
     return [
         widget.metaObject().className()
         for kind in kinds
-        for widget in within(area.widget(), kind)
+        for widget in area.widget().findChildren(kind)
         if widget.isVisible()
         and widget.mapTo(area.viewport(), widget.rect().topRight()).x() >= seen
     ]
@@ -136,7 +135,9 @@ def tap_test(window):
     try:
         stability_modes.QtGui.QFileDialog.getOpenFileName = staticmethod(lambda *_: (TAP, ""))
         with answering(use):
-            button = next(b for b in within(window.modes, QtGui.QPushButton) if "Tap" in b.text())
+            button = next(
+                b for b in window.modes.findChildren(QtGui.QPushButton) if "Tap" in b.text()
+            )
             click(button)
     finally:
         stability_modes.QtGui.QFileDialog.getOpenFileName = chosen

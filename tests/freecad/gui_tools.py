@@ -59,13 +59,15 @@ def until(is_so, most=MOST):
 
 
 def later(milliseconds=300):
-    """Lets the GUI go on for a while. What FreeCAD's panels leave in cycles goes at once: where Qt
-    makes a widget in the place of one that is gone, Python may else take it for that one. That
-    takes as long as many a wait, so `wait` and `until` leave it.
+    """Lets the GUI go on for a while. What FreeCAD's panels leave goes at once: where Qt makes a
+    widget in the place of one that is gone, Python may else take it for that one. What is left in
+    cycles takes as long as many a wait, so `wait` and `until` leave it.
     """
     from evenload.gui.wrappers import forget_the_dead
 
     wait(milliseconds)
+    # What is to be deleted once the script is done: FreeCAD lets go of its widgets' wrappers so.
+    QtCore.QCoreApplication.sendPostedEvents(None, QtCore.QEvent.DeferredDelete)
     gc.collect()
     forget_the_dead()
 
@@ -83,14 +85,6 @@ def widgets(kind):
     of the children, and these are taken for other widgets when they are gone.
     """
     return [each for each in QtGui.QApplication.allWidgets() if isinstance(each, kind)]
-
-
-def within(widget, kind=QtGui.QWidget):
-    """The widgets of a class in another. Not by its findChildren, either: those that Qt makes and
-    ends by itself, as the list of a combo box, are taken for others that it makes in their place,
-    and FreeCAD 1.1 crashed where these were asked.
-    """
-    return [each for each in widgets(kind) if widget.isAncestorOf(each)]
 
 
 def picture(name):
@@ -192,20 +186,24 @@ def base_list(op):
 
 
 def set_up():
-    """mm/min, none of the warnings that FreeCAD gives new users in dialogs, a camera that is at once
-    where it shall be, and a plain background: without a graphics card that takes most of what
-    drawing takes.
+    """mm/min, none of the warnings that FreeCAD gives new users in dialogs, and a camera that is at
+    once where it shall be.
     """
     view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
     view.SetBool("UseNavigationAnimations", False)  # since 1.0
-    for each in ("Gradient", "RadialGradient", "ShowNaviCube"):
-        view.SetBool(each, False)
-    view.SetBool("Simple", True)
     for module in ("Path", "CAM"):
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
         settings.SetBool("WarningSuppressVelocity", True)
         settings.SetBool("WarningSuppressSelectionMode", True)
     FreeCAD.Units.setSchema(6)
+
+
+def with_plain_views():
+    """Without a graphics card a background that changes takes most of what drawing takes."""
+    view = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/View")
+    for each in ("Gradient", "RadialGradient", "ShowNaviCube"):
+        view.SetBool(each, False)
+    view.SetBool("Simple", True)
 
 
 def workbench(*size):
@@ -297,12 +295,14 @@ def show_errors_only():
     return report_view()
 
 
-def run(session):
+def run(session, are_views_plain=True):
     """Calls session() as soon as FreeCAD has started, writes what it put into `result` and what
     stands in the report view, and ends FreeCAD.
     """
 
     def all_of_it():
+        if are_views_plain:
+            with_plain_views()
         keep_modules()
         started = show_errors_only()
         try:
