@@ -125,35 +125,34 @@ void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutt
   if (best.z > before) best.facet = number;
 }
 
-// A box in plan.
-struct Box {
-  double x0, y0, x1, y1;
-};
-
-Box box_of(const Facet& facet) {
+// A leaf of one facet.
+FacetNode leaf_of(const FacetMesh& mesh, std::uint32_t number) {
+  const Facet& facet = mesh.facets()[number];
   const auto& [a, b, c] = facet.corners;
-  return {std::min({a.x, b.x, c.x}), std::min({a.y, b.y, c.y}), std::max({a.x, b.x, c.x}),
-          std::max({a.y, b.y, c.y})};
+  return {std::min({a.x, b.x, c.x}),
+          std::min({a.y, b.y, c.y}),
+          std::max({a.x, b.x, c.x}),
+          std::max({a.y, b.y, c.y}),
+          facet.top,
+          number,
+          1};
 }
 
-Box box_of(const FacetNode& node) { return {node.x0, node.y0, node.x1, node.y1}; }
-
 // The highest that the tip could be lifted, over a place no farther than `half` from `middle` along
-// x and y, by what lies in a box up to `top`; any number that is not above `least` where that
-// cannot be.
-double highest_by(const Box& box, double top, const Cutter& cutter, Vec2 middle, double half,
+// x and y, by what lies in a box; any number that is not above `least` where that cannot be.
+double highest_by(const FacetNode& box, const Cutter& cutter, Vec2 middle, double half,
                   double least) {
-  if (!(top > least)) return -HUGE_VAL;
+  if (!(box.top > least)) return -HUGE_VAL;
   const double dx = std::max(std::max(box.x0 - middle.x, middle.x - box.x1) - half, 0.0);
   const double dy = std::max(std::max(box.y0 - middle.y, middle.y - box.y1) - half, 0.0);
   const double squared = dx * dx + dy * dy;
   if (squared > cutter.radius * cutter.radius) return -HUGE_VAL;
-  return top - cutter.rise(std::sqrt(squared));
+  return box.top - cutter.rise(std::sqrt(squared));
 }
 
-// Calls look(facet, highest) for the facets that may lift the tip above least() over a place no
-// farther than `half` from `middle`, what may lift it more mostly before what may not, as long as
-// it answers true.
+// Calls look(leaf, highest) for the facets, each as a leaf, that may lift the tip above least()
+// over a place no farther than `half` from `middle`, what may lift it more mostly before what may
+// not, as long as it answers true.
 template <typename Least, typename Look>
 void each_above(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double half,
                 const Least& least, const Look& look) {
@@ -164,8 +163,7 @@ void each_above(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double
     double highest;
   };
   const auto waiting = [&](std::uint32_t number) -> Waiting {
-    const FacetNode& node = nodes[number];
-    return {number, highest_by(box_of(node), node.top, cutter, middle, half, least())};
+    return {number, highest_by(nodes[number], cutter, middle, half, least())};
   };
   std::array<Waiting, 2 * kDeepest> stack;
   std::size_t size = 0;
@@ -182,9 +180,9 @@ void each_above(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double
       continue;
     }
     for (std::uint32_t i = node.first; i < node.first + node.count; ++i) {
-      const Facet& facet = mesh.facets()[i];
-      const double highest = highest_by(box_of(facet), facet.top, cutter, middle, half, least());
-      if (highest > least() && !look(i, highest)) return;
+      const FacetNode leaf = leaf_of(mesh, i);
+      const double highest = highest_by(leaf, cutter, middle, half, least());
+      if (highest > least() && !look(leaf, highest)) return;
     }
   }
 }
@@ -198,8 +196,8 @@ ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double fl
   if (first != kNoFacet) touch_facet(mesh, first, cutter, at, best);
   each_above(
       mesh, cutter, at, 0, [&] { return best.z; },
-      [&](std::uint32_t facet, double) {
-        touch_facet(mesh, facet, cutter, at, best);
+      [&](const FacetNode& leaf, double) {
+        touch_facet(mesh, leaf.first, cutter, at, best);
         return true;
       });
   return best;
@@ -219,22 +217,20 @@ DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle,
     if (farthest <= cutter.radius)
       least = std::max(floor, contact.point.z - cutter.rise(farthest) - kSeam);
   }
-  std::vector<std::pair<double, std::uint32_t>> found;
+  std::vector<std::pair<double, FacetNode>> found;
   each_above(
       mesh, cutter, middle, half, [&] { return least; },
-      [&](std::uint32_t facet, double highest) {
-        found.emplace_back(-highest, facet);
+      [&](const FacetNode& leaf, double highest) {
+        found.emplace_back(highest, leaf);
         return found.size() <= kMany;
       });
   is_worth_it_ = found.size() <= kMany;
   if (!is_worth_it_) return;
-  std::sort(found.begin(), found.end());
+  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+    return a.first != b.first ? a.first > b.first : a.second.first < b.second.first;
+  });
   above_.reserve(found.size());
-  for (const auto& [highest, number] : found) {
-    const Facet& facet = mesh.facets()[number];
-    const Box box = box_of(facet);
-    above_.push_back({box.x0, box.y0, box.x1, box.y1, facet.top, number});
-  }
+  for (const auto& [highest, leaf] : found) above_.push_back(leaf);
 }
 
 ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
@@ -242,9 +238,9 @@ ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
   ToolContact best;
   best.z = floor_;
   if (first != kNoFacet) touch_facet(mesh_, first, cutter_, at, best);
-  for (const Above& each : above_)
-    if (highest_by({each.x0, each.y0, each.x1, each.y1}, each.top, cutter_, at, 0, best.z) > best.z)
-      touch_facet(mesh_, each.facet, cutter_, at, best);
+  for (const FacetNode& leaf : above_)
+    if (highest_by(leaf, cutter_, at, 0, best.z) > best.z)
+      touch_facet(mesh_, leaf.first, cutter_, at, best);
   return best;
 }
 

@@ -48,12 +48,8 @@ class DropWindow {
   const FacetMesh& mesh_;
   Cutter cutter_;
   double floor_;
-  struct Above {
-    double x0, y0, x1, y1, top;  // mm: the facet's box
-    std::uint32_t facet;
-  };
-  std::vector<Above> above_;  // what may lift the tool more comes before
-  bool is_worth_it_ = true;   // whether these are few
+  std::vector<FacetNode> above_;  // a leaf each; what may lift the tool more comes before
+  bool is_worth_it_ = true;       // whether these are few
 };
 
 // drop() for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
