@@ -121,9 +121,10 @@ def load_of(op):
     later()
     view.dock.grab().save(os.path.join(OUT, "load.png"))
     seen = texts_in(view.dock) + [text for _, text in view.legend.swatches()]
+    seen.append(view.dock.windowTitle())
     load_view.close()
     later()
-    return seen + [view.dock.windowTitle()]
+    return seen
 
 
 def simulation_of(op):
