@@ -18,6 +18,8 @@ from evenload import advisor, ball_end, face_inspection, host, machines, materia
 from evenload.advisor import bent_faces
 from evenload.operations import finishing
 
+pytestmark = pytest.mark.between
+
 BALL, STOCK, FEED, SPEED, TEETH = 5.0, 0.3, 1632.0, 5100.0, 4  # [Varga 2023, ch. 8]
 NAMES = [
     *("Zig-zag 0°", "Zig-zag 22.5°", "Zig-zag 45°", "Zig-zag 67.5°", "Zig-zag 90°"),

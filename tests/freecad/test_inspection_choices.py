@@ -7,6 +7,8 @@ from conftest import in_gui
 
 from evenload import inspection
 
+pytestmark = pytest.mark.between
+
 NARROW = 264  # pixels: FreeCAD's own dock at first
 
 

@@ -3,6 +3,8 @@
 import pytest
 from conftest import in_gui
 
+pytestmark = pytest.mark.between
+
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory):

@@ -22,6 +22,8 @@ from evenload.face_inspection.probing_program import Probe, probing_program
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "python"))
 from languages import translator  # noqa: E402
 
+pytestmark = pytest.mark.between
+
 WALL = wall_points(24, numpy.zeros(24))
 
 

@@ -8,6 +8,8 @@ from conftest import in_gui
 from evenload.gui import load_colours
 from evenload.planar import CUT
 
+pytestmark = pytest.mark.between
+
 LEAST_LIGHTNESS_APART = 15
 
 

@@ -5,6 +5,8 @@ import math
 import pytest
 from conftest import in_gui
 
+pytestmark = pytest.mark.between
+
 
 @pytest.fixture(scope="module")
 def session(tmp_path_factory):

@@ -9,6 +9,8 @@ from evenload.pictures import over_time, path_picture
 from models import SQUARE, block_with, circle, face_of
 from simulated import faulty, simulated
 
+pytestmark = pytest.mark.between
+
 RATE = 1147.5  # mm3/min: side step 1.5 mm, depth 3 mm, feed 255 mm/min
 
 

@@ -5,6 +5,8 @@ import csv
 import pytest
 from conftest import in_gui
 
+pytestmark = pytest.mark.between
+
 
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory):

@@ -11,6 +11,8 @@ from evenload.dynamics import Milling, directions, vibration
 from evenload.job_files import report
 from models import DEPTH, case_model, corpus_case, floors_of
 
+pytestmark = pytest.mark.between
+
 # Weak in X, as a long tool in a slender spindle nose.
 MODES = [
     {"stiffness_n_per_um": 1.0, "frequency_hz": 700, "damping_ratio": 0.02},

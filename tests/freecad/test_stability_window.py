@@ -5,6 +5,8 @@ import pytest
 from conftest import in_gui
 from evenload.dynamics import Frf, Mode
 
+pytestmark = pytest.mark.between
+
 MODE = Mode.from_stiffness(3.0, 780, 0.022)
 
 

@@ -15,6 +15,8 @@ from evenload.operations import finishing
 from evenload.settings.table import EVEN_CUSPS
 from evenload.surface_simulation import nearest, rough, rough_map
 
+pytestmark = pytest.mark.between
+
 PICTURES = [
     "cusp",
     "gouge",

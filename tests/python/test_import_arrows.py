@@ -5,6 +5,8 @@ from pathlib import Path
 
 import pytest
 
+pytestmark = pytest.mark.core
+
 PACKAGE = Path(__file__).resolve().parents[2] / "Mod" / "evenload"
 
 # What each room may import besides itself. The ground is what lies in no folder and knows nothing

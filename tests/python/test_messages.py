@@ -4,11 +4,15 @@ import re
 import sys
 from pathlib import Path
 
+import pytest
+
 ROOT = Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "docs"))
 import messages_page  # noqa: E402
 from messages_explained import MEANT  # noqa: E402
 from messages_meant import FAMILIES, PLACED  # noqa: E402
+
+pytestmark = pytest.mark.core
 
 SENTENCES = [each for found in messages_page.sentences().values() for each in found]
 
