@@ -26,19 +26,22 @@ bool is_over(const Facet& facet, Vec2 at) {
   return true;
 }
 
-void touch_face(const Facet& facet, const Cutter& cutter, Vec2 at, ToolContact& best) {
+// Where the tool touches a facet's plane, which is not upright, and how high its tip is then.
+struct PlaneContact {
+  SpacePoint point;
+  double tip;
+};
+
+PlaneContact touch_plane(const Facet& facet, const Cutter& cutter, Vec2 at) {
   const SpacePoint n = facet.normal;
-  if (n.z == 0) return;
   const Vec2 across = plan(n);
   const double lean = norm(across);
   Vec2 touched = at;
   // A level face is touched below the axis; with the disc's other points by its border.
   if (lean > 1e-12) touched = at - (cutter.flat() / lean + cutter.corner) * across;
-  if (!is_over(facet, touched)) return;
   const SpacePoint from = facet.corners[0];
   const double z = from.z - dot(across, touched - plan(from)) / n.z;
-  const double tip = z - cutter.corner * (1 - n.z);
-  if (tip > best.z) best = {tip, true, facet.is_picked, {touched.x, touched.y, z}, n};
+  return {{touched.x, touched.y, z}, z - cutter.corner * (1 - n.z)};
 }
 
 // Where along an edge that passes the axis at a distance, and rises by `slope` > 0, the tool
@@ -119,7 +122,13 @@ void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutt
   const Facet& facet = mesh.facets()[number];
   if (facet.top <= best.z) return;
   const double before = best.z;
-  touch_face(facet, cutter, at, best);
+  if (facet.normal.z != 0) {
+    const PlaneContact contact = touch_plane(facet, cutter, at);
+    const bool is_on_it = contact.tip > best.z && is_over(facet, plan(contact.point));
+    if (is_on_it) best = {contact.tip, true, facet.is_picked, contact.point, facet.normal, number};
+    // The edges of a face lift the tool no higher than its plane does.
+    if (facet.normal.z > 0 && (is_on_it || contact.tip < best.z - kSeam)) return;
+  }
   for (std::size_t k = 0; k < 3; ++k)
     if (facet.is_touchable[k]) touch_edge(facet, k, cutter, at, best);
   if (best.z > before) best.facet = number;
@@ -217,20 +226,17 @@ DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle,
     if (farthest <= cutter.radius)
       least = std::max(floor, contact.point.z - cutter.rise(farthest) - kSeam);
   }
-  std::vector<std::pair<double, FacetNode>> found;
   each_above(
       mesh, cutter, middle, half, [&] { return least; },
       [&](const FacetNode& leaf, double highest) {
-        found.emplace_back(highest, leaf);
-        return found.size() <= kMany;
+        above_.emplace_back(highest, leaf);
+        return above_.size() <= kMany;
       });
-  is_worth_it_ = found.size() <= kMany;
+  is_worth_it_ = above_.size() <= kMany;
   if (!is_worth_it_) return;
-  std::sort(found.begin(), found.end(), [](const auto& a, const auto& b) {
+  std::sort(above_.begin(), above_.end(), [](const auto& a, const auto& b) {
     return a.first != b.first ? a.first > b.first : a.second.first < b.second.first;
   });
-  above_.reserve(found.size());
-  for (const auto& [highest, leaf] : found) above_.push_back(leaf);
 }
 
 ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
@@ -238,9 +244,11 @@ ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
   ToolContact best;
   best.z = floor_;
   if (first != kNoFacet) touch_facet(mesh_, first, cutter_, at, best);
-  for (const FacetNode& leaf : above_)
+  for (const auto& [highest, leaf] : above_) {
+    if (!(highest > best.z)) break;
     if (highest_by(leaf, cutter_, at, 0, best.z) > best.z)
       touch_facet(mesh_, leaf.first, cutter_, at, best);
+  }
   return best;
 }
 

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "support/progress.h"
@@ -48,8 +49,9 @@ class DropWindow {
   const FacetMesh& mesh_;
   Cutter cutter_;
   double floor_;
-  std::vector<FacetNode> above_;  // a leaf each; what may lift the tool more comes before
-  bool is_worth_it_ = true;       // whether these are few
+  // How high leaves of one facet each may lift the tip over any of the places, the highest first.
+  std::vector<std::pair<double, FacetNode>> above_;
+  bool is_worth_it_ = true;  // whether these are few
 };
 
 // drop() for many places, on `threads` threads, 0: as many as there are cores. Throws Cancelled.
