@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -36,6 +37,16 @@ Eigen::Matrix2cd per_depth(const Milling& m, int order) {
       force_matrix(m.tangential, m.normal, {one.imag(), sine.imag(), cosine.imag()})
           .cast<Complex>();
   return by_real + kI * by_imaginary;
+}
+
+// The roots of z^2 - trace z + determinant: the one that is farther from 0 without cancellation,
+// the other from their product.
+std::array<Complex, 2> eigenvalues(const Eigen::Matrix2cd& matrix) {
+  const Complex middle = 0.5 * matrix.trace(), product = matrix.determinant();
+  const Complex apart = std::sqrt(middle * middle - product);
+  const bool is_plus = std::real(std::conj(middle) * apart) >= 0;
+  const Complex far = is_plus ? middle + apart : middle - apart;
+  return {far, far == 0.0 ? far : product / far};
 }
 
 // Unrolled angle of the determinant from `low` to `high`, with as many looks as it turns.
@@ -116,8 +127,7 @@ bool FrequencyDomain::find_limit(double speed, double& depth, double& frequency)
     Eigen::Matrix2d slopes;
     slopes << slope_depth.real(), slope_frequency.real(), slope_depth.imag(),
         slope_frequency.imag();
-    const Eigen::Vector2d step =
-        slopes.fullPivLu().solve(Eigen::Vector2d(-value.real(), -value.imag()));
+    const Eigen::Vector2d step = slopes.inverse() * Eigen::Vector2d(-value.real(), -value.imag());
     if (!step.allFinite()) return false;
     // Far steps are shortened: the guess tells which limit is meant.
     const double size =
@@ -158,10 +168,8 @@ std::vector<ZerothOrder> zeroth_order(const Milling& milling, const Receptance& 
         "The zeroth order knows even pitch alone: take the multi-frequency solution.");
   const Eigen::Matrix2cd oriented = turned(receptance, milling.feed_direction)(frequency) *
                                     per_depth(milling, 0) * static_cast<double>(milling.teeth);
-  const Eigen::Vector2cd values =
-      Eigen::ComplexEigenSolver<Eigen::Matrix2cd>(oriented, false).eigenvalues();
   std::vector<ZerothOrder> result;
-  for (const Complex& value : values) {
+  for (const Complex& value : eigenvalues(oriented)) {
     if (!(value.real() < 0)) continue;
     result.push_back({-1 / (2 * value.real()), 2 * std::atan2(1.0, -value.imag() / value.real())});
   }

@@ -28,7 +28,7 @@ double stepover_for(double corner, double cusp_height) {
 
 CuspRule::CuspRule(const Ground& ground, double cusp_height, double deflection)
     : wish_(cusp_height),
-      corner_(ground.cutter.corner + ground.allowance),
+      corner_(ground.cutter.corner),  // with an allowance it is the offset face that it cuts
       level_(stepover_for(corner_, cusp_height)),
       widening_(std::max(1.0, std::sqrt(deflection / (kNoise * cusp_height)))) {}
 

@@ -112,26 +112,46 @@ void touch_edge(const Facet& facet, std::size_t side, const Cutter& cutter, Vec2
   }
   const Vec2 from_axis = plan(touched) - at;
   const double distance = norm(from_axis);
-  if (distance > cutter.radius * (1 + 1e-15)) return;
+  // A flat tool touches a rising edge with its very rim, which rounding must not take off it.
+  if (distance > cutter.radius + kSeam) return;
   const double tip = touched.z - cutter.rise(std::min(distance, cutter.radius));
-  if (tip > best.z) best = {tip, true, is_within, touched, normal_at(cutter, from_axis, distance)};
+  // Where a level face and its border are touched at once, it is the face that counts.
+  if (tip > best.z + (best.is_within ? kSeam : 0))
+    best = {tip, true, is_within, touched, normal_at(cutter, from_axis, distance)};
+}
+
+// What lies no higher changes nothing: a face counts before the border of one beside it at the same
+// height.
+double least_that_counts(const ToolContact& best) {
+  return best.is_within ? best.z : best.z - kSeam;
 }
 
 void touch_facet(const FacetMesh& mesh, std::uint32_t number, const Cutter& cutter, Vec2 at,
                  ToolContact& best) {
   const Facet& facet = mesh.facets()[number];
-  if (facet.top <= best.z) return;
+  if (facet.top <= least_that_counts(best)) return;
   const double before = best.z;
   if (facet.normal.z != 0) {
     const PlaneContact contact = touch_plane(facet, cutter, at);
-    const bool is_on_it = contact.tip > best.z && is_over(facet, plan(contact.point));
-    if (is_on_it) best = {contact.tip, true, facet.is_picked, contact.point, facet.normal, number};
+    const double least = facet.is_picked ? least_that_counts(best) : best.z;
+    const bool is_on_it = contact.tip > least && is_over(facet, plan(contact.point));
+    if (is_on_it) {
+      const double tip = std::max(contact.tip, best.z);
+      best = {tip, true, facet.is_picked, contact.point, facet.normal, number};
+    }
     // The edges of a face lift the tool no higher than its plane does.
     if (facet.normal.z > 0 && (is_on_it || contact.tip < best.z - kSeam)) return;
   }
   for (std::size_t k = 0; k < 3; ++k)
     if (facet.is_touchable[k]) touch_edge(facet, k, cutter, at, best);
   if (best.z > before) best.facet = number;
+}
+
+// A tool as low as it may be. What lies just as low is touched, too, whatever rounding says.
+ToolContact untouched(double floor) {
+  ToolContact result;
+  result.z = floor - kSeam;
+  return result;
 }
 
 // A leaf of one facet.
@@ -200,15 +220,15 @@ void each_above(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle, double
 
 ToolContact drop(const FacetMesh& mesh, const Cutter& cutter, Vec2 at, double floor,
                  std::uint32_t first) {
-  ToolContact best;
-  best.z = floor;
+  ToolContact best = untouched(floor);
   if (first != kNoFacet) touch_facet(mesh, first, cutter, at, best);
   each_above(
-      mesh, cutter, at, 0, [&] { return best.z; },
+      mesh, cutter, at, 0, [&] { return least_that_counts(best); },
       [&](const FacetNode& leaf, double) {
         touch_facet(mesh, leaf.first, cutter, at, best);
         return true;
       });
+  best.z = std::max(best.z, floor);
   return best;
 }
 
@@ -218,13 +238,13 @@ DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle,
   // Where the tool reaches from all of the window what it touches in the middle, it is nowhere
   // lower than that allows.
   const ToolContact contact = evenload::drop(mesh, cutter, middle, floor);
-  double least = floor;
+  double least = floor - kSeam;
   if (contact.touches) {
     const Vec2 from = plan(contact.point) - middle;
     const double farthest = std::hypot(std::abs(from.x) + half, std::abs(from.y) + half);
     // Less a little, for what touches at just that height must be found, too.
     if (farthest <= cutter.radius)
-      least = std::max(floor, contact.point.z - cutter.rise(farthest) - kSeam);
+      least = std::max(least, contact.point.z - cutter.rise(farthest) - kSeam);
   }
   each_above(
       mesh, cutter, middle, half, [&] { return least; },
@@ -241,14 +261,15 @@ DropWindow::DropWindow(const FacetMesh& mesh, const Cutter& cutter, Vec2 middle,
 
 ToolContact DropWindow::drop(Vec2 at, std::uint32_t first) const {
   if (!is_worth_it_) return evenload::drop(mesh_, cutter_, at, floor_, first);
-  ToolContact best;
-  best.z = floor_;
+  ToolContact best = untouched(floor_);
   if (first != kNoFacet) touch_facet(mesh_, first, cutter_, at, best);
   for (const auto& [highest, leaf] : above_) {
-    if (!(highest > best.z)) break;
-    if (highest_by(leaf, cutter_, at, 0, best.z) > best.z)
+    const double least = least_that_counts(best);
+    if (!(highest > least)) break;
+    if (highest_by(leaf, cutter_, at, 0, least) > least)
       touch_facet(mesh_, leaf.first, cutter_, at, best);
   }
+  best.z = std::max(best.z, floor_);
   return best;
 }
 

@@ -12,7 +12,8 @@ namespace {
 constexpr std::uint32_t kMostInLeaf = 4;
 // mm: coordinates that differ by less are one point's. Rounding at 1e4 mm is ten times finer.
 constexpr double kWelded = 1e-7;
-constexpr double kNoArea = 1e-12;  // mm^2
+constexpr double kNoArea = 1e-12;   // mm^2
+constexpr double kNoHeight = 1e-9;  // mm over a triangle's longest side
 // mm by which a corner must lie below its neighbour's plane for the ground to fall away there; the
 // tool would be lower by less if the edge were left out.
 constexpr double kInPlane = 1e-9;
@@ -107,7 +108,10 @@ FacetMesh::FacetMesh(const std::vector<SpacePoint>& points, const std::vector<Tr
     const auto at = [&](int k) { return points[corners[static_cast<std::size_t>(k)]]; };
     SpacePoint normal = cross(at(1) - at(0), at(2) - at(0));
     const double area = norm(normal);
-    if (!(area > kNoArea)) continue;
+    const double longest =
+        std::max({norm(at(1) - at(0)), norm(at(2) - at(1)), norm(at(0) - at(2))});
+    // Three points on a line span an area by rounding alone, with a normal that means nothing.
+    if (!(area > kNoArea && area > kNoHeight * longest)) continue;
     if (normal.z < 0) {
       std::swap(corners[1], corners[2]);
       normal = -1.0 * normal;

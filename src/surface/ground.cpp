@@ -55,13 +55,15 @@ DropSample sample_of(const Ground& ground, double s, Vec2 at, const ToolContact&
 // Of a stretch of a line around `middle`, mm along it, `half` to both sides.
 class Sampling {
  public:
-  Sampling(const Ground& ground, const PlanLine& line, double middle, double half, double tolerance)
+  Sampling(const Ground& ground, const PlanLine& line, double middle, double half, double tolerance,
+           Sampled sampled)
       : ground_(ground),
         line_(line),
         window_(*ground.mesh, ground.cutter.grown(ground.allowance), line.at(middle), half,
                 ground.floor - ground.allowance),
         near_(kChordShare * tolerance),
-        shortest_(kJumpShare * tolerance) {}
+        shortest_(kJumpShare * tolerance),
+        sampled_(sampled) {}
 
   DropSample at(double s, const DropSample& beside) const {
     const Vec2 place = line_.at(s);
@@ -86,14 +88,15 @@ class Sampling {
   }
 
  private:
-  static bool does_matter(const DropSample& sample) {
-    return sample.is_at_work || sample.is_kept_off;
+  bool does_matter(const DropSample& sample) const {
+    return sampled_ == Sampled::kLink || sample.is_at_work || sample.is_kept_off;
   }
 
   const Ground& ground_;
   const PlanLine& line_;
   DropWindow window_;
   double near_, shortest_;
+  Sampled sampled_;
 };
 
 }  // namespace
@@ -118,7 +121,7 @@ double spacing_of(const Cutter& cutter, double tolerance) {
 }
 
 std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
-                                      double end, double tolerance) {
+                                      double end, double tolerance, Sampled sampled) {
   // Each piece has four quarters; a bump is as high as the square of its width.
   const double spacing = 4 * std::sqrt(kBumpShare) * spacing_of(ground.cutter, tolerance);
   const int pieces = std::max(1, static_cast<int>(std::ceil((end - begin) / spacing)));
@@ -128,7 +131,7 @@ std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line
     const int first = next, count = std::min(kTogether, pieces - first);
     const double half = 0.5 * count * length;
     const Sampling sampling(ground, line, begin + first * length + half, half * kRounding,
-                            tolerance);
+                            tolerance, sampled);
     for (; next < first + count; ++next) {
       const DropSample a = samples.back();
       const DropSample b = sampling.at(begin + (end - begin) * (next + 1) / pieces, a);

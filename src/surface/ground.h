@@ -48,10 +48,12 @@ DropSample sample_at(const Ground& ground, const PlanLine& line, double s,
 // from the tool's true height as kChordShare of `tolerance` at the most, distances taken in the
 // upright plane of the line, an arc's unrolled. Where the height jumps, beside an upright wall, two
 // samples are nearer than kJumpShare of it. A bump that is missed between two stands out by
-// kBumpShare of it; places where the tool is not at work, nor kept up by a fixture, are sampled no
-// finer than that takes.
+// kBumpShare of it. Of a pass, places where the tool is not at work, nor kept up by a fixture, are
+// left out in the end, and sampled no finer than that takes; a link goes over all of them.
+enum class Sampled { kPass, kLink };
 std::vector<DropSample> samples_along(const Ground& ground, const PlanLine& line, double begin,
-                                      double end, double tolerance);
+                                      double end, double tolerance,
+                                      Sampled sampled = Sampled::kPass);
 // Chords that a sample in their middle shows to be this far off are halved; the four quarters of
 // those which are not leave a round ground by a sixteenth of it, and a sharp one by a quarter.
 inline constexpr double kChordShare = 0.15;

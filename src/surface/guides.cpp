@@ -54,9 +54,36 @@ void go_on(std::vector<Vec2>& corners, double extension) {
   corners.insert(corners.begin(), first);
 }
 
+bool is_closed(const std::vector<Vec2>& guide) {
+  return guide.size() > 3 && norm(guide.back() - guide.front()) <= kSamePlace;
+}
+
+// Positive where a closed guide goes round counter-clockwise.
+double area_within(const std::vector<Vec2>& guide) {
+  double sum = 0;
+  for (std::size_t i = 1; i < guide.size(); ++i)
+    sum += cross(guide[i - 1] - guide[0], guide[i] - guide[0]);
+  return 0.5 * sum;
+}
+
+// The second of two closed guides, turned to go round the same way and to begin where it comes
+// nearest to the first one's begin.
+std::vector<Vec2> in_step(const std::vector<Vec2>& first, std::vector<Vec2> second) {
+  if (area_within(first) * area_within(second) < 0) std::reverse(second.begin(), second.end());
+  second.pop_back();
+  const auto apart = [&](Vec2 corner) { return norm(corner - first.front()); };
+  std::rotate(second.begin(),
+              std::min_element(second.begin(), second.end(),
+                               [&](Vec2 a, Vec2 b) { return apart(a) < apart(b); }),
+              second.end());
+  second.push_back(second.front());
+  return second;
+}
+
 // The second guide, turned to run beside the first.
 std::vector<Vec2> alike(const std::vector<Vec2>& first, std::vector<Vec2> second) {
   if (first.empty() || second.empty()) return second;
+  if (is_closed(first) && is_closed(second)) return in_step(first, std::move(second));
   const double along = norm(first.front() - second.front()) + norm(first.back() - second.back());
   const double against = norm(first.front() - second.back()) + norm(first.back() - second.front());
   if (against < along) std::reverse(second.begin(), second.end());

@@ -32,8 +32,8 @@ std::vector<SpacePoint> arc_of(const Ground& ground, SpacePoint start, SpacePoin
     const double from = dot(plan(before - start), line.along);
     const double to = dot(plan(corner - start), line.along);
     if (std::abs(to - from) > kShortest)
-      for (const DropSample& sample :
-           samples_along(ground, line, std::min(from, to), std::max(from, to), tolerance)) {
+      for (const DropSample& sample : samples_along(
+               ground, line, std::min(from, to), std::max(from, to), tolerance, Sampled::kLink)) {
         const double share = (sample.s - from) / (to - from);
         if (before.z + share * (corner.z - before.z) < sample.z - kBite * tolerance) return {};
       }

@@ -29,7 +29,8 @@ class PathMaker {
     const double length = norm(way);
     if (length > kNowhere) {
       const PlanLine line{plan(at_), way / length};
-      std::vector<DropSample> samples = samples_along(ground_, line, 0, length, params_.tolerance);
+      std::vector<DropSample> samples =
+          samples_along(ground_, line, 0, length, params_.tolerance, Sampled::kLink);
       samples.front().z = at_.z;
       samples.back().z = end.z;
       const std::vector<Waypoint> points =

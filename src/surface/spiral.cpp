@@ -80,8 +80,8 @@ class CuspSpiral {
     }
     for (std::size_t k = 0; k < kRays; ++k) {
       double least = steps[k];
-      for (std::size_t i = k - std::min(k, kSmoothed); i <= std::min(k + kSmoothed, kRays - 1); ++i)
-        least = std::min(least, steps[i]);
+      for (std::size_t i = k + kRays - kSmoothed; i <= k + kRays + kSmoothed; ++i)
+        least = std::min(least, steps[i % kRays]);
       radii_.push_back(radii_[begin + 1 + k] + least);
     }
   }

@@ -120,6 +120,16 @@ def test_even_cusps_are_even_on_95_percent_of_the_part(surface, parts, is_convex
     assert 40 - ordinates[-1] < half and ordinates[0] + 40 < half
 
 
+def test_even_cusps_with_an_allowance_are_those_of_the_tool_itself(surface, parts):
+    wish, allowance = 0.01, 0.5
+    found = surface.finish(parts[True], **fine(cusp_height=wish, allowance=allowance))
+    ordinates = pass_ordinates(found.toolpath.moves)
+    # The offset face is level there, too. To the last pass it is as far as is left.
+    flat = ordinates[ordinates > 31.5][:-1]
+    for step in numpy.diff(flat):
+        assert BALL - math.sqrt(BALL**2 - (step / 2) ** 2) == pytest.approx(wish, rel=0.1)
+
+
 def test_passes_at_a_slant_leave_no_more_than_the_wish(surface, parts):
     found = surface.finish(parts[True], **fine(angle=math.radians(45), cusp_height=0.01))
     # Between passes at 45 degrees a place on the crest is half a stepover off at the most.

@@ -208,6 +208,23 @@ def test_passes_change_from_one_guide_to_the_other(surface, parts):
     assert distance.min() > -0.2 * TOLERANCE and distance.max() < TOLERANCE
 
 
+def ring(radius, begin, sense):
+    """Corners of a closed guide around the origin, the first at an angle in degrees."""
+    angles = math.radians(begin) + sense * numpy.linspace(0, 2 * math.pi, 121)
+    return [tuple(radius * numpy.array((math.cos(a), math.sin(a)))) for a in angles]
+
+
+@pytest.mark.parametrize("begin", [0, 180, 77])
+@pytest.mark.parametrize("sense", [1, -1])
+def test_closed_guides_go_round_in_step(surface, parts, begin, sense):
+    guides = [ring(30, 0, 1), ring(20, begin, sense)]
+    arguments = fine(pattern="between guides", guides=guides, stepover=2.1)
+    found = surface.finish(parts[True], **arguments)
+    assert found.toolpath.report.passes == 5
+    radii = [math.hypot(*end[:2]) for _, _, end in steps(found.toolpath.moves, CUT)]
+    assert 20.9 < min(radii) and max(radii) < 29.1
+
+
 def shared(line, count=200):
     """Places at even shares of a line's length."""
     line = numpy.array(line)

@@ -116,7 +116,7 @@ def loads_along(question, mesh, arguments, moves, stepover, count):
     contacts = compiled.core().surface.contacts(
         mesh,
         *(arguments["tool_diameter"] + 2 * allowance, arguments["corner_radius"] + allowance),
-        *(found.tips[:, :2], arguments["floor"]),
+        *(found.tips[:, :2], arguments["floor"] - allowance),
     )
     touches = (contacts[:, 1] > 0) & (contacts[:, 2] > 0)
     if not touches.any():

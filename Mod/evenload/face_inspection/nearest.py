@@ -36,7 +36,11 @@ class FacesPart:
         return self._all(points, range(len(points)))[2]
 
     def places(self, points):
-        """[(face, (u, v)), ...]: where on which face n x 3 points have their nearest places."""
+        """[(face, (u, v)), ...]: where on which face n x 3 points have their nearest places. They need
+        not be those of the call before.
+        """
+        self._homes.clear()
+        self._places.clear()
         self._all(points, range(len(points)))
         homes = (self._homes[number] for number in range(len(points)))
         return [
@@ -124,7 +128,8 @@ class _Face:
             a, b = du.dot(du) + away.dot(duu), du.dot(dv) + away.dot(duv)
             d = dv.dot(dv) + away.dot(dvv)
             determinant = a * d - b * b
-            if not determinant > POLE * du.dot(du) * dv.dot(dv):
+            # Where both are not positive it is no least distance, or none that Newton finds.
+            if not (a > 0 and determinant > POLE * du.dot(du) * dv.dot(dv)):
                 return None
             along_u, along_v = away.dot(du), away.dot(dv)
             step_u = (b * along_v - d * along_u) / determinant

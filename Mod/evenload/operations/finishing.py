@@ -97,8 +97,8 @@ class Finishing(base.Operation):
 
     def _set_cusp_height(self, obj):
         corner, stepover = _end_radius(obj), obj.Stepover.Value
-        if stepover / 2 <= corner:
-            self.quietly(obj, "CuspHeight", cusp_height_of(stepover, corner))
+        height = cusp_height_of(stepover, corner) if stepover / 2 <= corner else 0.0
+        self.quietly(obj, "CuspHeight", height)
 
     def _set_stepover(self, obj):
         corner, height = _end_radius(obj), obj.CuspHeight.Value

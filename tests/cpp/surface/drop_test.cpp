@@ -242,6 +242,61 @@ TEST(Drop, ValleysAndFlatEdgesTouchNothingThatTheirTrianglesDoNot) {
     }
 }
 
+TEST(Drop, OverAWedgeItIsTheSameWhereverThePartLies) {
+  // Upright triangles: the edge between the first two points is what a tool touches.
+  const auto wedge = [](Vec2 by) {
+    const SpacePoint a{by.x - 10, by.y, 1}, b{by.x + 10, by.y + 3, 7};
+    return mesh_of({{{a, b, {b.x, b.y, -50}}}, {{a, {b.x, b.y, -50}, {a.x, a.y, -50}}}});
+  };
+  const Vec2 there{103.7, 55.3};
+  const FacetMesh here = wedge({0, 0}), away = wedge(there);
+  std::mt19937 random(5);
+  for (const Cutter& tool : {Cutter{5, 5}, Cutter{5, 1.5}, Cutter{5, 0}, Cutter{0.5, 0}})
+    for (int i = 0; i < 400; ++i) {
+      // Off the upright sides, beyond which the edge's ends alone are touched.
+      const double along = uniform(random, -8, 8);
+      const Vec2 at = Vec2{along, 0.15 * along + 1.5} +
+                      uniform(random, -0.9, 0.9) * tool.radius * unit(0.5 * kPi + 0.149);
+      const double height = drop(here, tool, at, kFloor).z;
+      EXPECT_NEAR(drop(away, tool, at + there, kFloor).z, height, 1e-6);
+      EXPECT_GT(height, -10);
+    }
+}
+
+TEST(Drop, ALevelFaceAtTheFloorIsTouched) {
+  const FacetMesh mesh = mesh_of({{{{-100, -100, -3}, {100, -100, -3}, {0, 100, -3}}}});
+  for (const Cutter& tool : kTools) {
+    const ToolContact contact = drop(mesh, tool, {1, 2}, -3);
+    EXPECT_TRUE(contact.touches && contact.is_within);
+    EXPECT_EQ(contact.z, -3);
+    EXPECT_TRUE(DropWindow(mesh, tool, {0, 0}, 3, -3).drop({1, 2}, kNoFacet).touches);
+  }
+}
+
+TEST(Drop, OnALevelFaceItIsTheFaceThatCountsNotItsBorder) {
+  const SpacePoint a{0, 0, 2}, b{40, 0, 2}, c{40, 6, 2}, d{0, 6, 2};
+  const std::array<SpacePoint, 3> one{a, b, c}, other{a, c, d};
+  for (const FacetMesh& mesh : {mesh_of({one, other}), mesh_of({other, one})})
+    for (const Cutter& tool : kTools)
+      for (int i = 0; i < 200; ++i) {
+        const ToolContact contact = drop(mesh, tool, {0.5 + 0.19 * i, 0.3 + 0.027 * i}, kFloor);
+        EXPECT_TRUE(contact.is_within) << i;
+        EXPECT_EQ(contact.z, 2);
+      }
+}
+
+TEST(Drop, PointsOnALineAreNoTriangle) {
+  // A ridge beside which a triangle without a height lies, whose points rounding puts off the line.
+  const SpacePoint a{100.1, 7.3, 3.1}, b{400.7, 109.9, 3.1};
+  const SpacePoint between = a + (1.0 / 3) * (b - a);
+  const FacetMesh mesh = mesh_of(
+      {{{a, b, {b.x, b.y, -50}}}, {{a, {b.x, b.y, -50}, {a.x, a.y, -50}}}, {{a, between, b}}});
+  for (int i = 1; i < 100; ++i) {
+    const Vec2 at = plan(a + (i / 100.0) * (b - a));
+    for (const Cutter& tool : kTools) EXPECT_NEAR(drop(mesh, tool, at, kFloor).z, 3.1, 1e-9);
+  }
+}
+
 TEST(Drop, AToolThatFindsNothingStandsOnTheFloor) {
   const FacetMesh mesh = plane_of(0);
   EXPECT_EQ(drop(mesh, kTools[0], {300, 0}, -3).z, -3);
