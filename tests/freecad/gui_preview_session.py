@@ -9,7 +9,7 @@ import sys
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_preview_tools import (  # noqa: E402
@@ -28,7 +28,7 @@ from gui_preview_tools import (  # noqa: E402
     state,
     turn,
 )
-from gui_tools import later, press, result, run, until, wait, workbench  # noqa: E402
+from gui_tools import click, later, press, result, run, until, wait, workbench  # noqa: E402
 
 OK, APPLY = QtGui.QDialogButtonBox.Ok, QtGui.QDialogButtonBox.Apply
 CHANGES, BETWEEN = 20, 100  # ms: 20 changes in 2 s
@@ -116,6 +116,88 @@ def applied(doc, op):
     op.touch()
     doc.recompute()
     seen["same_path"] = op.Path.toGCode() == path
+    return seen
+
+
+def stepped(op):
+    """Arrows, keys and typing in fields, with what is set after each, and the preview's state."""
+    page, seen = opened(op), {}
+    for name, box in (
+        ("angle", page.widgets["EngagementAngle"]),
+        ("share", page.engagement.share),
+        ("left", page.widgets["StockToLeave"]),
+    ):
+        done = seen[name] = []
+        arrow = box.rect().topRight() + QtCore.QPoint(-6, box.height() // 4)
+        for step in (
+            lambda: click(box, arrow),
+            lambda: key(box, QtCore.Qt.Key_Up),
+            lambda: key(box, QtCore.Qt.Key_Down),
+            lambda: key(box, QtCore.Qt.Key_2, "2"),  # typed, and not done
+        ):
+            step()
+            later(20)
+            values = op.EngagementAngle, op.SideStep, op.StockToLeave
+            done.append([round(value.Value, 2) for value in values])
+    seen["state"] = state(op)
+    until(lambda: shown(op))
+    press(CANCEL)
+    later(100)
+    return seen
+
+
+def key(box, code, text=""):
+    for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+        event = QtGui.QKeyEvent(kind, code, QtCore.Qt.NoModifier, text)
+        QtGui.QApplication.sendEvent(box, event)
+
+
+def elsewhere(doc, op):
+    """OK and Cancel while another document is the active one, which has an object of that name."""
+    before, seen = op.EngagementAngle.Value, {}
+    other = FreeCAD.newDocument("Beside")
+    double = other.addObject("App::FeaturePython", op.Name)
+    for button in (OK, CANCEL):
+        FreeCAD.setActiveDocument(doc.Name)
+        opened(op)
+        turn(op, 63 if button == OK else 44)
+        until(lambda: shown(op))
+        FreeCAD.setActiveDocument(other.Name)
+        press(button)
+        later(100)
+        seen[str(button == OK)] = [
+            op.EngagementAngle.Value,
+            list(op.State),
+            op.ViewObject.Proxy.panel is None,
+            FreeCAD.ActiveDocument is other,
+            [each.Name for each in other.Objects] == [double.Name],
+        ]
+    FreeCAD.closeDocument(other.Name)
+    FreeCAD.setActiveDocument(doc.Name)
+    later()
+    op.EngagementAngle = before
+    doc.recompute()
+    return seen
+
+
+def undone(doc, op):
+    """Undo with the panel open, a change after it and Cancel: is the path that of what is left?"""
+    before = op.EngagementAngle.Value
+    opened(op)
+    turn(op, 44)
+    until(lambda: shown(op))
+    doc.undo()
+    later(100)
+    op.EngagementAngle = 47
+    press(CANCEL)
+    later(100)
+    left, is_computed = op.Path.toGCode(), op.State == ["Up-to-date"]
+    op.touch()
+    doc.recompute()
+    seen = {"is computed": is_computed, "angle": op.EngagementAngle.Value}
+    seen["is its path"] = op.Path.toGCode() == left
+    op.EngagementAngle = before
+    doc.recompute()
     return seen
 
 
@@ -244,6 +326,9 @@ def session():
     result["follows"] = follows(doc, op, ticks)
     result["applied"] = applied(doc, op)
     result["switched"] = switched(op)
+    result["stepped"] = stepped(op)
+    result["elsewhere"] = elsewhere(doc, op)
+    result["undone"] = undone(doc, op)
     result["taken_away"] = taken_away(doc, job, op)
     _, _, small_op = job_with("Small", 20.0)
     result["memory"] = many(small_op)

@@ -67,7 +67,7 @@ def shown(op):
 
 
 def turn(op, angle):
-    """Sets the engagement angle as an arrow of its field does."""
+    """Sets the engagement angle as one does who types it and leaves the field."""
     box = page_of(op).widgets["EngagementAngle"]
     box.setProperty("rawValue", float(angle))
     box.editingFinished.emit()

@@ -51,6 +51,24 @@ def test_cancel_leaves_the_document_as_it_was(session):
     assert session["follows"]["left"] == [] and session["follows"]["state"] == ["Up-to-date"]
 
 
+def test_arrows_and_keys_are_followed_at_once_and_what_is_typed_when_it_is_done(session):
+    seen = session["stepped"]
+    changes = [[step[k] for step in seen[name]] for k, name in enumerate(("angle", "share", "left"))]
+    assert changes[0] == [46, 47, 46, 46]  # by a degree at the arrow and the keys
+    assert changes[1][0] < changes[1][1] > changes[1][2] == changes[1][3]  # it has no arrows
+    assert changes[2] == [0.05, 0.1, 0.05, 0.05]
+    assert seen["state"] == "computing"
+
+
+def test_ok_and_cancel_are_for_the_panel_s_own_document(session):
+    taken, left = session["elsewhere"]["True"], session["elsewhere"]["False"]
+    assert taken == left == [63, ["Up-to-date"], True, True, True]
+
+
+def test_what_cancel_cannot_take_back_after_an_undo_is_computed_anew(session):
+    assert session["undone"] == {"is computed": True, "angle": 47, "is its path": True}
+
+
 def test_apply_takes_what_the_preview_shows_and_computes_what_it_does_not(session):
     seen = session["applied"]
     shown, not_shown, at_ok = seen["runs"]

@@ -36,8 +36,8 @@ class FacesPart:
         return self._all(points, range(len(points)))[2]
 
     def places(self, points):
-        """[(face, (u, v)), ...]: where on which face n x 3 points have their nearest places. They need
-        not be those of the call before.
+        """[(face, (u, v)), ...]: where on which face n x 3 points have their nearest places. They
+        need not be those of the call before.
         """
         self._homes.clear()
         self._places.clear()

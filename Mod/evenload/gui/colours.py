@@ -7,6 +7,7 @@ GOOD = "#0b6b2e", "#7ddc9a"
 CAUTION = "#7a4f00", "#ffcc66"
 BAD = "#b3261e", "#ff9d94"
 LINK = "#0b57a4", "#8ab8ff"
+QUIET = "#5f6368", "#bdc1c6"  # what is told meanwhile
 
 
 def shade(colour, widget):

@@ -72,8 +72,7 @@ def _selected_paths():
 
 
 def _has_path(obj):
-    path = getattr(obj, "Path", None)
-    return getattr(path, "Size", 0) > 0 and not hasattr(obj, "Operations")  # no job
+    return host.path_size(obj) > 0 and not hasattr(obj, "Operations")  # no job
 
 
 def _selected_path():

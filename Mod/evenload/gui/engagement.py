@@ -52,8 +52,11 @@ class EngagementRow(QtGui.QWidget):
 
     def take_share(self, obj):
         """Takes the share into the side step, which the angle follows; tells whether it differs."""
-        step = self.share.value() / 100 * tools.diameter(obj.ToolController)
-        before = 100 * obj.SideStep.Value / tools.diameter(obj.ToolController)
+        diameter = tools.diameter(obj.ToolController)
+        if not diameter > 0:  # the tool is gone since
+            return False
+        step = self.share.value() / 100 * diameter
+        before = 100 * obj.SideStep.Value / diameter
         if round(before, self.share.decimals()) == self.share.value():
             return False  # what is shown is rounded
         obj.SideStep = step

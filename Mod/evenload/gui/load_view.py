@@ -42,17 +42,17 @@ def show(operation):
     view, where it cannot be simulated, or where that is stopped.
     """
     close()
-    found = _told(operation)
-    if found is None:
-        return None
-    _shown.append(LoadView(operation, found))
-    return _shown[-1]
+    found = _told(lambda: simulated(operation))
+    view = _told(lambda: LoadView(operation, found)) if found is not None else None
+    if view is not None:
+        _shown.append(view)
+    return view
 
 
-def _told(operation):
-    """The same as `simulated`, which tells in the report view why there is none."""
+def _told(make):
+    """What make() returns; None, with its sentence in the report view, where there is none."""
     try:
-        return simulated(operation)
+        return make()
     except ValueError as error:
         FreeCAD.Console.PrintError(shown(str(error)) + "\n")
         return None
@@ -129,7 +129,8 @@ class LoadView:
         if number is not None:
             self.slider.setValue(number)
             place = self.found.x[number], self.found.y[number], self.found.z[number]
-            view3d.fly_to(map(float, place), self.found.tool_diameter)
+            document = self.operation.Document
+            view3d.fly_to(document, map(float, place), self.found.tool_diameter)
 
     # ---- the dock ----
 
@@ -225,7 +226,8 @@ class LoadView:
 
     def _simulate_again(self):
         """Shows the operation as it is computed now; where there is no path now, nothing."""
-        found = _told(self.operation) if self.operation.Path.Size > 1 else None
+        has_path = host.path_size(self.operation) > 1
+        found = _told(lambda: simulated(self.operation)) if has_path else None
         if found is None:
             close()
         else:

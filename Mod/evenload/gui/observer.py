@@ -4,7 +4,7 @@ EVERY_ONES = ("", "Base")  # groups of the properties that all document objects 
 
 
 class Observer:
-    """Tells of changes to objects of one document, after the recompute, and of their end."""
+    """Tells of changes to objects of one document, after a recompute or undo, and of their end."""
 
     def __init__(self, objects, properties, changed, used=()):
         """properties: names of those that count; changed: called with whether an object is no
@@ -31,6 +31,9 @@ class Observer:
         if self._is_stale and doc.Name == self._document:
             self._is_stale = False
             self._changed(False)
+
+    # Undo brings a path back without a recompute.
+    slotUndoDocument = slotRedoDocument = slotRecomputedDocument
 
     def slotDeletedObject(self, obj):
         if not self._is_one(obj):

@@ -10,6 +10,7 @@ from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
 from evenload.gui.status import FAILED
+from evenload.gui.stepping import Stepping
 from evenload.operations.base import SENTENCES
 from evenload.settings.sentences import shown
 from evenload.settings.setting import UNITS
@@ -88,18 +89,23 @@ class OperationPage(PreviewPage):
 
     def registerSignalHandlers(self, obj):
         super().registerSignalHandlers(obj)
+        self.steppings = []
         self.form.toolController.activated.connect(slot(self._tool_chosen))
         self.form.coolantController.activated.connect(slot(self._coolant_chosen))
         self.load.clicked.connect(slot(self.toggle_view))
         if self.engagement is not None:
             self.engagement.share.editingFinished.connect(slot(self._share_edited))
+            self.steppings.append(Stepping(self.engagement.share, self._share_edited))
         for name, widget in self.widgets.items():
             take = slot(self._take, name)
             if name in self.boxes or isinstance(widget, EDITED):
                 widget.editingFinished.connect(take)
+                if not isinstance(widget, QtGui.QLineEdit):
+                    self.steppings.append(Stepping(widget, self._take, name))
             elif name in self.points:
                 for box in self.points[name]:
                     box.editingFinished.connect(take)
+                    self.steppings.append(Stepping(box, self._take, name))
             elif isinstance(widget, QtGui.QComboBox):
                 widget.activated.connect(take)
             elif isinstance(widget, fields.TakenObjects):
@@ -234,7 +240,7 @@ class OperationPage(PreviewPage):
             return
         x, y, z = piece.place
         z = self.obj.FinalDepth.Value if z is None else z
-        view3d.fly_to((x, y, z), tools.diameter(self.obj.ToolController))
+        view3d.fly_to(self.obj.Document, (x, y, z), tools.diameter(self.obj.ToolController))
 
     def _go_to_field(self, name):
         """Shows and marks the field of a property of the operation, on whichever page it is."""

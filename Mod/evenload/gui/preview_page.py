@@ -2,6 +2,7 @@
 
 import FreeCAD
 
+from evenload import host
 from evenload.gui import page_form, preferences, preview
 from evenload.gui.slots import telling_slot
 from evenload.gui.status import FAILED, PREVIEW, WAITING, figures_of, state_of, values_of
@@ -28,6 +29,7 @@ class PreviewPage(page_form.FormPage):
         self.was_computed = obj.State == UP_TO_DATE
         others = "Base", "ToolController", "Active", "ExpressionEngine"
         self.followed = {*self.settings, *DEPTHS, *others}
+        self.before = self._followed_values(obj)
         self.preview = preview.Preview(obj, self.show_status, self.form)
 
     def registerSignalHandlers(self, obj):
@@ -49,9 +51,16 @@ class PreviewPage(page_form.FormPage):
     def cleanupPage(self, obj):
         """FreeCAD calls this as the panel closes; the operation may be gone by then."""
         is_there = self.preview.close(is_kept=self.is_accepted)
-        if is_there and self.was_computed and not self.is_accepted:
+        if not is_there or not self.was_computed or self.is_accepted:
+            return
+        # An undo while the panel was open ends the step that Cancel takes back.
+        if self._followed_values(obj) == self.before:
             # All of it is as it was, the path too: there is nothing to compute.
             obj.purgeTouched()
+
+    def _followed_values(self, obj):
+        """{property: its value} of all that the path follows."""
+        return {name: getattr(obj, name) for name in sorted(self.followed) if hasattr(obj, name)}
 
     # ---- what it shows ----
 
@@ -75,7 +84,7 @@ class PreviewPage(page_form.FormPage):
         else:
             sentence = _translate("EvenLoad", "Preview: Apply checks and stores the path")
             self.status.show(PREVIEW, sentence, *self._previewed())
-        self.load.setEnabled(obj.Path.Size > 1)
+        self.load.setEnabled(host.path_size(obj) > 1)
 
     def _stored(self):
         """(figures, sentences) of the operation's own path."""

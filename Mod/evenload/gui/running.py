@@ -48,6 +48,13 @@ class Running:
 
     def _look(self):
         is_done = not self.worker.is_busy  # asked first, so that nothing comes after what is taken
+        try:
+            self._take(is_done)
+        except Exception:  # a bug in the task, which keeps its traceback, and is told once
+            self.cancel()
+            raise
+
+    def _take(self, is_done):
         for result in self.worker.results():
             if isinstance(result, Refused):
                 self.cancel()

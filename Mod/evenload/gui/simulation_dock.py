@@ -75,6 +75,16 @@ class SimulationDock(manual.Dock):
         beside = "" if against is None else against.Name
         self.asked.show_values(operation=chosen.Name, against=beside)
 
+    def forget(self, gone, chosen):
+        """Takes an operation that is no more, by its name, out of the lists, and chooses another;
+        tells nobody.
+        """
+        for widget in (self.asked.operation, self.asked.against):
+            blocked = widget.blockSignals(True)
+            widget.removeItem(widget.findData(gone))
+            widget.blockSignals(blocked)
+        self.asked.show_values(operation=chosen)
+
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""
         for widget in (self.bar, self.cancel):

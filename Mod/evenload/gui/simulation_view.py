@@ -96,7 +96,11 @@ class SimulationView:
     def _asked_changed(self):
         chosen = self.dock.asked.operation.currentData()
         if chosen != self.operation.Name:
-            self.operation = self.operation.Document.getObject(chosen)
+            found = self.operation.Document.getObject(chosen)
+            if found is None:  # deleted since
+                self.dock.forget(chosen, self.operation.Name)
+                return
+            self.operation = found
             self._show_defaults()
         self.simulate()
 
@@ -196,7 +200,8 @@ class SimulationView:
         if number is not None:
             self.place(self.dock.plot.active, number)
             place = found.x[number], found.y[number], found.z[number]
-            view3d.fly_to(map(float, place), found.tool_diameter)
+            document = self.operation.Document
+            view3d.fly_to(document, map(float, place), found.tool_diameter)
 
     def _view_clicked(self, pixel, size):
         """Moves the cursor to the place of the path that a click into the 3D view is on."""

@@ -15,9 +15,14 @@ class _Open:
 
 def create():
     """Opens the window for the selected operation, else the job's last one that has a tool; None
-    where there is none.
+    where there is none, or where the user cancels the choice of the job.
     """
-    operation = _selected() or _last()
+    operation = _selected()
+    if operation is None:
+        job = host.job_for_selection()
+        if job is None:  # the user has cancelled the choice of one
+            return None
+        operation = next(filter(_has_tool, reversed(host.operations(job))), None)
     if operation is None:
         FreeCAD.Console.PrintError(
             _translate("EvenLoad", "The job has no operation with a tool: create one first.") + "\n"
@@ -42,11 +47,6 @@ def _forget(*_):
 
 def _selected():
     return next(filter(_has_tool, FreeCADGui.Selection.getSelection()), None)
-
-
-def _last():
-    job = host.job_for_selection()
-    return next(filter(_has_tool, reversed(host.operations(job))), None) if job else None
 
 
 def _has_tool(obj):

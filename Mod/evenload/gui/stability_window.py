@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
 from evenload.gui import manual, steps
+from evenload.gui.colours import BAD, GOOD, QUIET, shade
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
@@ -24,7 +25,6 @@ _translate = FreeCAD.Qt.translate
 
 LOOK = 20  # ms between looks at what the thread has found
 LEAST_DEPTH = 0.002  # of the chart's largest: where it begins
-RED, GREEN, GREY = "#c5221f", "#137333", "#5f6368"
 
 
 class StabilityWindow(manual.Dialog):
@@ -83,8 +83,12 @@ class StabilityWindow(manual.Dialog):
     def _operation_chosen(self):
         if self._closed_if_gone():
             return
-        document = self.operation.Document
-        self.show_operation(document.getObject(self.operations.currentData()))
+        chosen = self.operation.Document.getObject(self.operations.currentData())
+        if chosen is None or host.controller_of(chosen) is None:  # deleted since
+            self.operations.removeItem(self.operations.currentIndex())
+            self.operations.setCurrentIndex(self.operations.findData(self.operation.Name))
+            return
+        self.show_operation(chosen)
 
     def show_operation(self, operation):
         """Reads an operation and shows its chart."""
@@ -110,7 +114,7 @@ class StabilityWindow(manual.Dialog):
             found = stability.read_without_modes(self.operation)
             cuts.check(found)
         except ValueError as error:
-            self._tell(str(error), RED)
+            self._tell(str(error), BAD)
             self.view.show_message(str(error))
             return False
         finally:
@@ -155,14 +159,14 @@ class StabilityWindow(manual.Dialog):
         missing = self.modes.problem or (not self.modes.modes and self._what_to_do())
         if missing:
             self.view.show_message(missing)
-            self._tell(missing, RED if self.modes.problem else GREY)
+            self._tell(missing, BAD if self.modes.problem else QUIET)
             return
         cut, box = self.asked(), self._box()
         if box[0][0] >= box[0][1]:
-            self._tell(_translate("EvenLoad", "The chart's speeds must rise."), RED)
+            self._tell(_translate("EvenLoad", "The chart's speeds must rise."), BAD)
             return
         self.view.show_points((self.read.speed, self.read.depth), (cut.speed, cut.depth), None)
-        self._tell(_translate("EvenLoad", "Computing"), GREY)
+        self._tell(_translate("EvenLoad", "Computing"), QUIET)
         self.worker.start(lambda: chart_of(cut, box))
         self.timer.start()
 
@@ -219,7 +223,7 @@ class StabilityWindow(manual.Dialog):
 
     def _show(self, result, tell):
         if isinstance(result, Refused):
-            tell(result.sentence, RED)
+            tell(result.sentence, BAD)
             return
         kind, found = result
         if kind == "field":
@@ -228,7 +232,7 @@ class StabilityWindow(manual.Dialog):
             self.view.show_points(self.view.operation, self.view.point, found)
         elif kind == "verdict":
             self._tell(
-                "\n".join([found.sentence, *self._notes()]), GREEN if found.is_stable else RED
+                "\n".join([found.sentence, *self._notes()]), GOOD if found.is_stable else BAD
             )
         else:
             self._show_best(found)
@@ -267,11 +271,15 @@ class StabilityWindow(manual.Dialog):
     def _modes_changed(self):
         if self._closed_if_gone():
             return
-        if not self.modes.problem:
-            doc = self.operation.Document
-            doc.openTransaction(_translate("EvenLoad", "Modes of vibration"))
-            stability.keep(host.controller_of(self.operation), self.modes.vibration())
-            doc.commitTransaction()
+        controller = host.controller_of(self.operation)
+        if not self.modes.problem and controller is not None:
+            refusal = steps.refusal(self.operation)
+            if refusal:
+                self._tell(refusal, BAD)
+                return
+            name = _translate("EvenLoad", "Modes of vibration")
+            with steps.step(self.operation.Document, self.operation, name):
+                stability.keep(controller, self.modes.vibration())
         self.recompute()
 
     def apply(self):
@@ -282,7 +290,7 @@ class StabilityWindow(manual.Dialog):
             return
         refusal = steps.refusal(None)
         if refusal:
-            self._tell(refusal, RED)
+            self._tell(refusal, BAD)
             return
         asked = self.asked()
         wanted = {
@@ -293,7 +301,7 @@ class StabilityWindow(manual.Dialog):
         taking.take(self.operation, **wanted)
         if not self.operation.isValid():
             why = getattr(self.operation, "Report", "") or self.operation.getStatusString()
-            self._tell(why, RED)
+            self._tell(why, BAD)
             return
         if self._read():
             self.recompute()
@@ -310,4 +318,4 @@ class StabilityWindow(manual.Dialog):
 
     def _tell(self, text, colour):
         self.told.setText(shown(text))
-        self.told.setStyleSheet("color: %s" % colour)
+        self.told.setStyleSheet("color: %s" % shade(colour, self))

@@ -177,7 +177,9 @@ class Status:
         label.setWordWrap(True)
         label.setTextFormat(QtCore.Qt.RichText)
         label.setTextInteractionFlags(
-            QtCore.Qt.TextSelectableByMouse | QtCore.Qt.LinksAccessibleByMouse
+            QtCore.Qt.TextSelectableByMouse
+            | QtCore.Qt.LinksAccessibleByMouse
+            | QtCore.Qt.LinksAccessibleByKeyboard
         )
         label.linkActivated.connect(telling_slot(self._follow))
         return label

@@ -157,7 +157,8 @@ class SurfaceView:
         row, column = numpy.unravel_index(numpy.nanargmax(values), values.shape)
         found = self.known.found
         place = found.x[column], found.y[row], found.z_at(row, column)
-        view3d.fly_to(map(float, place), found.question.tool.diameter)
+        document = self.operation.Document
+        view3d.fly_to(document, map(float, place), found.question.tool.diameter)
 
     def save(self):
         """Writes the picture of what is shown."""

@@ -2,6 +2,8 @@
 
 import os
 
+import FreeCAD
+
 from evenload import host
 from evenload.gui import adaptive, finishing, lame_spiral, trochoid
 from evenload.gui.icons import ICONS
@@ -63,7 +65,11 @@ class ViewProvider(_gui.op.ViewProvider):
 
     def setupTaskPanel(self, panel):
         """FreeCAD calls this with the panel that it is about to show."""
-        panel.accept = _unless_refused(panel.accept, panel.featurePages[-1].may_close)
+        document = panel.obj.Document.Name
+        accept = _unless_refused(panel.accept, panel.featurePages[-1].may_close)
+        panel.accept = _in_document(document, accept)
+        panel.reject = _in_document(document, telling_slot(panel.reject))
+        panel.clicked = _in_document(document, telling_slot(panel.clicked))
         super().setupTaskPanel(panel)
 
 
@@ -94,6 +100,26 @@ def _unless_refused(accept, may_close):
     """
     accept, may_close = telling_slot(accept), telling_slot(may_close)
     return lambda: accept() if may_close() else False
+
+
+def _in_document(name, call):
+    """The same while a document, by its name, is the active one: FreeCAD's panels, and the lines
+    that its macro recorder gets, look for everything in the active document, which may be another
+    one by then.
+    """
+
+    def called(*arguments):
+        before = FreeCAD.ActiveDocument.Name if FreeCAD.ActiveDocument is not None else ""
+        if before == name or name not in FreeCAD.listDocuments():
+            return call(*arguments)
+        FreeCAD.setActiveDocument(name)
+        try:
+            return call(*arguments)
+        finally:
+            if before in FreeCAD.listDocuments():
+                FreeCAD.setActiveDocument(before)
+
+    return called
 
 
 PROVIDERS = {

@@ -124,10 +124,22 @@ def add_to_workbench(commands):
         return
     initialize = workbench.Initialize
 
+    def with_ours(append):
+        def appended(place, names):
+            at = names.index(NEIGHBOUR) + 1 if NEIGHBOUR in names else None
+            append(place, names if at is None else [*names[:at], *commands, *names[at:]])
+
+        return appended
+
     def initialize_with_ours():
-        initialize()
-        workbench.appendToolbar(TOOLBAR, list(commands))
-        workbench.appendMenu([MENU], list(commands))
+        appending = {name: getattr(workbench, name) for name in ("appendToolbar", "appendMenu")}
+        for name, append in appending.items():
+            setattr(workbench, name, with_ours(append))
+        try:
+            initialize()
+        finally:
+            for name in appending:
+                delattr(workbench, name)  # the class's own stands again
 
     workbench.Initialize = initialize_with_ours
 
