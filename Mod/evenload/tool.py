@@ -12,6 +12,7 @@ ASSUMED_RAPID = (
 FORWARD, REVERSE, STANDING = "Forward", "Reverse", "None"
 
 HELIX_ANGLE_DEG = 30.0  # of end mills, where nobody says
+ONE_TOOTH = "The tool '%s' does not tell its number of teeth: 1 tooth is assumed."
 
 # Tools that do not leave a flat floor and a straight wall: the tool bit's shape, and its name in a
 # sentence.
@@ -206,6 +207,11 @@ def _edges(bit):
     else:
         assumed["helix angle"] = "a helix of %g degrees" % helix_angle
     return teeth, helix_angle, assumed
+
+
+def on_teeth(tool):
+    """[a sentence] where a tool's number of teeth is not known."""
+    return [ONE_TOOTH % tool.name] if "number of teeth" in tool.assumed else []
 
 
 def _cuts_at_its_centre(bit):

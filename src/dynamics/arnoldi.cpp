@@ -1,10 +1,11 @@
 #include "dynamics/arnoldi.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics/complex.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -24,11 +25,7 @@ bool by_size(const Complex& a, const Complex& b) {
 }
 
 std::vector<Complex> eigenvalues(const Eigen::MatrixXd& hessenberg) {
-  // A Hessenberg matrix needs no reduction.
-  Eigen::RealSchur<Eigen::MatrixXd> schur(hessenberg.rows());
-  schur.computeFromHessenberg(
-      hessenberg, Eigen::MatrixXd::Identity(hessenberg.rows(), hessenberg.rows()), false);
-  const Eigen::MatrixXd& t = schur.matrixT();
+  const Eigen::MatrixXd t = schur_form(hessenberg);
   std::vector<Complex> result;
   for (Eigen::Index i = 0; i < t.rows(); ++i) {
     if (i + 1 == t.rows() || t(i + 1, i) == 0) {

@@ -1,10 +1,11 @@
 #include "dynamics/forced_motion.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <cmath>
 
 #include "dynamics/complex.h"
 #include "dynamics/frequency_domain.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -49,9 +50,9 @@ std::vector<Eigen::Vector2cd> uneven_pitch(const Milling& m, const Receptance& p
           receptance * force[static_cast<std::size_t>(k - r + 2 * harmonics)] * teeth;
     }
   }
-  const Eigen::VectorXcd solved = lhs.partialPivLu().solve(rhs);
+  const Eigen::VectorXcd found = solved(lhs, rhs);
   std::vector<Eigen::Vector2cd> result;
-  for (int k = 0; k <= harmonics; ++k) result.emplace_back(solved.segment<2>(2 * (k + harmonics)));
+  for (int k = 0; k <= harmonics; ++k) result.emplace_back(found.segment<2>(2 * (k + harmonics)));
   return result;
 }
 

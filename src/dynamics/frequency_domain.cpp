@@ -1,12 +1,13 @@
 #include "dynamics/frequency_domain.h"
 
-#include <Eigen/Dense>
+#include <Eigen/LU>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <stdexcept>
 
 #include "dynamics/complex.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -111,7 +112,7 @@ Complex FrequencyDomain::determinant(double speed, double depth, double frequenc
           receptances[static_cast<std::size_t>(k)] * force[place] * teeth;
     }
   }
-  return matrix.partialPivLu().determinant();
+  return evenload::determinant(matrix);
 }
 
 bool FrequencyDomain::find_limit(double speed, double& depth, double& frequency) const {

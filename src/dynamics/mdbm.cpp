@@ -1,12 +1,13 @@
 #include "dynamics/mdbm.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "support/demand.h"
 #include "support/parallel.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -129,7 +130,8 @@ bool Mdbm::foot(const Index& cell, bool with_constraint, double* xi) const {
     slope.row(e) /= size;
     mean[e] /= size;
   }
-  const Eigen::VectorXd step = slope.transpose() * (slope * slope.transpose()).ldlt().solve(-mean);
+  const Eigen::VectorXd step =
+      slope.transpose() * solved_symmetric(slope.lazyProduct(slope.transpose()), -mean);
   std::copy_n(step.data(), axes(), xi);
   return step.allFinite();
 }

@@ -1,11 +1,13 @@
 #include "dynamics/mdbm_curves.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <map>
 #include <numeric>
 #include <set>
 #include <stdexcept>
+
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -63,13 +65,12 @@ class Crossings {
       if (mdbm_.problem().has_constraint) constraint[n] = value[equations];
     }
     int number = -1;
-    const Eigen::FullPivLU<Eigen::MatrixXd> lu(lhs);
-    const Eigen::VectorXd share = lu.solve(Eigen::VectorXd::Unit(axes_, axes_ - 1));
-    if (lhs.allFinite() && lu.isInvertible() && share.minCoeff() >= 0) {
-      Crossing found{Eigen::VectorXd::Zero(axes_), share.dot(constraint)};
+    const auto share = solved_if_regular(lhs, Eigen::VectorXd::Unit(axes_, axes_ - 1));
+    if (share && share->minCoeff() >= 0) {
+      Crossing found{Eigen::VectorXd::Zero(axes_), share->dot(constraint)};
       for (int n = 0; n < axes_; ++n)
         for (int a = 0; a < axes_; ++a)
-          found.place[a] += share[n] * mdbm_.place(facet[static_cast<std::size_t>(n)], a);
+          found.place[a] += (*share)[n] * mdbm_.place(facet[static_cast<std::size_t>(n)], a);
       number = static_cast<int>(crossings_.size());
       crossings_.push_back(found);
       links_.emplace_back();

@@ -1,11 +1,12 @@
 #include "dynamics/modal_fit.h"
 
-#include <Eigen/Dense>
+#include <Eigen/Core>
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
 #include "dynamics/complex.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -51,7 +52,7 @@ class Fitter {
     }
     const Eigen::VectorXd sizes = columns.colwise().norm();
     for (Eigen::Index c = 0; c < columns.cols(); ++c) columns.col(c) /= sizes[c];
-    const Eigen::VectorXd solved = columns.colPivHouseholderQr().solve(data_);
+    const Eigen::VectorXd solved = least_squares(columns, data_);
     if (shares) *shares = solved.cwiseQuotient(sizes);
     return data_ - columns * solved;
   }
@@ -92,7 +93,7 @@ class Fitter {
       for (int attempt = 0; attempt < 12 && !is_better; ++attempt) {
         Eigen::MatrixXd lhs = square;
         lhs.diagonal() *= 1 + damping;
-        Eigen::VectorXd change = -lhs.ldlt().solve(gradient);
+        Eigen::VectorXd change = -solved_symmetric(lhs, gradient);
         change = change.cwiseMax(-0.7).cwiseMin(0.7);
         const Eigen::VectorXd trial = bounded(parameters_ + change);
         const Eigen::VectorXd after = left(trial);

@@ -1,12 +1,12 @@
 #include "dynamics/orbit.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics/collocation.h"
 #include "dynamics/element.h"
 #include "dynamics/stability.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -101,7 +101,7 @@ void OrbitSolver::pass(const PeriodPiece& piece, Orbit& orbit, End& end) const {
       damping.block(i * width, i * width, width, width) = basis.transpose() * found.damping * basis;
     }
     lhs = Eigen::MatrixXd::Identity(forces, forces) + damping * response.speed_by_force;
-    const Eigen::VectorXd change = lhs.partialPivLu().solve(wanted - force);
+    const Eigen::VectorXd change = solved(lhs, wanted - force);
     force += change;
     if (change.norm() <= kConverged * (force.norm() + 1e-9)) break;
   }
@@ -122,7 +122,7 @@ void OrbitSolver::pass(const PeriodPiece& piece, Orbit& orbit, End& end) const {
     speeds.row(i + 1) = (basis * speed.segment(i * width, width)).transpose();
   }
   const Eigen::MatrixXd by_state =
-      lhs.partialPivLu().solve(-damping * response.speed_by_state);  // of the forces
+      columns_solved(lhs, -damping * response.speed_by_state);  // of the forces
   end.by_start = (response.end_by_state + response.end_by_force * by_state) * end.by_start;
   end.state = response.end_by_state * end.state + response.end_by_force * force;
   place(kStages + 1, end.state);
@@ -149,7 +149,7 @@ bool OrbitSolver::solve(Orbit& orbit) const {
     for (int step = 0; step < kNewton && !is_found; ++step) {
       const End end = run(orbit, instants);
       const Eigen::MatrixXd lhs = end.by_start - Eigen::MatrixXd::Identity(states(), states());
-      const Eigen::VectorXd change = lhs.partialPivLu().solve(orbit.start - end.state);
+      const Eigen::VectorXd change = solved(lhs, orbit.start - end.state);
       if (!change.allFinite()) return false;
       orbit.start += change;
       is_found = change.norm() <= kConverged * (orbit.start.norm() + 1e-12);

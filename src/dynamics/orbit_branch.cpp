@@ -1,10 +1,11 @@
 #include "dynamics/orbit_branch.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <optional>
 #include <stdexcept>
+
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -57,7 +58,7 @@ class Follower {
       Eigen::VectorXd rhs(size());
       rhs << -equation(at, lhs), distance - from.tangent.dot(at - from.at);
       lhs.row(size() - 1) = from.tangent.transpose();
-      const Eigen::VectorXd step = lhs.partialPivLu().solve(rhs);
+      const Eigen::VectorXd step = solved(lhs, rhs);
       if (!step.allFinite() || step.norm() > largest_) return std::nullopt;
       at += step;
       if (step.norm() < kPointConverged * largest_) return Place{at, tangent(at, from.tangent)};
@@ -117,7 +118,7 @@ class Follower {
     Eigen::MatrixXd lhs;
     equation(at, lhs);
     lhs.row(size() - 1) = before.transpose();
-    return lhs.partialPivLu().solve(Eigen::VectorXd::Unit(size(), size() - 1)).normalized();
+    return solved(lhs, Eigen::VectorXd::Unit(size(), size() - 1)).normalized();
   }
 
   const OrbitSolver& solver_;

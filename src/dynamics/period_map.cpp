@@ -1,12 +1,12 @@
 #include "dynamics/period_map.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 
 #include "dynamics/collocation.h"
 #include "dynamics/element.h"
 #include "support/errors.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -92,7 +92,7 @@ void PeriodMap::add_active(const PeriodicSystem& system, double start, double le
   rhs.leftCols(state_) = -stiffness.lazyProduct(response.value_by_state) -
                          damping.lazyProduct(response.speed_by_state);
   rhs.rightCols(forces).setIdentity();
-  const Eigen::MatrixXd force = lhs.partialPivLu().solve(rhs);
+  const Eigen::MatrixXd force = columns_solved(lhs, rhs);
   element.from.resize(values + state_, state_ + forces);
   const int nodes = looks_straight_back_ ? 0 : width_;  // the start's value comes first
   auto at_nodes = element.from.middleRows(nodes, forces);

@@ -1,11 +1,10 @@
 #include "inspection/bent_step.h"
 
-#include <Eigen/LU>
 #include <algorithm>
 #include <optional>
 
 #include "inspection/candidates.h"
-#include "inspection/solvers.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -98,7 +97,7 @@ class BentProgramme {
       right[freedom + j] = -each.side * rows_.values[each.point];
     }
     right[freedom + count] = 1;
-    const Eigen::VectorXd found = system.fullPivLu().solve(right);
+    const Eigen::VectorXd found = solved_carefully(system, right);
     step_ = found.head(freedom);
     level_ = found[freedom + count];
     return found.segment(freedom, count);

@@ -1,10 +1,9 @@
 #include "inspection/certificate.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 
-#include "inspection/solvers.h"
+#include "support/solvers.h"
 
 namespace evenload {
 
@@ -133,7 +132,7 @@ Eigen::MatrixXd safe_bends(const Deviations& at, const Eigen::MatrixXd& directio
       Eigen::MatrixXd::Identity(freedom, freedom) - free * free.transpose();
   for (double stiff = largest; stiff < kStiffest * largest; stiff *= 8) {
     const Eigen::MatrixXd tried = result + stiff * across;
-    if (tried.llt().info() == Eigen::Success) return tried;
+    if (is_positive_definite(tried)) return tried;
   }
   return result + kStiffest * largest * Eigen::MatrixXd::Identity(freedom, freedom);
 }

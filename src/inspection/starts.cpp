@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "inspection/solvers.h"
+#include "support/solvers.h"
 
 namespace evenload {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <vector>
 
-#include "inspection/solvers.h"
+#include "support/solvers.h"
 
 namespace evenload {
 

@@ -214,7 +214,7 @@ def in_gui(script, folder, *arguments, **environment):
 
 
 def _end_of(log, words):
-    """In one line where FreeCAD crashed, by faulthandler's words, or the last line that it wrote."""
+    """In one line where it crashed, in faulthandler's words, or the last line that it wrote."""
     fatal = re.search("^Fatal Python error: .*$", words, re.MULTILINE)
     if not fatal:
         return "".join((log.rstrip() + "\n" + words).splitlines()[-1:])

@@ -263,6 +263,7 @@ def session():
     units.SetInt("UserSchema", 6)
     FreeCAD.Units.setSchema(6)
     later(100)
+    ended(view)  # which the undo has begun anew
     result["mm_again"] = [headers(dock), dock.asked.Stepover.text()]
 
     # A strategy that does not fit.

@@ -310,7 +310,7 @@ def run(session, are_views_plain=True):
         except BaseException:
             result["traceback"] = traceback.format_exc()
         FreeCAD.Console.PrintError(LAST_ERROR + "\n")
-        # FreeCAD 1.1 writes into the report view by and by. Who reads the report sees whether it came.
+        # FreeCAD 1.1 writes into the report view by and by. Who reads it sees whether it came.
         with contextlib.suppress(AssertionError):
             until(lambda: any(LAST_ERROR in line for line in report_view()), 10)
         # What FreeCAD says as it starts is no error unless it looks like one.

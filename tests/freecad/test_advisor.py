@@ -302,6 +302,14 @@ def test_without_faces_a_spindle_speed_or_a_controller_it_is_refused(job_of):
         advisor.read(b.job, faces_of(b))
 
 
+def test_an_operation_in_no_job_is_refused_in_a_sentence(job_of):
+    b = job_of(Part.makeBox(20, 10, 10))
+    op = finishing.Create("Finish", parentJob=b.job, toolController=b.controller)
+    b.job.Operations.Group = []
+    with pytest.raises(ValueError, match="belongs to no job"):
+        advisor.read(op)
+
+
 def test_stepover_and_cusp_height_follow_each_other(job_of):
     b = job_of(Part.makeBox(20, 10, 10))
     of_cusp = advisor.read(b.job, faces_of(b), CuspHeight=0.01).settings

@@ -16,7 +16,7 @@ from finishing_parts import DOME, LEAN, cone, lofted, part, upper
 from FreeCAD import Vector
 from models import sketch_of
 
-from evenload import batch, host
+from evenload import advisor, batch, host
 from evenload.geometry import facets
 from evenload.operations import finishing
 from evenload.settings.labels import told
@@ -336,6 +336,19 @@ def test_a_flat_end_mill_has_no_cusps(bench):
     assert "has a flat end, which leaves steps" in b.refused(op)
 
 
+def test_a_flat_end_mill_takes_the_cusp_height_away_and_a_ball_keeps_the_stepover(bench):
+    b, op = finish(bench, part(True), Stepover=1.0)
+    ball = b.controller.Tool
+    assert op.CuspHeight.Value == pytest.approx(5 - math.sqrt(25 - 0.25))
+    b.controller.Tool = host.create_tool("endmill", {"Diameter": 2 * BALL})
+    b.doc.recompute()
+    assert (op.Stepover.Value, op.CuspHeight.Value) == (1.0, 0.0)
+    b.controller.Tool = ball
+    b.doc.recompute()
+    assert op.Stepover.Value == 1.0
+    assert op.CuspHeight.Value == pytest.approx(5 - math.sqrt(25 - 0.25))
+
+
 def test_it_can_be_stopped_within_a_moment(bench):
     b, op = finish(bench, part(True), Stepover=0.1, PassAngle=90)
     asked = []
@@ -543,6 +556,19 @@ def test_the_feed_follows_the_chips_up_to_its_maximum_and_report_tells_it(bench)
     b.set(op, FeedControl="Constant feed")
     b.done(op)
     assert [c.toGCode() for c in op.Path.Commands] == constant
+
+
+def test_a_number_of_teeth_that_is_not_known_is_told_where_chips_count(bench):
+    sentence = "does not tell its number of teeth: 1 tooth is assumed."
+    b, op = fed(bench, FeedControl="Constant chip thickness")
+    b.controller.Tool.Flutes = 2
+    assert sentence not in b.done(op).Report
+    b.controller.Tool.Flutes = 0
+    assert sentence in b.done(op).Report
+    (advice,) = advisor.advice(op, strategies=advisor.STRATEGIES[:1])
+    assert sentence in "".join(advice.notes)
+    b.set(op, FeedControl="Constant feed")
+    assert sentence not in b.done(op).Report
 
 
 @pytest.mark.parametrize(

@@ -53,7 +53,9 @@ def test_cancel_leaves_the_document_as_it_was(session):
 
 def test_arrows_and_keys_are_followed_at_once_and_what_is_typed_when_it_is_done(session):
     seen = session["stepped"]
-    changes = [[step[k] for step in seen[name]] for k, name in enumerate(("angle", "share", "left"))]
+    changes = [
+        [step[k] for step in seen[name]] for k, name in enumerate(("angle", "share", "left"))
+    ]
     assert changes[0] == [46, 47, 46, 46]  # by a degree at the arrow and the keys
     assert changes[1][0] < changes[1][1] > changes[1][2] == changes[1][3]  # it has no arrows
     assert changes[2] == [0.05, 0.1, 0.05, 0.05]

@@ -200,10 +200,11 @@ def test_passes_change_from_one_guide_to_the_other(surface, parts):
     assert found.largest_stepover == pytest.approx(widest / count, rel=1e-3)
     assert found.least_stepover < found.largest_stepover
     middle = numpy.array([p for p in shared(line)]), numpy.array([p for p in shared(ARC)])
+    cuts = cuts_of(found.toolpath.moves)
     for k in (0, count // 2, count - 1):
         wanted = middle[0] + (k + 0.5) / count * (middle[1] - middle[0])
         for place in wanted[5:-5:10]:
-            assert to_cuts(place, *cuts_of(found.toolpath.moves)) < 0.01
+            assert to_cuts(place, *cuts) < 0.01
     distance = off(found.toolpath.moves, True)
     assert distance.min() > -0.2 * TOLERANCE and distance.max() < TOLERANCE
 

@@ -13,7 +13,7 @@ from evenload.ball_end import loads, places
 from evenload.operations import finishing
 from evenload.operations.refusal import Cancelled
 from evenload.settings.labels import told
-from evenload.tool import ASSUMED_RAPID
+from evenload.tool import ASSUMED_RAPID, on_teeth
 
 PLACES = 400  # along each path
 PATH_SHARE = 0.7  # of a strategy's time that its path takes, about
@@ -140,7 +140,7 @@ def _told(question, strategy, made, felt, length):
     known = len(felt.mean_thickness)
     per_newton = SECONDS_PER_MINUTE * length / known / felt.feeds
     cusps = felt.cusp[numpy.isfinite(felt.cusp)]
-    notes = list(felt.refusals)
+    notes = [*felt.refusals, *on_teeth(question.tool)]
     if known < PLACES:
         notes.insert(
             0,

@@ -56,6 +56,8 @@ def read(owner, faces=None, controller=None, stock=STOCK, material=None, machine
         raise ValueError("The stock on the faces is %g mm: it must be more than 0." % stock)
     is_operation = faces is None
     job = host.parent_job(owner) if is_operation else owner
+    if job is None:
+        raise ValueError("'%s' belongs to no job: put it into one." % owner.Label)
     controller = controller or (owner.ToolController if is_operation else _first_controller(job))
     tool, data = tools.read(controller, takes_balls=True)
     _check_ball(tool, stock)

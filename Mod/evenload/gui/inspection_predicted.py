@@ -12,7 +12,6 @@ from evenload.settings.table import PARALLEL
 
 _translate = FreeCAD.Qt.translate
 
-ONE_TOOTH = "The tool '%s' does not tell its number of teeth: 1 tooth is assumed."
 NOT_ROUND = "None of the faces is a cylinder: the prediction is for the one that is told here."
 UNASKED = "Tell Rz, or choose a finishing operation, whose cusps tell the least Rz."
 
@@ -31,9 +30,7 @@ def cut_of(operation):
             )
             % controller.Label
         )
-    assumed = []
-    if "number of teeth" in tool.assumed:
-        assumed.append(_translate("EvenLoad", ONE_TOOTH) % tool.name)
+    assumed = [_translate("EvenLoad", tools.ONE_TOOTH) % tool.name] * bool(tools.on_teeth(tool))
     values = {
         "stepover": operation.Stepover.Value,
         "feed": data.feed / (tool.teeth * data.spindle_speed),

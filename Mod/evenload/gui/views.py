@@ -82,7 +82,7 @@ class TrochoidViewProvider(ViewProvider):
 class LameSpiralViewProvider(ViewProvider):
     page = lame_spiral.OperationPage
     icon = "EvenLoad_LameSpiral.svg"
-    title = "EvenLoad Lame Spiral"
+    title = "EvenLoad Lamé Spiral"
 
 
 class FinishingViewProvider(ViewProvider):
@@ -122,9 +122,10 @@ def _in_document(name, call):
     return called
 
 
-PROVIDERS = {
-    each.title: each
-    for each in (TrochoidViewProvider, LameSpiralViewProvider, FinishingViewProvider)
+PROVIDERS = {  # by the names of operations
+    "EvenLoad Trochoid": TrochoidViewProvider,
+    "EvenLoad Lame Spiral": LameSpiralViewProvider,
+    "EvenLoad Finishing": FinishingViewProvider,
 }
 
 

@@ -1,5 +1,6 @@
 """The feed control of finishing: cuts whose chips have a constant mean thickness."""
 
+from evenload import tool as tools
 from evenload import waiting
 from evenload.ball_end import chip_feeds
 from evenload.ball_end.loads import Cutting
@@ -76,4 +77,5 @@ def fed(finish, mesh, settings, tool, data, arguments, watch):
     except waiting.Stopped:
         raise Cancelled(0.0) from None
     note = "Feeds of the cuts: %.0f to %.0f mm/min, for chips with a mean thickness of %.2f µm."
-    return found.toolpath, [note % (found.least, found.largest, 1e3 * found.thickness)]
+    told = note % (found.least, found.largest, 1e3 * found.thickness)
+    return found.toolpath, [told, *tools.on_teeth(tool)]

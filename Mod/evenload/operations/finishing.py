@@ -91,8 +91,10 @@ class Finishing(base.Operation):
 
     def follow_tool(self, obj, again=()):
         super().follow_tool(obj, again)
-        # A cusp height that cannot be stays, to be refused.
-        if "Stepover" not in obj.OwnValues or 0 < obj.CuspHeight.Value <= _end_radius(obj):
+        # A cusp height that cannot be stays, to be refused; a flat tool has none.
+        corner = _end_radius(obj)
+        can_be = not corner > 0 or 0 < obj.CuspHeight.Value <= corner
+        if "Stepover" not in obj.OwnValues or can_be:
             self._set_cusp_height(obj)
 
     def _set_cusp_height(self, obj):

@@ -76,10 +76,10 @@ FINISHING = (
     replace(
         TOLERANCE,
         doc="Largest distance of the path from the exact one, the surface's triangles included; "
-        "into the part a third of it at the most",
+        "into the part usually a third of it, at the most half",
         page="largest distance of the path from the exact one, the triangles that stand for the "
-        "surface included; into the part it goes by a third of it at the most, by a fifth where no "
-        "face is round in two directions",
+        "surface included; into the part it usually goes by a third of it, at the most by "
+        "half",
     ),
     replace(_NAMED["Arcs"], page="no: lines only, also along contours and spirals"),
 )

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 import numpy
 
+from evenload import tool as tools
 from evenload.advisor import loads_along
 from evenload.geometry import facets
 from evenload.operations import finishing
@@ -16,7 +17,7 @@ PLACES = 1000  # along the path
 class Chips:
     """At n places: tips, n x 3, of the tool's tip; mean_thickness, the source's h_m, mm [Varga
     2023, 4.1]; tip_share: the share of the chip that the tip cuts, 0 to 1. notes: sentences on
-    places that have no chip.
+    places that have no chip, and on what is assumed.
     """
 
     tips: numpy.ndarray
@@ -38,4 +39,5 @@ def along(question):
     arguments = finishing.arguments_of(asked.settings, asked.tool, asked.data, faces)
     stepover = max(question.largest_stepover, arguments["stepover"])
     found, felt = loads_along(asked, faces.mesh, arguments, question.moves, stepover, PLACES)
-    return Chips(found.tips, felt.mean_thickness, felt.tip_share, tuple(felt.refusals))
+    notes = [*felt.refusals, *tools.on_teeth(asked.tool)]
+    return Chips(found.tips, felt.mean_thickness, felt.tip_share, tuple(notes))

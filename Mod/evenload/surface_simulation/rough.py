@@ -11,6 +11,7 @@ from dataclasses import dataclass
 
 import numpy
 
+from evenload import tool as tools
 from evenload.surface_simulation.mapping import mapped
 
 CUT_OFF = 0.8  # mm [Varga 2023, p. 45]
@@ -27,8 +28,8 @@ class Patch:
     surface, not a number beside the part and where no pass has cut. at: (x, y) of its middle; way:
     the feed's direction there in plan, of length 1; resolution: mm between places; feed_per_tooth:
     mm, None where the spindle speed is not known and nothing marks the surface along the feed.
-    rt_along, rz_along, rt_across, rz_across: mm. notes: a sentence where marks are lost between
-    places.
+    rt_along, rz_along, rt_across, rz_across: mm. notes: sentences where marks are lost between
+    places, and on what is assumed.
     """
 
     at: tuple
@@ -66,6 +67,8 @@ def patch(simulation, at, size):
     heights = _turned(fine, way, size, spacing)
     along, across = _figures(heights), _figures(heights.T)
     notes = _notes(spacing, marks)
+    if feed_per_tooth:
+        notes += tuple(tools.on_teeth(question.tool))
     return Patch(tuple(middle), way, spacing, heights, feed_per_tooth, *along, *across, notes)
 
 
