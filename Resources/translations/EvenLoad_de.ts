@@ -108,10 +108,6 @@
         <translation>Größter Abstand der Ausgabe von der genauen Bahn; nie in eine Wand hinein</translation>
     </message>
     <message>
-        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part a third of it at the most</source>
-        <translation>Größter Abstand der Bahn von der genauen, die Dreiecke der Fläche eingeschlossen; in das Teil hinein höchstens ein Drittel davon</translation>
-    </message>
-    <message>
         <source>Largest engagement angle, mean over 0.1 mm</source>
         <translation>Größter Eingriffswinkel, Mittel über 0.1 mm</translation>
     </message>
@@ -298,6 +294,10 @@
     <message>
         <source>How far the tool stays off the fixtures, all around</source>
         <translation>Wie weit das Werkzeug rundum von den Spannmitteln wegbleibt</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part usually a third of it, at the most half</source>
+        <translation>Größter Abstand der Bahn von der genauen, die Dreiecke der Fläche eingeschlossen; in das Teil hinein meist ein Drittel davon, höchstens die Hälfte</translation>
     </message>
 </context>
 <context>
@@ -1223,7 +1223,7 @@
         <translation>EvenLoad Schlichten</translation>
     </message>
     <message>
-        <source>EvenLoad Lame Spiral</source>
+        <source>EvenLoad Lamé Spiral</source>
         <translation>EvenLoad Lamé-Spirale</translation>
     </message>
     <message>
@@ -1461,10 +1461,6 @@
     <message>
         <source>Largest distance of the output from the exact path; never into a wall</source>
         <translation>Größter Abstand der Ausgabe von der genauen Bahn; nie in eine Wand hinein</translation>
-    </message>
-    <message>
-        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part a third of it at the most</source>
-        <translation>Größter Abstand der Bahn von der genauen, die Dreiecke der Fläche eingeschlossen; in das Teil hinein höchstens ein Drittel davon</translation>
     </message>
     <message>
         <source>Largest engagement angle, mean over 0.1 mm of the path</source>
@@ -4157,10 +4153,6 @@ cm³/min</translation>
         <translation>Das Werkzeug „%1“ hat kein Kugelende, und die Späne des Beraters sind die einer Kugel: einen Kugelfräser wählen.</translation>
     </message>
     <message>
-        <source>The tool &apos;%s&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
-        <translation>Das Werkzeug „%s“ nennt seine Zähnezahl nicht: 1 Zahn wird angenommen.</translation>
-    </message>
-    <message>
         <source>The tool controller &apos;%1&apos; has no spindle speed, and without it there is no feed per tooth: set it.</source>
         <translation>Die Werkzeugsteuerung „%1“ hat keine Spindeldrehzahl, und ohne sie gibt es keinen Vorschub je Zahn: sie setzen.</translation>
     </message>
@@ -5139,6 +5131,18 @@ cm³/min</translation>
     <message>
         <source>The fixtures leave the tool none of the picked faces: move them, or lower FixtureClearance.</source>
         <translation>Die Spannmittel lassen dem Werkzeug keine der ausgewählten Flächen: sie versetzen oder [FixtureClearance] verringern.</translation>
+    </message>
+    <message>
+        <source>EvenLoad Lame Spiral</source>
+        <translation>EvenLoad Lamé-Spirale</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part usually a third of it, at the most half</source>
+        <translation>Größter Abstand der Bahn von der genauen, die Dreiecke der Fläche eingeschlossen; in das Teil hinein meist ein Drittel davon, höchstens die Hälfte</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%1&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
+        <translation>Das Werkzeug „%1“ nennt seine Zähnezahl nicht: 1 Zahn wird angenommen.</translation>
     </message>
 </context>
 <context>

@@ -108,10 +108,6 @@
         <translation>A kimenet legnagyobb eltérése a pontos pályától; sosem a falba</translation>
     </message>
     <message>
-        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part a third of it at the most</source>
-        <translation>A pálya legnagyobb eltérése a pontostól, a felület háromszögeivel együtt; a darabba legfeljebb ennek harmada</translation>
-    </message>
-    <message>
         <source>Largest engagement angle, mean over 0.1 mm</source>
         <translation>A legnagyobb átfogási szög, 0.1 mm-re átlagolva</translation>
     </message>
@@ -298,6 +294,10 @@
     <message>
         <source>How far the tool stays off the fixtures, all around</source>
         <translation>Milyen távol marad a szerszám a befogóeszközöktől, körös-körül</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part usually a third of it, at the most half</source>
+        <translation>A pálya legnagyobb eltérése a pontostól, a felület háromszögeivel együtt; a darabba általában ennek harmada, legfeljebb a fele</translation>
     </message>
 </context>
 <context>
@@ -1223,7 +1223,7 @@
         <translation>EvenLoad simítás</translation>
     </message>
     <message>
-        <source>EvenLoad Lame Spiral</source>
+        <source>EvenLoad Lamé Spiral</source>
         <translation>EvenLoad Lamé-spirál</translation>
     </message>
     <message>
@@ -1461,10 +1461,6 @@
     <message>
         <source>Largest distance of the output from the exact path; never into a wall</source>
         <translation>A kimenet legnagyobb eltérése a pontos pályától; sosem a falba</translation>
-    </message>
-    <message>
-        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part a third of it at the most</source>
-        <translation>A pálya legnagyobb eltérése a pontostól, a felület háromszögeivel együtt; a darabba legfeljebb ennek harmada</translation>
     </message>
     <message>
         <source>Largest engagement angle, mean over 0.1 mm of the path</source>
@@ -4157,10 +4153,6 @@ cm³/min</translation>
         <translation>A(z) „%1” szerszám nem gömbvégű, a tanácsadó forgácsai pedig gömbé: válasszon gömbvégű marót.</translation>
     </message>
     <message>
-        <source>The tool &apos;%s&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
-        <translation>A(z) „%s” szerszám nem adja meg a fogszámát: 1 fogat veszünk.</translation>
-    </message>
-    <message>
         <source>The tool controller &apos;%1&apos; has no spindle speed, and without it there is no feed per tooth: set it.</source>
         <translation>A(z) „%1” szerszámvezérlőnek nincs fordulatszáma, e nélkül pedig nincs fogankénti előtolás: állítsa be.</translation>
     </message>
@@ -5139,6 +5131,18 @@ cm³/min</translation>
     <message>
         <source>The fixtures leave the tool none of the picked faces: move them, or lower FixtureClearance.</source>
         <translation>A befogóeszközök a kijelölt felületek közül egyet sem hagynak a szerszámnak: helyezze át őket, vagy csökkentse: [FixtureClearance].</translation>
+    </message>
+    <message>
+        <source>EvenLoad Lame Spiral</source>
+        <translation>EvenLoad Lamé-spirál</translation>
+    </message>
+    <message>
+        <source>Largest distance of the path from the exact one, the surface&apos;s triangles included; into the part usually a third of it, at the most half</source>
+        <translation>A pálya legnagyobb eltérése a pontostól, a felület háromszögeivel együtt; a darabba általában ennek harmada, legfeljebb a fele</translation>
+    </message>
+    <message>
+        <source>The tool &apos;%1&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
+        <translation>A(z) „%1” szerszám nem adja meg a fogszámát: 1 fogat veszünk.</translation>
     </message>
 </context>
 <context>

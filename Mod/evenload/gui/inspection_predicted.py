@@ -8,6 +8,7 @@ from evenload.gui import colours
 from evenload.gui.inspection_labels import tell, telling, unit
 from evenload.gui.inspection_rows import OWN
 from evenload.operations.finishing import Finishing
+from evenload.settings.sentences import shown
 from evenload.settings.table import PARALLEL
 
 _translate = FreeCAD.Qt.translate
@@ -30,7 +31,7 @@ def cut_of(operation):
             )
             % controller.Label
         )
-    assumed = [_translate("EvenLoad", tools.ONE_TOOTH) % tool.name] * bool(tools.on_teeth(tool))
+    assumed = [shown(sentence) for sentence in tools.on_teeth(tool)]
     values = {
         "stepover": operation.Stepover.Value,
         "feed": data.feed / (tool.teeth * data.spindle_speed),

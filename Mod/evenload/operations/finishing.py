@@ -91,9 +91,8 @@ class Finishing(base.Operation):
 
     def follow_tool(self, obj, again=()):
         super().follow_tool(obj, again)
-        # A cusp height that cannot be stays, to be refused; a flat tool has none.
-        corner = _end_radius(obj)
-        can_be = not corner > 0 or 0 < obj.CuspHeight.Value <= corner
+        # A cusp height that is asked for and cannot be stays, to be refused.
+        can_be = not wants_even_cusps(obj) or 0 < obj.CuspHeight.Value <= _end_radius(obj)
         if "Stepover" not in obj.OwnValues or can_be:
             self._set_cusp_height(obj)
 
