@@ -50,7 +50,7 @@ class CutDrawing(QtGui.QWidget):
         painter.fillPath(material.subtracted(way.united(disc)), ground)
         painter.setPen(QtGui.QPen(ink, 1))
         painter.drawEllipse(QtCore.QPointF(0, 0), radius, radius)
-        pen = QtGui.QPen(QtGui.QColor(colours.shade(colours.LINK, self)), ARC)
+        pen = QtGui.QPen(QtGui.QColor(colours.drawn(colours.LINK, self)), ARC)
         pen.setCapStyle(QtCore.Qt.FlatCap)
         painter.setPen(pen)
         # Qt counts sixteenths of degrees from the right, counter-clockwise.

@@ -89,7 +89,8 @@ class Status:
     def __init__(self, followed):
         self._followed = telling_slot(followed)
         self._pieces = []  # of links, which have their numbers
-        self.top, self.notes = QtGui.QWidget(), QtGui.QWidget()
+        self._shown = ()  # the arguments of show()
+        self.top, self.notes = _Seen(self._show_again), QtGui.QWidget()
         above, below = _column(self.top), _column(self.notes)
         self._state, self._warnings, self._remarks = (self._label() for _ in range(3))
         self._figures = [self._label() for _ in range(4)]
@@ -115,9 +116,10 @@ class Status:
         """Shows a state and the sentence for it. figures: at most four, as figures_of() tells them;
         the first two stand in lines of their own; said: sentences on the path.
         """
-        self._pieces = []
+        self._pieces, self._shown = [], (state, sentence, figures, said)
+        self._ground = colours.ground_of(self._state)
         mark, colour = MARKS[state]
-        shade = colours.shade(colour, self._state)
+        shade = self._shade(colour)
         self._state.setText(
             '<span style="color:%s"><b>%s</b></span> %s' % (shade, mark, self._linked(sentence))
         )
@@ -138,6 +140,14 @@ class Status:
         self._fold.setVisible(bool(remarks))
         self._show_fold()
 
+    def _show_again(self):
+        """In colours for the ground, which is not known before the panel is seen."""
+        if self._shown:
+            self.show(*self._shown)
+
+    def _shade(self, colour):
+        return colours.shade(colour, self._state, self._ground)
+
     def text(self):
         """All that it tells, as plain lines, the folded ones too."""
         labels = [self._state, *self._figures, self._warnings, self._remarks]
@@ -155,12 +165,12 @@ class Status:
 
     def _listed(self, sentences, colour, mark):
         if colour is not None:
-            mark = '<span style="color:%s">%s</span>' % (colours.shade(colour, self._state), mark)
+            mark = '<span style="color:%s">%s</span>' % (self._shade(colour), mark)
         return "<br>".join("%s %s" % (mark, self._linked(each)) for each in sentences)
 
     def _linked(self, sentence):
         """A sentence as rich text in the user's language, with its places and fields as links."""
-        shade, result = colours.shade(colours.LINK, self._state), []
+        shade, result = self._shade(colours.LINK), []
         for piece in notes.shown_pieces(sentence):
             text = html.escape(piece.text)
             if piece.place or piece.field:
@@ -183,6 +193,21 @@ class Status:
         )
         label.linkActivated.connect(telling_slot(self._follow))
         return label
+
+
+class _Seen(QtGui.QWidget):
+    """A widget that has a bound method called as it is seen, when its window has its colours."""
+
+    def __init__(self, seen):
+        super().__init__()
+        self._timer = QtCore.QTimer(self)
+        self._timer.setSingleShot(True)
+        self._timer.setInterval(0)
+        self._timer.timeout.connect(slot(seen))
+
+    def showEvent(self, event):
+        super().showEvent(event)
+        self._timer.start()
 
 
 def _column(widget):
