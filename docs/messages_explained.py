@@ -111,6 +111,9 @@ MEANT = {
     "The tool '…' does not say its …: the force": (
         "A note: set it in the tool bit for better figures."
     ),
+    "The tool '…' does not tell its number of teeth": (
+        "A note: set Flutes in the tool bit; chips of two teeth are half as thick."
+    ),
     "SlotWidth was not used": "A note: it counts for centrelines alone.",
     "EvenLoad failed": BUG,
     "The expression of": "Look at the property in the property editor.",

@@ -18,7 +18,7 @@ from evenload import advisor, ball_end, face_inspection, host, machines, materia
 from evenload.advisor import bent_faces
 from evenload.operations import finishing
 
-pytestmark = pytest.mark.between
+pytestmark = pytest.mark.core  # what is computed, behind docks that each FreeCAD is asked for
 
 BALL, STOCK, FEED, SPEED, TEETH = 5.0, 0.3, 1632.0, 5100.0, 4  # [Varga 2023, ch. 8]
 NAMES = [

@@ -15,7 +15,7 @@ from evenload.operations import finishing
 from evenload.settings.table import EVEN_CUSPS
 from evenload.surface_simulation import nearest, rough, rough_map
 
-pytestmark = pytest.mark.between
+pytestmark = pytest.mark.core  # what is computed, behind docks that each FreeCAD is asked for
 
 PICTURES = [
     "cusp",
