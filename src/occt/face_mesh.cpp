@@ -10,6 +10,8 @@
 #include <limits>
 #include <unordered_map>
 
+#include "support/progress.h"
+
 namespace evenload {
 namespace {
 
@@ -17,6 +19,7 @@ using Side = std::uint64_t;
 using NewPoints = std::unordered_map<Side, std::uint32_t>;  // in the middles of sides
 
 constexpr double kUnknown = -1;
+constexpr std::size_t kTrianglesAStep = 256;  // some milliseconds
 
 Side side_of(std::uint32_t a, std::uint32_t b) {
   return (static_cast<Side>(std::min(a, b)) << 32U) | std::max(a, b);
@@ -133,12 +136,14 @@ void split(const NewPoints& halved, std::vector<FaceMesh::Triangle>& triangles,
 
 }  // namespace
 
-double split_where_off(const BRepAdaptor_Surface& surface, double wished, FaceMesh& mesh) {
+double split_where_off(const BRepAdaptor_Surface& surface, double wished, FaceMesh& mesh,
+                       Progress& progress) {
   std::vector<double> off(mesh.triangles.size(), kUnknown);
   std::vector<Side> border;
   for (int round = 0;; ++round) {
     double deflection = 0;
     for (std::size_t i = 0; i < off.size(); ++i) {
+      if (i % kTrianglesAStep == 0) progress.step();
       if (off[i] == kUnknown) off[i] = off_surface(surface, mesh, mesh.triangles[i]);
       deflection = std::max(deflection, off[i]);
     }

@@ -12,6 +12,8 @@ class BRepAdaptor_Surface;
 
 namespace evenload {
 
+class Progress;
+
 struct FaceMesh {
   using Triangle = std::array<std::uint32_t, 3>;  // numbers of points
 
@@ -23,8 +25,10 @@ struct FaceMesh {
 // Halves sides of triangles until none is further off the surface than wished, where that can be.
 // Laws: sides on the border of the face stay, so that neighbours share them; triangles keep their
 // turn, and none ends within the side of another; new points lie on the surface. Returns mm by
-// which the triangles leave the surface then: at their middles and those of their sides.
-double split_where_off(const BRepAdaptor_Surface& surface, double wished, FaceMesh& mesh);
+// which the triangles leave the surface then: at their middles and those of their sides. Throws
+// Cancelled.
+double split_where_off(const BRepAdaptor_Surface& surface, double wished, FaceMesh& mesh,
+                       Progress& progress);
 // Each round halves a triangle's sides at most once.
 inline constexpr int kSplitRounds = 6;
 

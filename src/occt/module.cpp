@@ -1,5 +1,6 @@
 // The Python module evenload._occt_X_Y_Z, called after the version of OpenCASCADE that it is linked
 // to: the only one that is.
+#include <pybind11/functional.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
@@ -8,11 +9,13 @@
 #include <algorithm>
 #include <array>
 #include <exception>
+#include <functional>
 #include <tuple>
 
 #include "occt/regions.h"
 #include "occt/shape_error.h"
 #include "occt/triangles.h"
+#include "support/progress.h"
 
 namespace py = pybind11;
 
@@ -55,11 +58,15 @@ py::array_t<T> rows_of(const std::vector<std::array<T, 3>>& rows) {
   return result;
 }
 
-py::tuple triangles_for_python(const std::string& text, double deflection, double angle) {
+py::object triangles_for_python(const std::string& text, double deflection, double angle,
+                                const std::function<bool(double)>& callback) {
   FaceTriangles found;
-  {
+  try {
     const py::gil_scoped_release unlocked;
-    found = triangles_from_brep(text, deflection, angle);
+    Progress progress(callback);
+    found = triangles_from_brep(text, deflection, angle, progress);
+  } catch (const Cancelled&) {
+    return py::none();
   }
   return py::make_tuple(
       rows_of(found.points), rows_of(found.triangles),
@@ -139,9 +146,11 @@ EVENLOAD_MODULE(EVENLOAD_OCCT_MODULE, module) {
       "meet, open ones first; chains and errors as for regions_from_brep.");
   module.def(
       "triangles_from_brep", &triangles_for_python, py::arg("text"), py::arg("deflection"),
-      py::arg("angle"),
+      py::arg("angle"), py::arg("progress") = py::none(),
       "(points, triangles, faces, deflection): rows of x, y, z in mm, rows of the numbers of "
       "three of them, counter-clockwise seen from outside, the number of each one's face as "
       "the shape counts them, from 0, and how far off they are, measured. deflection in mm, "
-      "angle in rad: wished at the most. Raises ShapeError.");
+      "angle in rad: wished at the most. progress: callable(share), which answers whether to go "
+      "on; "
+      "None is returned where it does not. Raises ShapeError.");
 }

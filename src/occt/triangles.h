@@ -13,6 +13,8 @@
 #include <string>
 #include <vector>
 
+#include "support/progress.h"
+
 namespace evenload {
 
 struct FaceTriangles {
@@ -24,8 +26,9 @@ struct FaceTriangles {
 
 // deflection, angle: wished at the most, in mm, and in rad between neighbours on a round face.
 // Throws std::invalid_argument unless both are positive; ShapeError for a text that is no shape,
-// for one without faces, and where OpenCASCADE fails.
-FaceTriangles triangles_from_brep(const std::string& text, double deflection, double angle);
+// for one without faces, and where OpenCASCADE fails; Cancelled.
+FaceTriangles triangles_from_brep(const std::string& text, double deflection, double angle,
+                                  Progress& progress);
 // So often it is done finer; after that `deflection` says how far off the triangles are.
 inline constexpr int kFinerTries = 4;
 

@@ -70,6 +70,34 @@ def test_what_few_triangles_miss_does_not_make_all_of_them_finer():
     assert len(triangles) < 3500
 
 
+@pytest.mark.parametrize("most", [1, 2, 40])
+def test_who_waits_is_asked_all_along_and_may_stop_it(most):
+    text, asked = rounded().exportBrepToString(), []
+
+    def watch(_):
+        asked.append(None)
+        return len(asked) < most
+
+    assert compiled.occt().triangles_from_brep(text, 0.001, 0.35, watch) is None
+    assert len(asked) == most  # and not once more
+
+
+def test_triangles_are_the_same_when_somebody_waits():
+    text, occt = rounded().exportBrepToString(), compiled.occt()
+    alone, watched = (
+        occt.triangles_from_brep(text, 0.005, 0.35, watch) for watch in (None, lambda _: True)
+    )
+    assert all(numpy.array_equal(*pair) for pair in zip(alone[:3], watched[:3]))
+
+
+def test_an_error_of_who_waits_comes_through_opencascade():
+    def watch(_):
+        raise KeyError("its own")
+
+    with pytest.raises(KeyError, match="its own"):
+        compiled.occt().triangles_from_brep(rounded().exportBrepToString(), 0.001, 0.35, watch)
+
+
 def test_what_is_no_shape_is_refused():
     occt = compiled.occt()
     with pytest.raises(occt.ShapeError) as error:

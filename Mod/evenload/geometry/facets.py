@@ -193,10 +193,11 @@ def _triangles(model, tolerance):
     occt = compiled.occt()
     wished = (ROUND_SHARE if model.is_round else SHARE) * tolerance
     try:
-        found = occt.triangles_from_brep(model.brep, wished, TURN)
+        found = occt.triangles_from_brep(model.brep, wished, TURN, waiting.asked())
     except occt.ShapeError as error:
         raise ValueError("'%s': %s" % (model.label, error)) from None
-    waiting.go_on()
+    if found is None:
+        raise waiting.Stopped()
     if found[3] > MOST_SHARE * tolerance:
         raise ValueError(
             "The triangles of '%s' leave it by %.4f mm, too much for the Tolerance of %g mm: "
