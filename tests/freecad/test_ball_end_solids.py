@@ -13,6 +13,8 @@ from evenload import ball_end, waiting
 from evenload.ball_end import solid_models, solid_processes, solid_surfaces, solids
 from FreeCAD import Vector
 
+pytestmark = pytest.mark.between
+
 WITHIN = {
     "volume": 3e-3,
     "tool_face": 5e-3,

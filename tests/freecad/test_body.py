@@ -10,6 +10,8 @@ from evenload.geometry import body, in_plane
 from evenload.geometry.floor import inside
 from FreeCAD import Vector
 
+pytestmark = pytest.mark.between
+
 BOX = Part.makeBox(60, 40, 20)
 
 

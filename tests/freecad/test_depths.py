@@ -12,6 +12,8 @@ from models import BLOCK, face_of, floors_of, rectangle, sketch_of
 from occt_judge import collisions, gouges
 from occt_judge import moves_of as solid_moves
 
+pytestmark = pytest.mark.between
+
 TOOL = 6.0
 
 

@@ -19,6 +19,8 @@ from models import (
     zigzag_stroke,
 )
 
+pytestmark = pytest.mark.between
+
 KINDS = ["adaptive", "trochoid", "lame_spiral"]
 
 

@@ -14,6 +14,8 @@ from FreeCAD import Placement, Rotation, Vector
 from evenload import batch, host
 from evenload.operations import finishing
 
+pytestmark = pytest.mark.between
+
 BALL, TOLERANCE, CLEARANCE = 5.0, 0.01, 1.0
 SHANK = 40.0  # mm above the ball's centre
 SAFE = 70.0  # mm

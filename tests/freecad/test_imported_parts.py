@@ -12,6 +12,8 @@ from evenload.operations import adaptive
 from evenload.settings.notes import CHECKED
 from FreeCAD import Placement, Rotation, Vector
 
+pytestmark = pytest.mark.between
+
 PARTS = 60
 ON_EACH_FREECAD = 20  # of them, since shapes and STEP depend on its OpenCASCADE
 WIDTH, DEPTH, HEIGHT = 80.0, 60.0, 30.0

@@ -14,6 +14,8 @@ from evenload import face_inspection, inspection
 from evenload.face_inspection.evaluation import IN, OPEN, OUT
 from evenload.face_inspection.patterns import LEAST, PATTERNS, SPACINGS
 
+pytestmark = pytest.mark.between
+
 
 @pytest.fixture
 def part():

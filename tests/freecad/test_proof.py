@@ -14,6 +14,8 @@ from evenload.settings.notes import CHECKED
 from FreeCAD import Vector
 from models import DEPTH, SQUARE, block_with, face_of, rectangle, sketch_of
 
+pytestmark = pytest.mark.between
+
 SEEDS = (0, 1, 2, 13)  # of jobs of all kinds
 OTHERS = (3, 5, 6, 10, 16, 18, 23, 26)
 

@@ -5,6 +5,8 @@ import pytest
 import random_jobs
 from judged_jobs import judged
 
+pytestmark = pytest.mark.between
+
 # Two of each kind that are quick to judge, those among them that once failed: 45 began below the
 # top of the stock, 49 cuts into a face whose edge leads down into another pocket.
 # Four are enough where another FreeCAD has another OpenCASCADE.

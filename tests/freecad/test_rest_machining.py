@@ -11,6 +11,8 @@ from evenload.simulation import earlier
 from FreeCAD import Vector
 from models import DEPTH, block_with, case_model, circle, corpus_case, face_of, floors_of, rectangle
 
+pytestmark = pytest.mark.between
+
 FLAT_CORNER = 1 - math.pi / 4  # of a square of side 1 about a quarter circle of radius 1
 
 

@@ -9,6 +9,8 @@ from evenload.geometry import open_edges, shape
 from FreeCAD import Vector
 from models import circle, face_of, rectangle
 
+pytestmark = pytest.mark.between
+
 
 def faces_of(doc, name, *chains, z=0.0):
     """An object whose Face1, Face2, ... are the chains' faces at a height."""

@@ -12,6 +12,8 @@ from evenload.geometry import floor, ground_beside, shape, stock_beyond
 from FreeCAD import Vector
 from models import face_of, floors_of, rectangle, sketch_of
 
+pytestmark = pytest.mark.between
+
 TOOL, Z = 6.0, -3.0
 
 

@@ -11,6 +11,8 @@ from FreeCAD import Vector
 
 from evenload import compiled
 
+pytestmark = pytest.mark.between
+
 
 def rounded():
     """A block with round corners, whose upper fillets are tori there."""
