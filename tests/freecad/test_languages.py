@@ -36,8 +36,8 @@ def test_all_languages_are_looked_at():
     assert sorted(NAMES) == sorted(FILES)
 
 
-# One language on each: what differs between them is seen by tests of the files, what differs between
-# FreeCADs in either.
+# One language on each: what differs between them is seen by tests of the files, what differs
+# between FreeCADs in either.
 ONE_EACH = [
     pytest.param("de", marks=pytest.mark.elsewhere),
     pytest.param("hu", marks=pytest.mark.core),
