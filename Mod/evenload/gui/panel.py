@@ -65,6 +65,7 @@ class OperationPage(PreviewPage):
     """
 
     taskPanelBaseGeometryPage = BaseGeometryPage
+    steppings = ()  # until FreeCAD has the page connected
 
     # ---- what FreeCAD calls ----
 
@@ -145,6 +146,8 @@ class OperationPage(PreviewPage):
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
         self._refresh.stop()
+        for each in self.steppings:
+            each.end()
         for pick in (self.hole, self.open_side):
             if pick is not None:
                 pick.end()

@@ -15,7 +15,7 @@ class Stepping:
     """
 
     def __init__(self, box, take, *arguments):
-        self._edit = fields.edit_of(box)
+        self._edit, self._is_ended = fields.edit_of(box), False
         self._timer = QtCore.QTimer(box)  # the box has its new value by then
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
@@ -24,6 +24,11 @@ class Stepping:
         changed = box.valueChanged if hasattr(box, "valueChanged") else self._edit.textChanged
         changed.connect(slot(self._changed))
 
+    def end(self):
+        """From now on nothing is called any more, whatever Cancel shows in the box at last."""
+        self._is_ended = True
+        self._timer.stop()
+
     def _changed(self):
-        if not self._edit.isModified():
+        if not self._is_ended and not self._edit.isModified():
             self._timer.start()
