@@ -239,9 +239,9 @@ def session():
     workbench()
     window = FreeCADGui.getMainWindow()
     menus = {m.title().replace("&", ""): m for m in window.menuBar().findChildren(QtGui.QMenu)}
-    result["menu"] = "EvenLoad Adaptive" in texts(menus[host.MENU.replace("&", "")])
+    result["menu"] = texts(menus[host.MENU.replace("&", "")])
     bars = [b for b in widgets(QtGui.QToolBar) if b.objectName() == host.TOOLBAR]
-    result["toolbar"] = any("EvenLoad Adaptive" in a.text() for b in bars for a in b.actions())
+    result["toolbar"] = [a.text().replace("&", "") for b in bars for a in b.actions()]
     icons = [a.icon() for b in bars for a in b.actions() if "EvenLoad Adaptive" in a.text()]
     result["icon"] = bool(icons) and not icons[0].isNull()
 

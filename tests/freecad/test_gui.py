@@ -14,7 +14,16 @@ def session(tmp_path_factory):
 
 
 def test_the_command_is_in_menu_and_toolbar_with_its_icon(session):
-    assert session["menu"] and session["toolbar"] and session["icon"]
+    assert "EvenLoad Adaptive" in session["menu"] and session["icon"]
+    assert "EvenLoad Adaptive" in session["toolbar"]
+
+
+@pytest.mark.parametrize("place", ["menu", "toolbar"])
+def test_all_of_our_commands_stand_beside_freecad_s_adaptive(session, place):
+    shown = session[place]
+    ours = [k for k, text in enumerate(shown) if text.startswith("EvenLoad")]
+    assert len(ours) == ours[-1] - ours[0] + 1 > 3
+    assert shown.index("Adaptive") in (ours[0] - 1, ours[-1] + 1)
 
 
 def test_the_command_takes_the_selected_face(session):

@@ -2,6 +2,7 @@
 
 import pytest
 from conftest import in_gui
+from evenload.gui import colours
 
 pytestmark = pytest.mark.core  # FreeCAD 1.1 fills its one style sheet itself, as it starts
 
@@ -13,6 +14,20 @@ ALIKE = 0.95  # of the theme's own contrast: edges of letters are not all drawn 
 def themes(tmp_path_factory):
     """What gui_themes_session.py reports of each theme."""
     return in_gui("gui_themes_session.py", tmp_path_factory.mktemp("themes"))["themes"]
+
+
+def test_contrasts_are_those_of_wcag():
+    assert colours.contrast("#000000", "#ffffff") == pytest.approx(21)
+    # The grey that is known for missing 4.5 on white, and its neighbour, that does not.
+    assert colours.contrast("#777777", "#ffffff") == pytest.approx(4.478, abs=1e-3)
+    assert colours.contrast("#767676", "#ffffff") == pytest.approx(4.542, abs=1e-3)
+
+
+@pytest.mark.parametrize("name", ["GOOD", "CAUTION", "BAD", "LINK", "QUIET"])
+def test_both_shades_of_a_colour_can_be_read_on_the_ground_that_they_are_for(name):
+    on_light, on_dark = getattr(colours, name)
+    assert colours.contrast(on_light, "#f0f0f0") > LEAST
+    assert colours.contrast(on_dark, "#333333") > LEAST
 
 
 def test_light_and_dark_themes_were_looked_at(themes):

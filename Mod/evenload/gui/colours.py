@@ -29,8 +29,9 @@ def drawn(colour, widget):
 
 
 def ground_of(widget):
-    """What a widget's text stands on. Style sheets may draw it anywhere above the widget, and tell
-    no palette: so one pixel is looked at. As long as it is not seen its palette has to do.
+    """The colour that a widget's text stands on, a QColor. Style sheets may draw it anywhere above
+    the widget, and tell no palette: so one pixel is looked at. As long as the widget is not seen
+    its palette has to do.
     """
     if not widget.isVisible():
         light = _text_of(widget).lightness() > 127

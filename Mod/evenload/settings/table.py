@@ -78,8 +78,7 @@ FINISHING = (
         doc="Largest distance of the path from the exact one, the surface's triangles included; "
         "into the part usually a third of it, at the most half",
         page="largest distance of the path from the exact one, the triangles that stand for the "
-        "surface included; into the part it usually goes by a third of it, at the most by "
-        "half",
+        "surface included; into the part it usually goes by a third of it, at the most by half",
     ),
     replace(_NAMED["Arcs"], page="no: lines only, also along contours and spirals"),
 )
