@@ -69,6 +69,7 @@ def fields(op):
         seen["steps"][schema] = steps
     FreeCAD.Units.setSchema(METRIC)
     seen.update(in_panel(op, lambda page: taken(page, op)))
+    seen["bound"] = in_panel(op, lambda page: bound(page, op))
     return seen
 
 
@@ -99,6 +100,25 @@ def taken(page, op):
     page.engagement.share.setValue(50.0)
     page.engagement.share.editingFinished.emit()
     seen["share"] = [op.SideStep.Value, op.EngagementAngle.Value]
+    return seen
+
+
+def bound(page, op):
+    """[enabled?, tooltip's end] of fields beside and under an expression, and what is left of an
+    edit of the share.
+    """
+    seen = {}
+    for name in ("EngagementAngle", "SideStep", "Tolerance"):
+        before = getattr(op, name).Value
+        op.setExpression(name, {"Tolerance": "0.02 mm"}.get(name, "%.17g" % before))
+        page.refresh()
+        names = ("EngagementAngle", "SideStep", "Tolerance", "RollRadius")
+        seen[name] = {each: page.widgets[each].isEnabled() for each in names}
+        seen[name]["share"] = page.engagement.share.isEnabled()
+        seen[name]["tips"] = [page.widgets[each].toolTip().splitlines()[-1] for each in names]
+        op.setExpression(name, None)
+    page.refresh()
+    seen["after"] = [page.widgets[each].isEnabled() for each in names]
     return seen
 
 

@@ -234,6 +234,39 @@ def test_the_angle_is_kept_when_the_tool_changes(square):
     assert op.SideStep.Value == pytest.approx(1.0)
 
 
+def test_the_angle_follows_a_side_step_under_an_expression(square):
+    op = square.operation(EngagementAngle=35)
+    # FreeCAD 0.20 may leave out an expression that names nothing, beside others that do.
+    op.setExpression("SideStep", "OpToolDiameter * 0 + 1.5 mm")
+    square.done(op)
+    assert op.EngagementAngle.Value == pytest.approx(60)
+    square.controller.Tool.Diameter = 4
+    square.done(op)
+    assert op.SideStep.Value == pytest.approx(1.5)
+    assert op.EngagementAngle.Value == pytest.approx(math.degrees(math.acos(0.25)))
+    assert op.MaxEngagement.Value < op.EngagementAngle.Value + 2
+
+
+def test_an_angle_under_an_expression_stays_whatever_side_step_is_set(square):
+    op = square.operation()
+    op.setExpression("EngagementAngle", "OpToolDiameter / 6 mm * 40 deg")
+    square.done(op)
+    op.SideStep = 2.5
+    square.done(op)
+    assert op.EngagementAngle.Value == pytest.approx(40)
+    assert op.SideStep.Value == pytest.approx(3 * (1 - math.cos(math.radians(40))))
+
+
+def test_expressions_for_both_angle_and_side_step_are_refused(square):
+    op = square.operation()
+    op.setExpression("EngagementAngle", "40 deg")
+    op.setExpression("SideStep", "1 mm")
+    square.doc.recompute()
+    assert not op.isValid() and "both have an expression" in op.Report
+    op.setExpression("EngagementAngle", None)
+    assert square.done(op).isValid()
+
+
 def test_lengths_and_feeds_follow_the_tool_until_they_are_set(square):
     op = square.operation()
     op.RollRadius = 0.5

@@ -57,6 +57,18 @@ def test_a_share_of_the_diameter_is_the_side_step_too(session):
     assert step == pytest.approx(3) and angle == pytest.approx(90)
 
 
+def test_what_an_expression_sets_is_not_edited_nor_what_follows_it(session):
+    seen = session["fields"]["bound"]
+    angle, step, tolerance = (seen[n] for n in ("EngagementAngle", "SideStep", "Tolerance"))
+    assert not angle["SideStep"] and not angle["share"] and angle["Tolerance"]
+    assert angle["tips"][1] == "Set by the expression of 'Engagement angle'"
+    assert not step["EngagementAngle"] and not step["share"]
+    assert step["tips"][0] == "Set by the expression of 'Side step'"
+    assert not tolerance["Tolerance"] and tolerance["SideStep"] and tolerance["share"]
+    assert all(each["RollRadius"] and "expression" not in each["tips"][3] for each in (angle, step))
+    assert all(seen["after"])
+
+
 def test_what_is_unfolded_stays_so(session):
     assert session["remembered"]["Feeds"] is True
     assert [open_ for title, open_ in session["remembered"].items() if title != "Feeds"] == [

@@ -136,6 +136,26 @@ def test_reading_for_a_preview_touches_nothing_and_knows_depths_before_they_are_
     assert min(move[3] for move in done.toolpath.moves) == pytest.approx(1 - DEPTH)
 
 
+@pytest.mark.parametrize(
+    "name, expression, wanted",
+    [
+        ("SideStep", "OpToolDiameter / 4", (60, 1.5)),
+        ("EngagementAngle", "OpToolDiameter / 6 mm * 90 deg", (90, 3.0)),
+    ],
+)
+def test_a_preview_has_angle_and_side_step_follow_each_others_expression(
+    square, name, expression, wanted
+):
+    op = square.done(square.operation(EngagementAngle=35))
+    op.setExpression(name, expression)
+    task, done = previewed(op)
+    seen = task.settings.EngagementAngle.Value, task.settings.SideStep.Value
+    assert seen == pytest.approx(wanted)
+    assert op.EngagementAngle.Value == pytest.approx(35)  # until it is recomputed
+    square.done(op)
+    assert task.is_same(op.Proxy.read(op))
+
+
 def test_an_expression_that_fails_is_one_sentence(square):
     op = square.operation()
     op.setExpression("StepDown", "Nothing.x + 1 mm")

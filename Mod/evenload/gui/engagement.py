@@ -6,8 +6,8 @@ from PySide import QtGui
 from evenload import tool as tools
 from evenload.gui import fields
 from evenload.gui.cut_drawing import CutDrawing
+from evenload.operations.following import ANGLE, STEP, bound
 
-ANGLE, STEP = "EngagementAngle", "SideStep"
 SHARES = 0.1, 99.9  # percent
 
 _translate = FreeCAD.Qt.translate
@@ -47,7 +47,7 @@ class EngagementRow(QtGui.QWidget):
             blocked = self.share.blockSignals(True)
             self.share.setValue(100 * obj.SideStep.Value / diameter)
             self.share.blockSignals(blocked)
-        self.share.setEnabled(diameter > 0)
+        self.share.setEnabled(diameter > 0 and not {ANGLE, STEP} & bound(obj))
         self._drawing.show_cut(obj.EngagementAngle.Value, obj.CutMode == "Climb")
 
     def take_share(self, obj):

@@ -5,7 +5,7 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import fields, load_view, optimise, preferences, recording, view3d
+from evenload.gui import bound_fields, fields, load_view, optimise, preferences, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.slots import slot
@@ -302,10 +302,12 @@ class OperationPage(PreviewPage):
             for name, setting in self.settings.items()
             if setting.is_fine or name in self.boxes or name in self.points
         }
+        held = bound_fields.held(obj, self.boxes)
         for setting in self.kind.settings:
             matters = setting.matters_to(obj)
-            self.widgets[setting.name].setEnabled(matters)
+            self.widgets[setting.name].setEnabled(matters and setting.name not in held)
             self.labels[setting.name].setEnabled(matters)
+            self.widgets[setting.name].setToolTip(bound_fields.tip_of(setting, held))
         if self.engagement is not None:
             self.engagement.show_cut(obj)
         if self.hole is not None:

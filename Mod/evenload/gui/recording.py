@@ -34,10 +34,12 @@ def lines_of(obj):
     yield "%s = %s or %s" % (NAME, _object(obj), made)
     yield _set("ToolController", _object(obj.ToolController))
     yield _set("Base", _base(obj.Base))
-    for row in obj.Proxy.settings:
-        if not _follows(obj, row):
-            yield _set(row.name, _value(obj, row))
     bound = dict(obj.ExpressionEngine)
+    for row in obj.Proxy.settings:
+        if row.name in bound:
+            yield "%s.setExpression(%r, %r)" % (NAME, row.name, bound[row.name])
+        elif not _follows(obj, row):
+            yield _set(row.name, _value(obj, row))
     for name in DEPTHS:
         if hasattr(obj, name):
             yield "%s.setExpression(%r, %r)" % (NAME, name, bound.get(name))

@@ -1,6 +1,7 @@
 """Whether an operation's settings can be used, and the sentences that say why not."""
 
 from evenload import host
+from evenload.operations.following import ANGLE, STEP, bound
 from evenload.settings import ranges
 from evenload.settings.table import HOLE_ENTRIES, TOLERANCE
 from evenload.words import listed
@@ -25,13 +26,18 @@ def as_set(obj, rows, tool, data):
     geometry are not known before it is read.
     """
     values(obj, rows, tool, data)
-    if not {path for path, _ in obj.ExpressionEngine} & set(DEPTHS):
+    if not bound(obj) & set(DEPTHS):
         depths(obj, tool)
 
 
 def values(obj, rows, tool, data):
     """Raises ValueError for settings, of these rows, that cannot be used."""
     ranges.check(obj, rows)
+    if {ANGLE, STEP} <= bound(obj):
+        raise ValueError(
+            "EngagementAngle and SideStep both have an expression, though each sets the other: "
+            "take one of the two away."
+        )
     if not 0 < obj.SideStep.Value < tool.diameter:
         raise ValueError(
             "SideStep is %g mm: it must lie between 0 and the tool's diameter of %g mm."

@@ -7,6 +7,8 @@ import FreeCAD
 from evenload import host
 from evenload import tool as tools
 
+ANGLE, STEP = "EngagementAngle", "SideStep"
+
 
 class Following(host.operation_base()):
     """What an operation's proxy does to keep settings that follow others up to date."""
@@ -47,20 +49,24 @@ class Following(host.operation_base()):
         finally:
             self.is_changing = False
         # A side step that cannot be stays, to be refused.
-        if _has_engagement(obj) and 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
+        if not _has_engagement(obj) or not 0 < obj.SideStep.Value < obj.OpToolDiameter.Value:
+            return
+        if STEP in bound(obj):
+            self.set_angle(obj)
+        else:
             self.set_side_step(obj)
 
     def set_side_step(self, obj):
         if not _has_engagement(obj):
             return
-        radius, angle = tools.diameter(obj.ToolController) / 2, obj.EngagementAngle.Value
-        if radius > 0 and 0 < angle < 180:
-            self.quietly(obj, "SideStep", radius * (1 - math.cos(math.radians(angle))))
+        step = step_of(tools.diameter(obj.ToolController), obj.EngagementAngle.Value)
+        if step is not None:
+            self.quietly(obj, STEP, step)
 
     def set_angle(self, obj):
-        radius, step = tools.diameter(obj.ToolController) / 2, obj.SideStep.Value
-        if radius > 0 and 0 < step < 2 * radius:
-            self.quietly(obj, "EngagementAngle", math.degrees(math.acos(1 - step / radius)))
+        angle = angle_of(tools.diameter(obj.ToolController), obj.SideStep.Value)
+        if angle is not None:
+            self.quietly(obj, ANGLE, angle)
 
     def quietly(self, obj, name, value):
         before, self.is_changing = self.is_changing, True
@@ -68,6 +74,25 @@ class Following(host.operation_base()):
             assign(obj, name, value)
         finally:
             self.is_changing = before
+
+
+def bound(obj):
+    """The names of the properties that expressions set, in an operation or what is Seen of one."""
+    return {path.lstrip(".").split(".")[0] for path, _ in obj.ExpressionEngine}
+
+
+def step_of(diameter, angle):
+    """The side step, mm, at an engagement angle in degrees; None where there is none."""
+    if not (diameter > 0 and 0 < angle < 180):
+        return None
+    return diameter / 2 * (1 - math.cos(math.radians(angle)))
+
+
+def angle_of(diameter, step):
+    """The engagement angle, degrees, at a side step in mm; None where there is none."""
+    if not (diameter > 0 and 0 < step < diameter):
+        return None
+    return math.degrees(math.acos(1 - 2 * step / diameter))
 
 
 def _has_engagement(obj):

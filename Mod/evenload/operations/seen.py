@@ -4,12 +4,15 @@ from types import SimpleNamespace
 
 import FreeCAD
 
+from evenload import tool as tools
 from evenload.operations.checks import DEPTHS
+from evenload.operations.following import ANGLE, STEP, angle_of, step_of
 
 
 class Seen:
     """What an operation's properties will be once FreeCAD has evaluated their expressions, which it
-    does in a recompute: by default depths follow the base geometry so. Nothing is touched.
+    does in a recompute: by default depths follow the base geometry so. Of engagement angle and side
+    step the one follows the other's expression. Nothing is touched.
     """
 
     def __init__(self, op):
@@ -20,6 +23,17 @@ class Seen:
             for path, expression in op.ExpressionEngine
             if hasattr(op, path)
         }
+        self._follow(ANGLE, STEP, angle_of)
+        self._follow(STEP, ANGLE, step_of)
+
+    def _follow(self, name, leader, value_of):
+        """Has an engagement angle or side step follow its leader, where that has an expression."""
+        if leader not in self._evaluated or name in self._evaluated:
+            return
+        value = value_of(tools.diameter(self.ToolController), self._evaluated[leader].Value)
+        if value is not None:
+            unit = getattr(self.operation, name).Unit
+            self._evaluated[name] = FreeCAD.Units.Quantity(value, unit)
 
     def __getattr__(self, name):
         if name in self._evaluated:
