@@ -4,8 +4,10 @@
 #include <pybind11/numpy.h>
 #include <pybind11/stl.h>
 
+#include <algorithm>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "python/moves_from.h"
 #include "simulate/simulate.h"
 #include "simulate/standing.h"
+#include "simulate/wall_contact.h"
 
 namespace py = pybind11;
 
@@ -171,6 +174,26 @@ py::tuple simulate_from_python(const py::object& source, DexelStock& stock, doub
                         result.cancelled);
 }
 
+// Rows of (x, y, z, feed angle) of a tool.
+py::array_t<bool> stands_beside_from_python(const DexelStock& stock,
+                                            const py::array_t<double>& places, double radius) {
+  if (places.ndim() != 2 || places.shape(1) != 4)
+    throw std::invalid_argument("Places are rows of x, y, z and the feed's angle.");
+  const auto rows = places.unchecked<2>();
+  std::vector<ToolCircle> tools;
+  for (py::ssize_t i = 0; i < rows.shape(0); ++i)
+    tools.push_back({{rows(i, 0), rows(i, 1)}, radius, rows(i, 2), rows(i, 3)});
+  std::vector<char> found;
+  {
+    const py::gil_scoped_release unlocked;
+    found = stands_beside(stock, tools);
+  }
+  py::array_t<bool> result(static_cast<py::ssize_t>(found.size()));
+  std::transform(found.begin(), found.end(), result.mutable_data(),
+                 [](char each) { return each != 0; });
+  return result;
+}
+
 }  // namespace
 
 void bind_simulate(py::module_& module) {
@@ -204,6 +227,9 @@ void bind_simulate(py::module_& module) {
           py::arg("prisms"), "mm^2 of prisms where the stock does not stand so high.")
       .def("standing", &standing_regions, py::arg("z"), py::arg("reach"),
            "The Regions of `reach` over which the stock stands higher than z, without slivers.")
+      .def("stands_beside", &stands_beside_from_python, py::arg("places"), py::arg("radius"),
+           "For each row (x, y, z, feed angle) of an n x 4 array whether the stock stands beside a "
+           "tool there, within two spacings of the dexels. mm, rad.")
       .def_property_readonly("area", &DexelStock::area, "mm^2")
       .def_property_readonly("volume", &DexelStock::volume, "mm^3")
       .def_property_readonly("resolution", &DexelStock::resolution, "mm")

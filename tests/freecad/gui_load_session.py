@@ -48,6 +48,7 @@ def vertices_of(view):
 def seen_of(view, op):
     """What the node holds beside what the simulator tells, for every measure."""
     from evenload.gui import load_colours
+    from evenload.simulation import walls
 
     found = view.found
     places, colours, counts = vertices_of(view)
@@ -66,13 +67,16 @@ def seen_of(view, op):
         view.choice.setCurrentIndex(index)
         later(100)
         measure = view.measure
+        is_kind = measure is load_colours.KIND
+        kinds = load_colours.kinds_of(found) if is_kind else found.kind
         _, colours, _ = vertices_of(view)
         values = getattr(found, measure.key)
         least, largest = load_colours.range_of(measure, found)
         seen["measures"][measure.key] = {
             "colours": [colours[i] for i in some],
             "values": [float(values[i]) for i in some],
-            "kinds": [int(found.kind[i]) for i in some],
+            "kinds": [int(kinds[i]) for i in some],
+            "swatches": [text for _, text in view.legend.swatches()],
             "means": [mean_before(found, values, i) for i in some],
             "worst": max(mean_before(found, values, i) for i in cuts),
             "range": [least, largest],
@@ -80,6 +84,7 @@ def seen_of(view, op):
         }
         picture("%s %s" % (op.Name, measure.key))
     view.choice.setCurrentIndex(0)
+    seen["at_walls"] = float(found.length[walls.along_walls(found)].sum())
     return seen
 
 

@@ -10,7 +10,7 @@ from evenload.planar import CUT
 
 pytestmark = pytest.mark.between
 
-LEAST_LIGHTNESS_APART = 15
+LEAST_LIGHTNESS_APART = 17
 
 
 @pytest.fixture(scope="module")
@@ -55,6 +55,15 @@ def test_the_colours_are_those_of_the_simulators_values(session, which):
                 if seen["limit"] is not None and mean > seen["limit"] and kind == CUT:
                     wanted = load_colours.BEYOND
             assert colour == pytest.approx(list(wanted), abs=1e-6), key
+
+
+@pytest.mark.parametrize("which", ["ours", "theirs"])
+def test_cuts_along_walls_are_a_kind_of_moves(session, which):
+    seen = session[which]
+    swatches = seen["measures"]["kind"]["swatches"]
+    assert swatches == ["cut", "cut along a wall", "entry", "link", "rapid"]
+    # Once round the square of 30 mm less the tool's radius, and what else ends at a wall.
+    assert 4 * 24 <= seen["at_walls"] < 2 * 4 * 24
 
 
 def test_only_ours_have_a_limit_of_engagement(session):

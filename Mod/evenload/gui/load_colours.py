@@ -9,6 +9,9 @@ from dataclasses import dataclass
 import numpy
 
 from evenload.planar import CUT, ENTRY, LINK, RAPID
+from evenload.simulation.walls import along_walls
+
+WALL = CUT + 1  # a cut along a wall, which the simulator counts among the cuts
 
 # By their names, from the least value to the largest: red, green, blue of 0 to 1, ever lighter.
 # None holds a red like BEYOND, nor greys, which are a kind of moves.
@@ -29,11 +32,12 @@ SCALES = {
     ),
 }
 BEYOND = (0.90, 0.10, 0.10)  # of what is above the limit
-KINDS = {  # their lightness, 0 to 100, is more than 15 apart
+KINDS = {  # their lightness, 0 to 100, is 17 apart and more
     RAPID: (0.97, 0.80, 0.80),
     LINK: (0.62, 0.62, 0.62),
     ENTRY: (0.80, 0.10, 0.55),
-    CUT: (0.05, 0.15, 0.50),
+    WALL: (0.00, 0.31, 0.22),
+    CUT: (0.03, 0.06, 0.40),
 }
 WINDOW = 0.1  # mm of path: single places in corners may meet anything, means over this may not
 
@@ -68,6 +72,11 @@ def values_of(measure, simulation):
     if values is None or not numpy.isfinite(values).any():
         return None
     return numpy.asarray(values, float)
+
+
+def kinds_of(simulation):
+    """The kinds of moves of a Simulation's samples, among them WALL."""
+    return numpy.where(along_walls(simulation), WALL, simulation.kind)
 
 
 def has_it(measure, simulation):
@@ -121,9 +130,10 @@ def colours_of(measure, simulation, least, largest, limit=None, scale=None):
     """The colours of all samples, n x 3 of 0 to 1. limit: cuts whose mean is above it stand out;
     None for no limit. scale: as for on_scale.
     """
+    kinds = kinds_of(simulation) if measure is KIND else simulation.kind
     colours = numpy.empty((len(simulation.x), 3))
     for kind, colour in KINDS.items():
-        colours[simulation.kind == kind] = colour
+        colours[kinds == kind] = colour
     values = values_of(measure, simulation)
     if measure is KIND or values is None:
         return colours

@@ -9,7 +9,13 @@ from evenload.planar import CUT, ENTRY, LINK, RAPID
 BAR = 14  # pixels
 STEPS = 64  # of the scale's colours
 SWATCH_LINES = 2  # for which there is room: as many as all kinds of moves need in a narrow dock
-NAMES = {CUT: "cut", ENTRY: "entry", LINK: "link", RAPID: "rapid"}
+NAMES = {
+    CUT: "cut",
+    load_colours.WALL: "cut along a wall",
+    ENTRY: "entry",
+    LINK: "link",
+    RAPID: "rapid",
+}
 
 _translate = FreeCAD.Qt.translate
 
@@ -55,10 +61,12 @@ class Legend(QtGui.QWidget):
 
     def swatches(self):
         """[(colour, text), ...] of what is not on the scale."""
+        of_all = self._measure is load_colours.KIND
+        off_the_scale = {*NAMES} - {load_colours.WALL, *self._measure.kinds}
         kinds = [
             (load_colours.KINDS[kind], _translate("EvenLoad", name))
             for kind, name in NAMES.items()
-            if self._measure is load_colours.KIND or kind not in self._measure.kinds
+            if of_all or kind in off_the_scale
         ]
         if self._limit is None:
             return kinds
