@@ -7,6 +7,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 DELAY = 0.3  # s: what takes less shows no dialog; who waits for longer than half a second wonders
+WINDOWS_OWN = QtCore.QEventLoop.ExcludeUserInputEvents
 REFRESH = 0.05  # s: how often the dialog is brought up to date and Cancel is looked at
 SCALE = 1000  # steps of the progress bar
 WIDTH = 280  # pixels of the progress bar, so that the title can be read
@@ -15,17 +16,19 @@ _translate = FreeCAD.Qt.translate
 
 
 class Watch:
-    """What the core asks while it works: watch(share) -> whether to go on.
+    """What the core asks while it works: watch(share) -> whether to go on; a share of None is not
+    known.
 
-    A context, at whose end the dialog vanishes. Until it shows, nothing else happens in the GUI;
-    while it shows, nothing but its button can be used.
+    A context, at whose end the dialog vanishes. Until it shows, the window draws itself, and what
+    its user does waits; while it shows, nothing but its button can be used.
     """
 
     def __init__(self, title):
         self._title = title
         self._dialog = self._bar = None
         self._cancelled = False
-        self._next = time.monotonic() + DELAY
+        self._shows_at = time.monotonic() + DELAY
+        self._next = 0.0
 
     def __enter__(self):
         return self
@@ -38,11 +41,17 @@ class Watch:
             self._dialog = None
 
     def __call__(self, share):
-        if self._cancelled or time.monotonic() < self._next:
+        now = time.monotonic()
+        if self._cancelled or now < self._next:
             return not self._cancelled
+        if now < self._shows_at:
+            QtGui.QApplication.processEvents(WINDOWS_OWN)
+            self._next = time.monotonic() + REFRESH
+            return True
         if self._dialog is None:
             self._show()
-        self._bar.setValue(round(SCALE * share))
+        if share is not None:
+            self._bar.setValue(round(SCALE * share))
         QtGui.QApplication.processEvents()
         self._next = time.monotonic() + REFRESH
         self._cancelled = self._dialog.clickedButton() is not None

@@ -170,6 +170,7 @@ class Operation(computing.Computing):
                 self._clear_results(obj)
             with self._asked_all_along(obj):
                 result = super().execute(obj)
+                self.let_the_window_work()
                 if self.last is not None and not len(self.last.toolpath):
                     obj.Path = Path.Path()  # without the rapid at its end
                 elif self.last is not None:
@@ -207,6 +208,7 @@ class Operation(computing.Computing):
         # FreeCAD itself ends every operation at the clearance height.
         last = obj.ClearanceHeight.Value
         self.commandlist.extend(commands.from_moves(done.toolpath, left_out_from=last))
+        self.let_the_window_work()  # FreeCAD's own part, which follows, asks nobody
         self.last = done
         self._set_results(obj, done)
 

@@ -72,9 +72,13 @@ class Computing(following.Following):
 
     def watch(self):
         """What the core is to ask while it works: callable(share) -> whether to go on, or None."""
-        if self._dialog is not None:
-            self._dialog(0.0)  # what came before may have taken long
+        self.let_the_window_work()  # what came before may have taken long
         return self.progress or self._dialog
+
+    def let_the_window_work(self):
+        """Between two things that take their time: with a GUI, has the window draw itself."""
+        if self._dialog is not None:
+            self._dialog(None)
 
     @contextlib.contextmanager
     def _asked_all_along(self, obj):
