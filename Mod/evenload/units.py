@@ -31,9 +31,13 @@ class Unit:
     size: float
     digits: int
 
+    def figure(self, value):
+        """A value in this unit, with a decimal point."""
+        return "%.*f" % (self.digits, value / self.size)
+
     def told(self, value):
-        """A value with its unit, with a decimal point."""
-        return "%.*f %s" % (self.digits, value / self.size, self.name)
+        """The same with the unit."""
+        return "%s %s" % (self.figure(value), self.name)
 
 
 @dataclass(frozen=True)
@@ -42,6 +46,16 @@ class Quantity:
 
     metric: Unit
     imperial: Unit
+
+    @property
+    def names(self):
+        """The Units' names."""
+        return self.metric.name, self.imperial.name
+
+    @property
+    def sizes(self):
+        """The Units' sizes."""
+        return self.metric.size, self.imperial.size
 
     @property
     def shown(self):
@@ -54,6 +68,7 @@ def same(name, digits, size=1.0):
     return Quantity(*2 * (Unit(name, size, digits),))
 
 
+ANGLE, FORCE = same("°", 1), same("N", 0)
 # Values in mm, mm2, mm/min and mm3/min.
 LENGTH = Quantity(Unit("mm", 1.0, 3), Unit("in", INCH, 5))
 WAY = Quantity(Unit("mm", 1.0, 1), Unit("in", INCH, 2))
