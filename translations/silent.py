@@ -75,7 +75,7 @@ _WORDS = {
     *("Path", "Pixmap", "Placement", "Report", "Resources", "Shape", "Size", "Value", "Velocity"),
     *("Up-to-date", "MenuText", "ToolTip", "xx", "yy", "DMIS", "Halton-Zaremba", "arc length"),
     *("m/N", "mm/N", "um/N", "uin/lbf", "g/N", "(m/s)/N", "(m/s2)/N", "N/µm", "Hz", " Hz", "kN/m"),
-    *("mm", "N", "µm", "mm/min", "mm³/min", "cm³/min", "%s, Ø %g mm", "%.12g mm/min"),
+    *("mm", "N", "%s, Ø %.5g %s", "%.12g mm/min"),
     *("µin", "m/min", "ft/min", "N m", "N\u00b7s", "W", "Rz", "CX", "CV"),
     *("Arcs", "Check", "Component", "Report view", "Python console"),
     *("JSON (*.json)", "CSV (*.csv)", "HTML (*.html)", "G-code (*.ngc *.nc *.gcode)"),

@@ -315,10 +315,6 @@
         <translation> bis zu %1 mm</translation>
     </message>
     <message>
-        <source>%.0f rev/min, %.3g mm</source>
-        <translation>%.0f U/min, %.3g mm</translation>
-    </message>
-    <message>
         <source>%.1f Hz, %.2f %% damping, %.3g N/µm</source>
         <translation>%.1f Hz, %.2f %% Dämpfung, %.3g N/µm</translation>
     </message>
@@ -1367,10 +1363,6 @@
         <translation>Aus dem Fenster Stabilitätskarte</translation>
     </message>
     <message>
-        <source>Gouge, mm</source>
-        <translation>Konturverletzung, mm</translation>
-    </message>
-    <message>
         <source>Halton-Zaremba has no rows that may miss a fillet</source>
         <translation>Halton-Zaremba hat keine Reihen, die eine Verrundung verfehlen könnten</translation>
     </message>
@@ -1775,10 +1767,6 @@
         <translation>Muster</translation>
     </message>
     <message>
-        <source>Peak force, N</source>
-        <translation>Spitzenkraft, N</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>Bild…</translation>
     </message>
@@ -1871,22 +1859,8 @@
         <translation>Zeitspanvolumen</translation>
     </message>
     <message>
-        <source>Removal rate,
-cm³/min</source>
-        <translation>Zeitspanvolumen,
-cm³/min</translation>
-    </message>
-    <message>
-        <source>Removal rate, cm³/min</source>
-        <translation>Zeitspanvolumen, cm³/min</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Entfernen</translation>
-    </message>
-    <message>
-        <source>Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N.</source>
-        <translation>Trägt %.3g cm³/min ab, jetzt %.3g; Lagefehler %.0f µm, Kraft %.0f N.</translation>
     </message>
     <message>
         <source>Removes the selected modes</source>
@@ -1903,10 +1877,6 @@ cm³/min</translation>
     <message>
         <source>Rest machining</source>
         <translation>Restbearbeitung</translation>
-    </message>
-    <message>
-        <source>Rest, mm²</source>
-        <translation>Restmaterial, mm²</translation>
     </message>
     <message>
         <source>Retracts %d</source>
@@ -3325,10 +3295,6 @@ cm³/min</translation>
         <translation>Das Dokument „%1“ hat keine 3D-Ansicht: eine öffnen.</translation>
     </message>
     <message>
-        <source>axial depth, mm</source>
-        <translation>Zustelltiefe, mm</translation>
-    </message>
-    <message>
         <source>fitted</source>
         <translation>angepasst</translation>
     </message>
@@ -4589,10 +4555,6 @@ cm³/min</translation>
         <translation>%s bis %s %s</translation>
     </message>
     <message>
-        <source>Amount, mm</source>
-        <translation>Betrag, mm</translation>
-    </message>
-    <message>
         <source>Bound</source>
         <translation>Schranke</translation>
     </message>
@@ -4845,10 +4807,6 @@ cm³/min</translation>
         <translation>Konturverletzung</translation>
     </message>
     <message>
-        <source>gouge %.3f mm</source>
-        <translation>Konturverletzung %.3f mm</translation>
-    </message>
-    <message>
         <source>hole</source>
         <translation>Loch</translation>
     </message>
@@ -4877,10 +4835,6 @@ cm³/min</translation>
         <translation>kein Restmaterial, keine Vorfälle</translation>
     </message>
     <message>
-        <source>nominal %.4g cm³/min</source>
-        <translation>Nennwert %.4g cm³/min</translation>
-    </message>
-    <message>
         <source>outside of the feature</source>
         <translation>außerhalb des Elements</translation>
     </message>
@@ -4901,10 +4855,6 @@ cm³/min</translation>
         <translation>senkrecht in Material</translation>
     </message>
     <message>
-        <source>plunges in material %.1f mm</source>
-        <translation>senkrecht in Material %.1f mm</translation>
-    </message>
-    <message>
         <source>pocket</source>
         <translation>Tasche</translation>
     </message>
@@ -4913,24 +4863,12 @@ cm³/min</translation>
         <translation>Eilgang in Material</translation>
     </message>
     <message>
-        <source>rapids in material %.1f mm</source>
-        <translation>Eilgänge in Material %.1f mm</translation>
-    </message>
-    <message>
         <source>reference %.4g N</source>
         <translation>Bezugswert %.4g N</translation>
     </message>
     <message>
-        <source>removal rate, cm³/min</source>
-        <translation>Zeitspanvolumen, cm³/min</translation>
-    </message>
-    <message>
         <source>rest</source>
         <translation>Restmaterial</translation>
-    </message>
-    <message>
-        <source>rest %.2f mm²</source>
-        <translation>Restmaterial %.2f mm²</translation>
     </message>
     <message>
         <source>start</source>
@@ -5143,6 +5081,72 @@ cm³/min</translation>
     <message>
         <source>The tool &apos;%1&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
         <translation>Das Werkzeug „%1“ nennt seine Zähnezahl nicht: 1 Zahn wird angenommen.</translation>
+    </message>
+    <message>
+        <source>%.0f rev/min, %.3g %s</source>
+        <translation>%.0f U/min, %.3g %s</translation>
+    </message>
+    <message>
+        <source>Amount, %s</source>
+        <translation>Betrag, %s</translation>
+    </message>
+    <message>
+        <source>Engagement, %s</source>
+        <translation>Eingriff, %s</translation>
+    </message>
+    <message>
+        <source>Gouge, %s</source>
+        <translation>Konturverletzung, %s</translation>
+    </message>
+    <message>
+        <source>Peak force, %s</source>
+        <translation>Spitzenkraft, %s</translation>
+    </message>
+    <message>
+        <source>Removal rate,
+%s</source>
+        <translation>Zeitspanvolumen,
+%s</translation>
+    </message>
+    <message>
+        <source>Removal rate, %s</source>
+        <translation>Zeitspanvolumen, %s</translation>
+    </message>
+    <message>
+        <source>Removes %.3g %s, now %.3g; location error %s, force %.0f N.</source>
+        <translation>Trägt %.3g %s ab, jetzt %.3g; Lagefehler %s, Kraft %.0f N.</translation>
+    </message>
+    <message>
+        <source>Rest, %s</source>
+        <translation>Restmaterial, %s</translation>
+    </message>
+    <message>
+        <source>axial depth, %s</source>
+        <translation>Zustelltiefe, %s</translation>
+    </message>
+    <message>
+        <source>gouge %s</source>
+        <translation>Konturverletzung %s</translation>
+    </message>
+    <message>
+        <source>nominal %s</source>
+        <translation>Nennwert %s</translation>
+    </message>
+    <message>
+        <source>plunges in material %s</source>
+        <translation>senkrecht in Material %s</translation>
+    </message>
+    <message>
+        <source>rapids in material %s</source>
+        <translation>Eilgänge in Material %s</translation>
+    </message>
+    <message>
+        <source>removal rate, %s</source>
+        <translation>Zeitspanvolumen, %s</translation>
+    </message>
+    <message>
+        <source>rest %s</source>
+        <translation>Restmaterial %s</translation>
     </message>
 </context>
 <context>

@@ -315,10 +315,6 @@
         <translation> legfeljebb %1 mm-rel</translation>
     </message>
     <message>
-        <source>%.0f rev/min, %.3g mm</source>
-        <translation>%.0f ford/perc, %.3g mm</translation>
-    </message>
-    <message>
         <source>%.1f Hz, %.2f %% damping, %.3g N/µm</source>
         <translation>%.1f Hz, %.2f %% csillapítás, %.3g N/µm</translation>
     </message>
@@ -1367,10 +1363,6 @@
         <translation>A Stabilitási térkép ablakból</translation>
     </message>
     <message>
-        <source>Gouge, mm</source>
-        <translation>Kontúrsértés, mm</translation>
-    </message>
-    <message>
         <source>Halton-Zaremba has no rows that may miss a fillet</source>
         <translation>A Halton-Zaremba mintának nincsenek sorai, amelyek elkerülhetnének egy lekerekítést</translation>
     </message>
@@ -1775,10 +1767,6 @@
         <translation>Minta</translation>
     </message>
     <message>
-        <source>Peak force, N</source>
-        <translation>Csúcserő, N</translation>
-    </message>
-    <message>
         <source>Picture…</source>
         <translation>Kép…</translation>
     </message>
@@ -1871,22 +1859,8 @@
         <translation>Anyagleválasztás</translation>
     </message>
     <message>
-        <source>Removal rate,
-cm³/min</source>
-        <translation>Anyagleválasztás,
-cm³/min</translation>
-    </message>
-    <message>
-        <source>Removal rate, cm³/min</source>
-        <translation>Anyagleválasztás, cm³/min</translation>
-    </message>
-    <message>
         <source>Remove</source>
         <translation>Törlés</translation>
-    </message>
-    <message>
-        <source>Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N.</source>
-        <translation>Leválaszt %.3g cm³/min anyagot, most %.3g; helyzethiba %.0f µm, erő %.0f N.</translation>
     </message>
     <message>
         <source>Removes the selected modes</source>
@@ -1903,10 +1877,6 @@ cm³/min</translation>
     <message>
         <source>Rest machining</source>
         <translation>Maradékmegmunkálás</translation>
-    </message>
-    <message>
-        <source>Rest, mm²</source>
-        <translation>Maradék, mm²</translation>
     </message>
     <message>
         <source>Retracts %d</source>
@@ -3325,10 +3295,6 @@ cm³/min</translation>
         <translation>A(z) „%1” dokumentumnak nincs 3D nézete: nyisson egyet.</translation>
     </message>
     <message>
-        <source>axial depth, mm</source>
-        <translation>fogásmélység, mm</translation>
-    </message>
-    <message>
         <source>fitted</source>
         <translation>illesztett</translation>
     </message>
@@ -4589,10 +4555,6 @@ cm³/min</translation>
         <translation>%s … %s %s</translation>
     </message>
     <message>
-        <source>Amount, mm</source>
-        <translation>Mérték, mm</translation>
-    </message>
-    <message>
         <source>Bound</source>
         <translation>Korlát</translation>
     </message>
@@ -4845,10 +4807,6 @@ cm³/min</translation>
         <translation>kontúrsértés</translation>
     </message>
     <message>
-        <source>gouge %.3f mm</source>
-        <translation>kontúrsértés %.3f mm</translation>
-    </message>
-    <message>
         <source>hole</source>
         <translation>furat</translation>
     </message>
@@ -4877,10 +4835,6 @@ cm³/min</translation>
         <translation>nincs maradék, nincs esemény</translation>
     </message>
     <message>
-        <source>nominal %.4g cm³/min</source>
-        <translation>névleges %.4g cm³/min</translation>
-    </message>
-    <message>
         <source>outside of the feature</source>
         <translation>az elemen kívül</translation>
     </message>
@@ -4901,10 +4855,6 @@ cm³/min</translation>
         <translation>függőleges merülés anyagba</translation>
     </message>
     <message>
-        <source>plunges in material %.1f mm</source>
-        <translation>függőleges merülés anyagba %.1f mm</translation>
-    </message>
-    <message>
         <source>pocket</source>
         <translation>zseb</translation>
     </message>
@@ -4913,24 +4863,12 @@ cm³/min</translation>
         <translation>gyorsjárat anyagban</translation>
     </message>
     <message>
-        <source>rapids in material %.1f mm</source>
-        <translation>gyorsjárat anyagban %.1f mm</translation>
-    </message>
-    <message>
         <source>reference %.4g N</source>
         <translation>referencia %.4g N</translation>
     </message>
     <message>
-        <source>removal rate, cm³/min</source>
-        <translation>anyagleválasztás, cm³/min</translation>
-    </message>
-    <message>
         <source>rest</source>
         <translation>maradék</translation>
-    </message>
-    <message>
-        <source>rest %.2f mm²</source>
-        <translation>maradék %.2f mm²</translation>
     </message>
     <message>
         <source>start</source>
@@ -5143,6 +5081,72 @@ cm³/min</translation>
     <message>
         <source>The tool &apos;%1&apos; does not tell its number of teeth: 1 tooth is assumed.</source>
         <translation>A(z) „%1” szerszám nem adja meg a fogszámát: 1 fogat veszünk.</translation>
+    </message>
+    <message>
+        <source>%.0f rev/min, %.3g %s</source>
+        <translation>%.0f ford/perc, %.3g %s</translation>
+    </message>
+    <message>
+        <source>Amount, %s</source>
+        <translation>Mérték, %s</translation>
+    </message>
+    <message>
+        <source>Engagement, %s</source>
+        <translation>Átfogás, %s</translation>
+    </message>
+    <message>
+        <source>Gouge, %s</source>
+        <translation>Kontúrsértés, %s</translation>
+    </message>
+    <message>
+        <source>Peak force, %s</source>
+        <translation>Csúcserő, %s</translation>
+    </message>
+    <message>
+        <source>Removal rate,
+%s</source>
+        <translation>Anyagleválasztás,
+%s</translation>
+    </message>
+    <message>
+        <source>Removal rate, %s</source>
+        <translation>Anyagleválasztás, %s</translation>
+    </message>
+    <message>
+        <source>Removes %.3g %s, now %.3g; location error %s, force %.0f N.</source>
+        <translation>Leválaszt: %.3g %s, most %.3g; helyzethiba %s, erő %.0f N.</translation>
+    </message>
+    <message>
+        <source>Rest, %s</source>
+        <translation>Maradék, %s</translation>
+    </message>
+    <message>
+        <source>axial depth, %s</source>
+        <translation>fogásmélység, %s</translation>
+    </message>
+    <message>
+        <source>gouge %s</source>
+        <translation>kontúrsértés %s</translation>
+    </message>
+    <message>
+        <source>nominal %s</source>
+        <translation>névleges %s</translation>
+    </message>
+    <message>
+        <source>plunges in material %s</source>
+        <translation>függőleges merülés anyagba %s</translation>
+    </message>
+    <message>
+        <source>rapids in material %s</source>
+        <translation>gyorsjárat anyagban %s</translation>
+    </message>
+    <message>
+        <source>removal rate, %s</source>
+        <translation>anyagleválasztás, %s</translation>
+    </message>
+    <message>
+        <source>rest %s</source>
+        <translation>maradék %s</translation>
     </message>
 </context>
 <context>

@@ -58,7 +58,8 @@ ARROWS = {
 }
 GROUND = {
     *("commands", "compiled", "machines", "materials"),
-    *("findings", "planar", "refusals", "tool", "translation", "waiting", "window", "words"),
+    *("findings", "planar", "refusals", "tool", "translation", "units", "waiting"),
+    *("window", "words"),
 }
 # What people name in macros and on the command line; nothing in the package imports these.
 DOORS = {"__init__", "batch", "job_simulation", "job_stability", "proof", "simulation_pictures"}
@@ -67,7 +68,8 @@ LATE = {
     ("__init__", "evenload.optimisation"),  # or all of it would be loaded with FreeCAD
     ("__init__", "evenload.simulation"),
     ("dynamics.charts", "evenload.dynamics.pictures"),  # needs matplotlib
-    ("gui.__init__", "evenload.gui.preferences_page"),  # FreeCAD's start needs none of these
+    ("gui.__init__", "evenload.gui.fields"),  # FreeCAD's start needs none of these
+    ("gui.__init__", "evenload.gui.preferences_page"),
     ("gui.__init__", "evenload.gui.progress"),
     ("gui.__init__", "evenload.gui.views"),
     ("job_files.inspection", "evenload.face_inspection.html_report"),  # needs matplotlib

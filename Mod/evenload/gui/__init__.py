@@ -7,7 +7,7 @@ when a command runs or an operation is there.
 import FreeCAD
 import FreeCADGui
 
-from evenload import host, translation, window
+from evenload import host, translation, units, window
 from evenload.gui import command
 from evenload.gui.icons import ICONS, LANGUAGES
 
@@ -20,6 +20,7 @@ def start():
     FreeCADGui.addLanguagePath(LANGUAGES)
     FreeCADGui.updateLocale()  # FreeCAD has looked for translations before it runs this
     translation.translator = FreeCAD.Qt.translate
+    units.shows_inches = _shows_inches
     for name, instance in command.COMMANDS.items():
         FreeCADGui.addCommand(name, instance)
     host.add_to_workbench(list(command.COMMANDS))
@@ -54,3 +55,9 @@ def _watch(title):
     from evenload.gui import progress  # here, for FreeCAD's start needs none
 
     return progress.Watch(title)
+
+
+def _shows_inches():
+    from evenload.gui import fields  # here, for FreeCAD's start needs no widgets
+
+    return fields.shows_inches()

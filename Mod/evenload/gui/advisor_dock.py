@@ -5,13 +5,14 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials
-from evenload.gui import colours, fields, manual
+from evenload.gui import fields, manual
 from evenload.gui.advisor_table import ON_MACHINE, REMARK, AdviceModel, table_of
 from evenload.gui.docks import add_below
 from evenload.gui.length_box import FineLengthBox, LengthBox
 from evenload.gui.machine_box import MachineBox
 from evenload.gui.stability_inputs import Rows, combo
 from evenload.gui.stability_layout import button, scrolled
+from evenload.gui.told import Told
 from evenload.settings.labels import LABELS
 from evenload.settings.table import FINISHING
 
@@ -39,7 +40,7 @@ class AdvisorDock(manual.Dock):
         super().__init__(_translate("EvenLoad", "EvenLoad Finishing Advisor"), window)
         self.setObjectName(NAME)
         self.set_page("finishing_advisor")
-        self.faces, self.told = _label(), _label()
+        self.faces, self.told = _label(), Told()
         self.asked = _asked()
         self.model = AdviceModel(self)
         self.table = table_of(self.model)
@@ -81,11 +82,7 @@ class AdvisorDock(manual.Dock):
 
     def show_lengths(self, **lengths):
         """Shows lengths in mm by their names, and tells nobody."""
-        for name, value in lengths.items():
-            box = getattr(self.asked, name)
-            blocked = box.blockSignals(True)
-            box.set_mm(value)
-            box.blockSignals(blocked)
+        self.asked.show_values(**lengths)
 
     def lengths(self):
         """{name: mm}"""
@@ -93,9 +90,9 @@ class AdvisorDock(manual.Dock):
 
     def follow_units(self):
         """Shows all in the units that the user has chosen by now."""
-        for name in LENGTHS:
-            getattr(self.asked, name).follow_units()
+        self.asked.follow_units()
         self.show_rows(self.model.rows)
+        self.told.follow_units()
 
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""
@@ -121,11 +118,9 @@ class AdvisorDock(manual.Dock):
         found = self.table.selectionModel().selectedRows()
         return self.model.rows[self.table.model().mapToSource(found[0]).row()] if found else None
 
-    def tell(self, text, colour=None):
-        """Shows a sentence, or hides that before where there is none."""
-        self.told.setText(text)
-        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
-        self.told.setVisible(bool(text))
+    def tell(self, text, colour=None, named=""):
+        """Shows sentences, or hides those before where there are none, as Told has it."""
+        self.told.tell(text, colour, named)
 
 
 def _asked():

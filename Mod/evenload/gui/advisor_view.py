@@ -15,7 +15,7 @@ from evenload.gui.slots import slot, telling_slot
 from evenload.operations import finishing
 from evenload.operations.base import SENTENCES
 from evenload.settings.labels import told
-from evenload.settings.sentences import shown, shown_name
+from evenload.settings.sentences import shown_name
 from evenload.settings.table import EVEN_CUSPS
 from evenload.words import name_of as name_of_faces
 
@@ -186,7 +186,7 @@ class AdvisorView:
         self._show([*self.rows, row])
 
     def _refuse(self, sentence):
-        self.dock.tell(shown(told(sentence)), colours.BAD)
+        self.dock.tell(told(sentence), colours.BAD)
 
     def _show(self, rows):
         self.rows = rows
@@ -227,7 +227,8 @@ class AdvisorView:
             self.dock.tell(_translate("EvenLoad", "Taken into the panel."), colours.GOOD)
         elif operation.isValid():
             done = _translate("EvenLoad", "%s cuts by %s.")
-            self.dock.tell(done % (operation.Label, name_of(chosen.strategy)), colours.GOOD)
+            named = done % (operation.Label, name_of(chosen.strategy))
+            self.dock.tell("", colours.GOOD, named)
         else:
             self._refuse(operation.Report)
 

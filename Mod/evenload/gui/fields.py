@@ -5,6 +5,7 @@ import FreeCADGui
 from PySide import QtGui
 
 from evenload.gui.slots import slot
+from evenload.units import INCH
 from evenload.settings.setting import (
     ANGLE,
     BOOL,
@@ -29,7 +30,6 @@ LONGEST = {ANGLE: "180.00 °", LENGTH: "00.00 mm", SPEED: "0000.00 mm/min"}
 FRAME, AROUND, ICON = 12, 28, 12
 DECIMALS = 4  # of numbers without a unit
 MOST = 1_000_000  # of what is counted: no value that a macro set may be cut short here
-INCH = 25.4  # mm
 # What one press of an arrow adds, in FreeCAD's own units, with metric units and with inches.
 STEPS = {
     ANGLE: (1.0, 1.0),

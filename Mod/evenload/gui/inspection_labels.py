@@ -1,30 +1,16 @@
 """Sentences in the dock Inspect, with lengths in the unit that the user has chosen."""
 
 import contextlib
-import re
 
 from PySide import QtCore, QtGui
 
 from evenload.gui import colours, fields, files
-from evenload.inspection.points import SHOWN, mm_per
 from evenload.settings.sentences import shown
-
-# A length as sentences on what cannot be tell it; feeds are no lengths.
-IN_MM = re.compile(r"(?<![\w.])(-?\d+(?:\.\d+)?(?:e[-+]?\d+)?) mm\b(?!/)")
 
 
 def unit():
     """ "mm" or "inch", as the user has chosen."""
     return "inch" if fields.shows_inches() else "mm"
-
-
-def in_users_unit(text):
-    """A sentence in English that tells lengths in mm, in the user's language and unit."""
-    text = shown(text)  # first: its patterns have mm
-    if unit() == "mm":
-        return text
-    name = SHOWN["inch"][0]
-    return IN_MM.sub(lambda found: "%.4g %s" % (float(found[1]) / mm_per("inch"), name), text)
 
 
 def label(text=""):
@@ -36,8 +22,13 @@ def label(text=""):
 
 
 def tell(where, text, colour=None):
-    """Tells a text in a label, a sentence in the user's language."""
-    where.setText(shown(text))
+    """Tells sentences in a label, in the user's language and units."""
+    name(where, shown(text), colour)
+
+
+def name(where, text, colour=None):
+    """Shows a text in a label as it is: what the user has given names to."""
+    where.setText(text)
     where.setStyleSheet("color: %s" % colours.shade(colour, where) if colour else "")
 
 
@@ -48,7 +39,7 @@ def telling(where):
     try:
         yield
     except ValueError as error:
-        tell(where, in_users_unit(str(error)), colours.BAD)
+        tell(where, str(error), colours.BAD)
     except OSError as error:
         tell(where, files.refusal(error), colours.BAD)
     finally:

@@ -13,7 +13,7 @@ from evenload.face_inspection.measured import DMIS
 from evenload.gui import colours, files
 from evenload.gui import inspection_selection as selection
 from evenload.gui.inspection_alignment import NO_DATUM
-from evenload.gui.inspection_labels import tell, telling, unit
+from evenload.gui.inspection_labels import name, tell, telling, unit
 from evenload.gui.observer import Observer
 from evenload.gui.slots import telling_slot
 
@@ -93,7 +93,7 @@ class Measuring:
         )
         if path:
             self._path = path
-            tell(self.dock.file, os.path.basename(path))
+            name(self.dock.file, os.path.basename(path))
             self.evaluate()
 
     def evaluate(self):

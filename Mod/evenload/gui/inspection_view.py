@@ -13,7 +13,7 @@ from evenload.face_inspection.measured import DMIS
 from evenload.face_inspection.probing_program import Probe, probing_program
 from evenload.gui import colours, files, view3d
 from evenload.gui.inspection_dock import MEASURED, PREDICTED, TO_MEASURE, InspectionDock
-from evenload.gui.inspection_labels import in_users_unit, tell, telling, unit
+from evenload.gui.inspection_labels import name, tell, telling, unit
 from evenload.gui.inspection_measured import PROPERTIES, Measuring
 from evenload.gui.inspection_node import InspectionNode
 from evenload.gui.inspection_predicted import Predicting
@@ -97,7 +97,7 @@ class InspectionView(Measuring, Predicting):
         objects = [obj for obj, _ in base]
         self._observer = Observer(objects, PROPERTIES, telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
-        tell(self.dock.faces, shown_name(self.faces.name))
+        name(self.dock.faces, shown_name(self.faces.name))
         self.offer_planes()
         self.show_round_face()
         self.sample()
@@ -120,7 +120,7 @@ class InspectionView(Measuring, Predicting):
             self.samples = self.found = None
             self.node.clear()
             self._enable()
-            tell(self.dock.faces, in_users_unit(str(error)), colours.BAD)
+            tell(self.dock.faces, str(error), colours.BAD)
 
     def _dock_shown(self, is_shown):
         """A dock that is closed takes its colours with it; one behind others does not."""

@@ -3,6 +3,7 @@
 import FreeCAD
 from PySide import QtCore
 
+from evenload import units
 from evenload.gui import fields
 from evenload.gui.slots import slot
 
@@ -52,7 +53,7 @@ class FineLengthBox(LengthBox):
 class RoughnessBox(LengthBox):
     """The same for roughness, in thousandths of a mm or millionths of an inch."""
 
-    names, factors = ("µm", "µin"), (1e-3, 1e-6 * fields.INCH)
+    names, factors = units.ROUGHNESS.names, units.ROUGHNESS.sizes
     digits, steps = (2, 1), (1e-4, 4e-6 * fields.INCH)
 
 

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 
 import numpy
 
+from evenload import units
 from evenload.planar import CUT, ENTRY, LINK, RAPID
 from evenload.simulation.walls import along_walls
 
@@ -48,18 +49,19 @@ class Measure:
 
     key: str  # the Simulation's attribute
     title: str
-    unit: str
-    digits: int
+    quantity: units.Quantity
     kinds: tuple = (CUT, ENTRY)  # the moves that are on its scale; others have their kind's colour
 
 
-KIND = Measure("kind", "Kind of move", "", 0, ())
+KIND = Measure("kind", "Kind of move", units.same("", 0), ())
 MEASURES = (
-    Measure("engagement_deg", "Engagement angle", "°", 1, (CUT, LINK)),  # entries meet all of it
-    Measure("removal_rate", "Removal rate", "mm³/min", 0),
-    Measure("feed", "Feed", "mm/min", 0, (CUT, ENTRY, LINK)),
-    Measure("h_max", "Chip thickness", "mm", 4),
-    Measure("force_peak", "Force", "N", 0),
+    Measure(
+        "engagement_deg", "Engagement angle", units.ANGLE, (CUT, LINK)
+    ),  # entries meet all of it
+    Measure("removal_rate", "Removal rate", units.RATE),
+    Measure("feed", "Feed", units.FEED, (CUT, ENTRY, LINK)),
+    Measure("h_max", "Chip thickness", units.CHIP),
+    Measure("force_peak", "Force", units.FORCE),
     KIND,
 )
 

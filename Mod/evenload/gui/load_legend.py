@@ -57,7 +57,7 @@ class Legend(QtGui.QWidget):
         painter.setPen(self.palette().windowText().color())
         box = QtCore.QRectF(0, BAR + 1, self.width(), line)
         for side, value in texts:
-            painter.drawText(box, side | QtCore.Qt.AlignTop, told(self._measure, value))
+            painter.drawText(box, side | QtCore.Qt.AlignTop, told(self._measure.quantity, value))
 
     def swatches(self):
         """[(colour, text), ...] of what is not on the scale."""
@@ -70,7 +70,7 @@ class Legend(QtGui.QWidget):
         ]
         if self._limit is None:
             return kinds
-        above = _translate("EvenLoad", "cut above %s") % told(self._measure, self._limit)
+        above = _translate("EvenLoad", "cut above %s") % told(self._measure.quantity, self._limit)
         return [(load_colours.BEYOND, above), *kinds]
 
     def _paint_swatches(self, painter, top):
@@ -85,12 +85,13 @@ class Legend(QtGui.QWidget):
             x += width + 12
 
 
-def told(measure, value):
-    """A value with its unit."""
-    unit = measure.unit if measure.unit == "°" else " " + measure.unit
+def told(quantity, value):
+    """A value with its unit, both as the user has chosen."""
+    unit = quantity.shown
+    name = unit.name if unit.name == "°" else " " + unit.name
     locale = QtCore.QLocale()  # FreeCAD's: the decimal sign is the user's
     locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
-    return locale.toString(float(value), "f", measure.digits) + unit
+    return locale.toString(float(value) / unit.size, "f", unit.digits) + name
 
 
 def _qt(colour):

@@ -10,6 +10,7 @@ from PySide import QtCore, QtGui
 from evenload import host, simulation
 from evenload.gui import load_colours, manual, preferences, progress, view3d
 from evenload.gui.load_legend import Legend, told
+from evenload.gui.length_box import UnitsWatch
 from evenload.gui.load_node import LoadNode
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
@@ -101,7 +102,9 @@ def values_at(found, number, time):
     for each in load_colours.MEASURES:
         values = load_colours.values_of(each, found)
         if each is not load_colours.KIND and values is not None:
-            rows.append((_translate("EvenLoad", each.title), told(each, float(values[number]))))
+            rows.append(
+                (_translate("EvenLoad", each.title), told(each.quantity, float(values[number])))
+            )
     return "<table>%s</table>" % "".join(ROW % row for row in rows)
 
 
@@ -114,11 +117,13 @@ class LoadView:
         self._make_dock()
         self._observer = Observer([operation], ("Path",), telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
+        self._units = UnitsWatch(self.dock, self._show_units)
         self._take(found)
 
     def remove(self):
         """Removes it from the scene and the window."""
         FreeCAD.removeDocumentObserver(self._observer)
+        self._units.end()
         self._scene.removeChild(self.node.root)
         self.dock.hide()
         self.dock.deleteLater()
@@ -210,6 +215,10 @@ class LoadView:
         number = self.slider.value()
         self.node.show_tool_at(self.found, number)
         self.told.setText(values_at(self.found, number, self.found.time_s))
+
+    def _show_units(self):
+        self.legend.update()
+        self._show_place()
 
     # ---- what happens meanwhile ----
 

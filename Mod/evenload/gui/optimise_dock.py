@@ -1,17 +1,16 @@
 """The widgets of the dock Optimise."""
 
-import html
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours, manual
+from evenload.gui import manual
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.docks import add_below
 from evenload.gui.optimise_table import CandidateModel, beside, columns
 from evenload.gui.slots import telling_slot
 from evenload.gui.stability_layout import button, scrolled
+from evenload.gui.told import Told
 
 _translate = FreeCAD.Qt.translate
 
@@ -35,7 +34,7 @@ class OptimiseDock(manual.Dock):
         self.set_page("optimisation")
         self.limits, self.tool = asking.limits_box(), asking.tool_box()
         self.to_try = asking.TryBox()
-        self.compared, self.told = _label(), _label()
+        self.compared, self.told = _label(), Told()
         self.compared.setWordWrap(False)
         self.suggest = button(
             _translate("EvenLoad", "Suggest"),
@@ -138,10 +137,9 @@ class OptimiseDock(manual.Dock):
         self.suggest.setEnabled(share is None)
         self.bar.setValue(round(BAR * (share or 0.0)))
 
-    def tell(self, text, colour=None):
-        """Shows sentences in place of those before."""
-        self.told.setText(html.escape(text).replace("\n", "<br>"))
-        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
+    def tell(self, text, colour=None, named=""):
+        """Shows sentences in place of those before, as Told has it."""
+        self.told.tell(text, colour, named)
 
     def _row_chosen(self, current, _):
         if current.isValid():

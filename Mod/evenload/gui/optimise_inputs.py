@@ -182,33 +182,9 @@ def keep_limits(rows):
         group.SetFloat(name, getattr(rows, name).value())
 
 
-def show_tool(rows, limits):
-    """Shows {name: value} of a tool."""
-    for name, value in limits.items():
-        widget = getattr(rows, name)
-        blocked = widget.blockSignals(True)
-        if isinstance(widget, LengthBox):
-            widget.set_mm(value)
-        else:
-            widget.setValue(value)
-        widget.blockSignals(blocked)
-
-
 def tool_of(rows):
     """{name: value} of the tool as it is shown."""
-    widgets = {name: getattr(rows, name) for name in rows.names}
-    return {
-        name: widget.mm() if isinstance(widget, LengthBox) else widget.value()
-        for name, widget in widgets.items()
-    }
-
-
-def follow_units(rows):
-    """Shows lengths and surface speeds in the units that the user has chosen by now."""
-    for name in rows.names:
-        widget = getattr(rows, name)
-        if isinstance(widget, LengthBox):
-            widget.follow_units()
+    return {name: rows.value_of(name) for name in rows.names}
 
 
 def _listed(numbers):

@@ -15,7 +15,6 @@ from evenload.gui.slots import slot, telling_slot
 from evenload.operations.base import SENTENCES
 from evenload.operations.checks import DEPTHS
 from evenload.settings.labels import told
-from evenload.settings.sentences import shown
 from evenload.stability import taking
 from evenload.suggestion import cut as cuts
 from evenload.suggestion import kept, search
@@ -75,7 +74,7 @@ class OptimiseView:
         self._observe(*self._sources())
         self._forget()
         if self._read():
-            asking.show_tool(self.dock.tool, self._limits_known)
+            self.dock.tool.show_values(**self._limits_known)
             self._ask()
 
     def _read(self):
@@ -151,7 +150,7 @@ class OptimiseView:
 
     def _refuse(self, sentence):
         self._forget()
-        self.dock.tell(shown(told(sentence)), colours.BAD)
+        self.dock.tell(told(sentence), colours.BAD)
 
     def _take_results(self, results):
         self.now, self.found = results
@@ -171,11 +170,8 @@ class OptimiseView:
         self.chosen = candidate
         self.dock.compare(self.now, candidate)
         others = taking.sharers(self.operation)
-        notes = self._notes()
-        if others:
-            shared = _translate("EvenLoad", "%s: the same tool controller.") % ", ".join(others)
-            notes.append(shared)
-        self.dock.tell(shown("\n".join(notes)))
+        shared = _translate("EvenLoad", "%s: the same tool controller.") % ", ".join(others)
+        self.dock.tell("\n".join(self._notes()), named=shared if others else "")
 
     def _notes(self):
         notes = [*self.cut.notes, *(self.found.notes if self.found else ())]
@@ -242,7 +238,8 @@ class OptimiseView:
             self._ask()
 
     def _units_changed(self):
-        asking.follow_units(self.dock.tool)
+        self.dock.tool.follow_units()
+        self.dock.told.follow_units()
         if self.chosen is not None:
             self._list()
             self.dock.compare(self.now, self.chosen)
@@ -286,7 +283,7 @@ class OptimiseView:
         before = self.cut.state() if self.cut is not None else None
         if self._read() and self.cut.state() != before:
             self._forget()
-            asking.show_tool(self.dock.tool, self._limits_known)
+            self.dock.tool.show_values(**self._limits_known)
             self._ask()
 
     def _dock_shown(self, is_shown):

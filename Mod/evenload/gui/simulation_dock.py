@@ -6,26 +6,33 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import materials
-from evenload.gui import colours, manual
+from evenload import materials, units
+from evenload.gui import manual
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.docks import add_below
+from evenload.gui.length_box import LengthBox
 from evenload.gui.machine_box import MachineBox
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
-from evenload.settings.sentences import shown
+from evenload.gui.told import Told
 from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadSimulation"  # of the dock
 LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
-CM3 = 1e3  # mm3
 BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
 ROW = '<tr><td style="padding-right: 10px">%s</td>%s</tr>'
 SIGN = '<span style="color: %s">\u25a0</span> '  # of the areas in the 3D view
 CELL = '<td align="right" style="padding-left: 8px">%s</td>'
+
+
+class RateBox(LengthBox):
+    """A field for removal rates: what they call mm are mm3/min."""
+
+    names, factors = units.LARGE_RATE.names, units.LARGE_RATE.sizes
+    digits, steps = (4, 4), (1e3, 0.1 * units.INCH**3)
 
 
 class SimulationDock(manual.Dock):
@@ -40,7 +47,7 @@ class SimulationDock(manual.Dock):
         self.plot = PlotView()
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
-        self.told, self.values, self.totals = _label(), _label(), _label()
+        self.told, self.values, self.totals = Told(), _label(), _label()
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation", view.cancel)
@@ -94,9 +101,7 @@ class SimulationDock(manual.Dock):
 
     def tell(self, text, colour=None):
         """Shows sentences, or hides those before where there are none."""
-        self.told.setText(html.escape(shown(text)).replace("\n", "<br>"))
-        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
-        self.told.setVisible(bool(text))
+        self.told.tell(text, colour)
 
     def _left(self):
         return _column((self.asked, self.limits), LEFT)
@@ -158,7 +163,7 @@ def _limits():
                 "removal_rate",
                 "Removal rate",
                 "Draws a line at this removal rate",
-                number(0, 1e5, 4, 1, "cm³/min", "none"),
+                RateBox(1e8, unset="none"),
             ),
             (
                 "force_peak",
@@ -192,7 +197,7 @@ def _column(widgets, width):
 def totals_of(runs):
     """The figures of Runs beside each other, as rich text."""
     found = [run.simulation for run in runs]
-    rate = 1 / CM3
+    rate, area, length = (each.shown for each in (units.LARGE_RATE, units.AREA, units.LENGTH))
     rows = [
         ("", ["<b>%s</b>" % html.escape(run.name) for run in runs]),
         (_translate("EvenLoad", "Time"), [clock(each.time_total_s) for each in found]),
@@ -203,8 +208,8 @@ def totals_of(runs):
     rows += [
         (_translate("EvenLoad", "Engagement"), _figures("%.1f°", "max_engagement_deg", found)),
         (
-            _translate("EvenLoad", "Removal rate, cm³/min"),
-            _figures("%.3g", "removal_rate_peak", found, rate),
+            _translate("EvenLoad", "Removal rate, %s") % rate.name,
+            _figures("%.3g", "removal_rate_peak", found, rate.size),
         ),
     ]
     if all(each.force_peak_max is not None for each in found):
@@ -212,12 +217,12 @@ def totals_of(runs):
         rows.append((_translate("EvenLoad", "Force, N"), forces))
     rows += [
         (
-            SIGN % REST_COLOUR + _translate("EvenLoad", "Rest, mm²"),
-            _figures("%.3g", "rest_area", found),
+            SIGN % REST_COLOUR + _translate("EvenLoad", "Rest, %s") % area.name,
+            _figures("%.3g", "rest_area", found, area.size),
         ),
         (
-            SIGN % GOUGE_COLOUR + _translate("EvenLoad", "Gouge, mm"),
-            _figures("%.3f", "gouge_mm", found),
+            SIGN % GOUGE_COLOUR + _translate("EvenLoad", "Gouge, %s") % length.name,
+            [length.figure(each.gouge_mm) for each in found],
         ),
         (_translate("EvenLoad", "Incidents"), ["%d" % len(each.incidents) for each in found]),
     ]
@@ -225,5 +230,5 @@ def totals_of(runs):
     return "<table>%s</table>" % "".join(lines)
 
 
-def _figures(form, key, found, factor=1.0):
-    return [form % (factor * getattr(each, key)) for each in found]
+def _figures(form, key, found, size=1.0):
+    return [form % (getattr(each, key) / size) for each in found]

@@ -49,6 +49,10 @@ class PlotView(QtGui.QWidget):
         self.limits = limits
         self._redraw()
 
+    def follow_units(self):
+        """Draws in the units that the user has chosen by now."""
+        self._redraw()
+
     def show_message(self, text):
         """In place of plots."""
         self.runs, self.cursors, self.message = [], [], text

@@ -2,7 +2,7 @@
 
 import FreeCAD
 
-from evenload import host, materials
+from evenload import host, materials, units
 from evenload.gui import colours, files, simulation_task
 from evenload.gui.running import Running
 from evenload.gui.slots import telling_slot
@@ -47,11 +47,11 @@ class JobReport:
         except ValueError as error:
             self._reported.append(Reported(operation.Label, notes=[str(error)]))
             return []
-        read = setup[1]
+        read, unit = setup[1], units.LENGTH.shown
         self._reported.append(
             Reported(
                 operation.Label,
-                "%s, \u00d8 %g mm" % (read.tool.name, read.tool.diameter),
+                "%s, \u00d8 %.5g %s" % (read.tool.name, read.tool.diameter / unit.size, unit.name),
                 stock=read.stock,
                 part=read.part,
                 limits={"engagement_deg": degrees, "removal_rate": rate},

@@ -17,9 +17,10 @@ from evenload.gui import (
     simulation_task,
     view3d,
 )
+from evenload.gui.length_box import UnitsWatch
 from evenload.gui.observer import Observer
 from evenload.gui.running import Running
-from evenload.gui.simulation_dock import CM3, SimulationDock, totals_of
+from evenload.gui.simulation_dock import SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
 from evenload.gui.simulation_report import JobReport, asked_file
 from evenload.gui.slots import slot, telling_slot
@@ -50,6 +51,7 @@ class SimulationView:
         self._again = QtCore.QTimer(self.dock)
         self._again.setSingleShot(True)
         self._connect()
+        self._units = UnitsWatch(self.dock, self._show_units)
         self._scene.addChild(self._clicks.root)
         listed = host.with_path(host.parent_job(operation))
         self.dock.list_operations(listed, operation, against)
@@ -71,6 +73,7 @@ class SimulationView:
     def remove(self):
         """Removes it from the scene and the window, and stops what is under way."""
         self._again.stop()  # it would read a document that may be closed
+        self._units.end()
         self.task.cancel()
         self.report.task.cancel()
         self._observe([])
@@ -90,7 +93,7 @@ class SimulationView:
         except ValueError:  # without a tool: the simulation tells why there is none
             degrees = rate = None
         self.dock.limits.show_values(
-            engagement_deg=degrees or 0.0, removal_rate=(rate or 0.0) / CM3, force_peak=0.0
+            engagement_deg=degrees or 0.0, removal_rate=rate or 0.0, force_peak=0.0
         )
 
     def _asked_changed(self):
@@ -115,7 +118,7 @@ class SimulationView:
         asked = self.dock.limits
         return {
             "engagement_deg": asked.engagement_deg.value() or None,
-            "removal_rate": CM3 * asked.removal_rate.value() or None,
+            "removal_rate": asked.removal_rate.mm() or None,
             "force_peak": asked.force_peak.value() or None,
         }
 
@@ -184,8 +187,22 @@ class SimulationView:
         slider.setRange(0, len(run.time) - 1)
         slider.setValue(sample)
         slider.blockSignals(blocked)
-        told = load_view.values_at(run.simulation, sample, run.time)
+        self._tell_values()
+
+    def _tell_values(self):
+        """Tells what there is at the cursor of the run whose path is in the 3D view."""
+        run, plot = self.run, self.dock.plot
+        told = load_view.values_at(run.simulation, plot.cursors[plot.active], run.time)
         self.dock.values.setText("<b>%s</b>%s" % (html.escape(run.name), told))
+
+    def _show_units(self):
+        """Shows all in the units that the user has chosen by now."""
+        self.dock.limits.follow_units()
+        self.dock.told.follow_units()
+        self.dock.plot.follow_units()
+        if self.runs:
+            self.dock.totals.setText(totals_of(self.runs))
+            self._tell_values()
 
     def _slid(self, sample):
         if self.runs:

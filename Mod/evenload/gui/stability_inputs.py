@@ -3,7 +3,8 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload import materials
+from evenload import materials, units
+from evenload.gui.length_box import LengthBox
 from evenload.gui.slots import slot
 
 _translate = FreeCAD.Qt.translate
@@ -60,9 +61,35 @@ class Rows(QtGui.QGroupBox):
             blocked = widget.blockSignals(True)
             if isinstance(widget, QtGui.QComboBox):
                 widget.setCurrentIndex(widget.findData(value))
+            elif isinstance(widget, LengthBox):
+                widget.set_mm(value)
             else:
                 widget.setValue(value)
             widget.blockSignals(blocked)
+
+    def value_of(self, name):
+        """The value of a row with a number, lengths in mm."""
+        widget = getattr(self, name)
+        return widget.mm() if isinstance(widget, LengthBox) else widget.value()
+
+    def follow_units(self):
+        """Shows lengths in the units that the user has chosen by now; tells nobody."""
+        for name in self.names:
+            if isinstance(getattr(self, name), LengthBox):
+                getattr(self, name).follow_units()
+
+
+class DepthBox(LengthBox):
+    """A field for depths of a cut."""
+
+    steps = 0.05, 0.002 * units.INCH
+
+
+class ErrorBox(LengthBox):
+    """A field for errors of a place, in thousandths of a mm or in inches."""
+
+    names, factors = units.ERROR.names, units.ERROR.sizes
+    digits, steps = (0, 5), (0.005, 0.0002 * units.INCH)
 
 
 def combo(rows):
@@ -127,7 +154,7 @@ def limits_box():
                 "error",
                 "Location error",
                 "Largest error of the wall's place",
-                number(0, 1000, 0, 5, "µm", NO_LIMIT),
+                ErrorBox(1.0, unset=NO_LIMIT),
             ),
             (
                 "force",
@@ -144,4 +171,4 @@ def _speed():
 
 
 def _depth():
-    return number(0.001, 500, 3, 0.05, "mm")
+    return DepthBox(500.0, least=0.001)

@@ -3,6 +3,7 @@
 import FreeCAD
 from PySide import QtCore, QtGui
 
+from evenload import units
 from evenload.gui.images import image_of, paint_message
 from evenload.pictures.figure import new_figure
 from evenload.stability import picture
@@ -43,6 +44,11 @@ class ChartView(QtGui.QWidget):
     def show_message(self, text):
         """In place of a chart."""
         self.field, self.message, self._image, self._axes = None, text, None, None
+        self.update()
+
+    def follow_units(self):
+        """Draws depths in the unit that the user has chosen by now."""
+        self._image = self._axes = None
         self.update()
 
     def show_points(self, operation, point, is_stable):
@@ -94,8 +100,13 @@ class ChartView(QtGui.QWidget):
         legend = _translate("EvenLoad", "○ as it is   ● as chosen")
         painter.drawText(self._margins(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop, legend)
         if self._under_mouse is not None:
-            text = _translate("EvenLoad", "%.0f rev/min, %.3g mm") % self._under_mouse
+            text = self._told_under_mouse()
             painter.drawText(self._margins(), QtCore.Qt.AlignRight | QtCore.Qt.AlignTop, text)
+
+    def _told_under_mouse(self):
+        (speed, depth), unit = self._under_mouse, units.LENGTH.shown
+        told = _translate("EvenLoad", "%.0f rev/min, %.3g %s")
+        return told % (speed, depth / unit.size, unit.name)
 
     def mouseMoveEvent(self, event):
         self._under_mouse = self.point_at(event.pos())

@@ -6,17 +6,18 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload import host, materials
+from evenload import host, materials, units
 from evenload.gui import stability_inputs as inputs
 from evenload.gui import manual, steps
-from evenload.gui.colours import BAD, GOOD, QUIET, shade
+from evenload.gui.colours import BAD, GOOD, QUIET
+from evenload.gui.length_box import UnitsWatch
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
 from evenload.gui.stability_task import chart_of
+from evenload.gui.told import Told
 from evenload.gui.stability_view import ChartView
 from evenload.gui.worker import Refused, Worker
-from evenload.settings.sentences import shown
 from evenload.stability import choice, picture, taking
 from evenload.stability import cut as cuts
 from evenload.stability import operation as stability
@@ -51,15 +52,12 @@ class StabilityWindow(manual.Dialog):
             "Apply", "Sets spindle speed, feeds, step down and cut mode", self.apply
         )
         self.close_button = button("Close", "Closes the window", self.leave)
-        self.told = QtGui.QLabel()
-        self.told.setWordWrap(True)
-        self.told.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-        self.found = QtGui.QLabel()
-        self.found.setWordWrap(True)
+        self.told, self.found = Told(), Told()
         lay_out(self)
         self.timer = QtCore.QTimer(self)
         self.timer.setInterval(LOOK)
         self.timer.timeout.connect(slot(self._look))
+        self._units = UnitsWatch(self, self.follow_units)
         self._connect()
         self._list_operations(operation)
         self.show_operation(operation)
@@ -93,7 +91,7 @@ class StabilityWindow(manual.Dialog):
     def show_operation(self, operation):
         """Reads an operation and shows its chart."""
         self.operation, self.best = operation, None
-        self.found.clear()
+        self.found.tell("")
         self.operations.setCurrentIndex(self.operations.findData(operation.Name))
         try:
             kept = stability.kept(host.controller_of(operation))
@@ -140,7 +138,7 @@ class StabilityWindow(manual.Dialog):
             self.read,
             modes=list(self.modes.modes),
             speed=self.cut.speed.value(),
-            depth=self.cut.depth.value(),
+            depth=self.cut.value_of("depth"),
             cut_mode=self.cut.cut_mode.currentData(),
             engagement_deg=self.cut.engagement.value(),
             material=materials.load(self.cut.material.currentData()),
@@ -179,7 +177,7 @@ class StabilityWindow(manual.Dialog):
         )
 
     def _box(self):
-        deepest = self.chart.to_depth.value()
+        deepest = self.chart.value_of("to_depth")
         speeds = self.chart.from_speed.value(), self.chart.to_speed.value()
         return speeds, (LEAST_DEPTH * deepest, deepest)
 
@@ -188,10 +186,10 @@ class StabilityWindow(manual.Dialog):
         cut, (speeds, (_, deepest)) = self.asked(), self._box()
         limits = {
             "margin": self.limits.margin.value() / 100,
-            "surface_limit": 1e-3 * self.limits.error.value() or None,
+            "surface_limit": self.limits.value_of("error") or None,
             "force_limit": self.limits.force.value() or None,
         }
-        self.found.setText(_translate("EvenLoad", "Searching"))
+        self.found.tell(_translate("EvenLoad", "Searching"))
 
         def search():
             yield "best", choice.best_of(cut, speeds, deepest, **limits)
@@ -209,7 +207,7 @@ class StabilityWindow(manual.Dialog):
         for result in self.worker.results():
             self._show(result, self._tell)
         for result in self.searcher.results():
-            self._show(result, lambda text, _: self.found.setText(shown(text)))
+            self._show(result, self.found.tell)
 
     def _closed_if_gone(self):
         """Whether the operation or its document is gone: then the window closes, too."""
@@ -232,34 +230,46 @@ class StabilityWindow(manual.Dialog):
             self.view.show_points(self.view.operation, self.view.point, found)
         elif kind == "verdict":
             self._tell(
-                "\n".join([found.sentence, *self._notes()]), GOOD if found.is_stable else BAD
+                "\n".join([found.sentence, *self.read.notes, *self.modes.notes]),
+                GOOD if found.is_stable else BAD,
+                self._shared(),
             )
         else:
             self._show_best(found)
 
-    def _notes(self):
+    def _shared(self):
+        """The other operations with this tool controller, in a sentence."""
         others = taking.sharers(self.operation)
         shared = _translate("EvenLoad", "%s: the same tool controller.") % ", ".join(others)
-        return [*self.read.notes, *self.modes.notes, *([shared] if others else [])]
+        return shared if others else ""
 
     def _show_best(self, found):
         self.best = found
         if found is None:
-            self.found.setText(_translate("EvenLoad", "No cut in the chart keeps the limits."))
+            self.found.tell(_translate("EvenLoad", "No cut in the chart keeps the limits."))
             return
-        self.found.setText(
-            _translate(
-                "EvenLoad", "Removes %.3g cm³/min, now %.3g; location error %.0f µm, force %.0f N."
-            )
-            % (
-                1e-3 * found.removal_rate,
-                1e-3 * self.read.removal_rate,
-                1e3 * found.surface_location_error,
-                choice.force_at(self.asked(), found.depth),
-            )
-        )
+        self._tell_best()
         self.cut.show_values(speed=found.speed, depth=found.depth, cut_mode=found.cut_mode)
         self.recompute()
+
+    def _tell_best(self):
+        rate, error = units.LARGE_RATE.shown, units.ERROR.shown
+        told = _translate("EvenLoad", "Removes %.3g %s, now %.3g; location error %s, force %.0f N.")
+        told %= (
+            *(self.best.removal_rate / rate.size, rate.name, self.read.removal_rate / rate.size),
+            error.told(self.best.surface_location_error),
+            choice.force_at(self.asked(), self.best.depth),
+        )
+        self.found.tell("", named=told)
+
+    def follow_units(self):
+        """Shows all in the units that the user has chosen by now."""
+        for rows in (self.cut, self.chart, self.limits):
+            rows.follow_units()
+        self.view.follow_units()
+        self.told.follow_units()
+        if self.best is not None:
+            self._tell_best()
 
     # ---- what the user does ----
 
@@ -311,11 +321,11 @@ class StabilityWindow(manual.Dialog):
 
     def closeEvent(self, event):
         self.timer.stop()
+        self._units.end()
         self.worker.cancel()
         self.searcher.cancel()
         super().closeEvent(event)
         self.closed.emit()
 
-    def _tell(self, text, colour):
-        self.told.setText(shown(text))
-        self.told.setStyleSheet("color: %s" % shade(colour, self))
+    def _tell(self, text, colour, named=""):
+        self.told.tell(text, colour, named)

@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from evenload.gui import colours
 from evenload.gui.slots import slot, telling_slot
+from evenload import units
 from evenload.settings import notes
 from evenload.words import clock
 
@@ -66,7 +67,9 @@ def figures_of(values):
         ),
         (
             _translate("EvenLoad", "Engagement up to %.1f°") % values["MaxEngagement"],
-            _translate("EvenLoad", "Largest engagement angle, mean over 0.1 mm of the path"),
+            units.in_users_unit(
+                _translate("EvenLoad", "Largest engagement angle, mean over 0.1 mm of the path")
+            ),
         ),
         (
             _translate("EvenLoad", "Uncut %s") % area.UserString,

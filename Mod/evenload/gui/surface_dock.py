@@ -4,10 +4,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours, manual
+from evenload.gui import manual
 from evenload.gui.load_legend import Legend
 from evenload.gui.stability_layout import button
 from evenload.gui.surface_measures import BARE
+from evenload.gui.told import Told
 
 _translate = FreeCAD.Qt.translate
 
@@ -36,9 +37,8 @@ class SurfaceDock(manual.Dock):
         self.set_page("surface_view")
         self.choice = QtGui.QComboBox()
         self.legend = SurfaceLegend()
-        self.figures, self.told = QtGui.QLabel(), QtGui.QLabel()
+        self.figures, self.told = QtGui.QLabel(), Told()
         self.figures.setTextFormat(QtCore.Qt.RichText)
-        self.told.setWordWrap(True)
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation; what is known stays", view.cancel)
@@ -55,11 +55,8 @@ class SurfaceDock(manual.Dock):
         window.addDockWidget(QtCore.Qt.RightDockWidgetArea, self)
 
     def tell(self, text, colour=None):
-        """Shows a sentence, translated already; '' none."""
-        self.told.setVisible(bool(text))
-        self.told.setText(text)
-        shade = "color: %s" % colours.shade(colour, self.told) if colour else ""
-        self.told.setStyleSheet(shade)
+        """Shows sentences, or hides those before where there are none."""
+        self.told.tell(text, colour)
 
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""
@@ -86,4 +83,4 @@ class SurfaceDock(manual.Dock):
         self.legend.has_bare = has_bare
         self.legend.setVisible(measure is not None)
         if measure is not None:
-            self.legend.show_scale(measure.on_legend, 0.0, largest / measure.unit.size, None)
+            self.legend.show_scale(measure.on_legend, 0.0, largest, None)

@@ -4,46 +4,16 @@ from dataclasses import dataclass
 
 import numpy
 
+from evenload import units
 from evenload.gui import load_colours
-from evenload.gui.fields import INCH, shows_inches
-from evenload.gui.length_box import RoughnessBox
-from evenload.gui.load_legend import NAMES, told
+from evenload.gui.load_legend import NAMES
 
 BARE = (0.95, 0.79, 0.63)  # of what no pass has cut
 SHOWN_SHARE = 99.5  # % of the cells whose values the scale reaches
 LEAST_SCALE = 1e-5  # mm, or as a share: of a scale's largest value
 LEAST_GOUGE = 1e-3  # mm: less is rounding
-
-
 MAP, CHIPS, ROUGHNESS = STEPS = "map", "chips", "roughness"  # one is computed after the other
-
-
-@dataclass(frozen=True)
-class Unit:
-    """What values are told in. size: of one, in mm, mm² or as a share."""
-
-    unit: str
-    size: float
-    digits: int
-
-    def told(self, value):
-        """A value in mm, mm² or as a share, with its unit."""
-        return told(self, value / self.size)
-
-
-PER_CENT = Unit("%", 0.01, 0)
-AREAS = Unit("mm²", 1.0, 1), Unit("in²", INCH**2, 3)  # with metric units and with inches
-
-
-def length_unit():
-    """The Unit of heights and chips, as the user has chosen by now."""
-    inches, box = shows_inches(), RoughnessBox
-    return Unit(box.names[inches], box.factors[inches], box.digits[inches])
-
-
-def area_unit():
-    """The Unit of areas, as the user has chosen by now."""
-    return AREAS[shows_inches()]
+PER_CENT = units.same("%", 0, 0.01)
 
 
 @dataclass(frozen=True)
@@ -60,15 +30,14 @@ class SurfaceMeasure:
     is_share: bool = False
 
     @property
-    def unit(self):
-        """The Unit that its values are told in by now."""
-        return PER_CENT if self.is_share else length_unit()
+    def quantity(self):
+        """The Quantity that its values are."""
+        return PER_CENT if self.is_share else units.ROUGHNESS
 
     @property
     def on_legend(self):
-        """The same as the legend of paths has it; no kind of moves is beside its scale."""
-        unit = self.unit
-        return load_colours.Measure(self.key, self.title, unit.unit, unit.digits, tuple(NAMES))
+        """The same as a legend has it; no kind of moves is beside its scale."""
+        return load_colours.Measure(self.key, self.title, self.quantity, tuple(NAMES))
 
 
 def _gouge(found):

@@ -4,7 +4,7 @@ import FreeCAD
 import numpy
 from PySide import QtCore
 
-from evenload import surface_simulation
+from evenload import surface_simulation, units
 from evenload.gui import (
     colours,
     files,
@@ -13,13 +13,13 @@ from evenload.gui import (
     surface_task,
     view3d,
 )
-from evenload.gui.inspection_labels import in_users_unit
 from evenload.gui.length_box import UnitsWatch
+from evenload.gui.load_legend import told
 from evenload.gui.observer import Observer
 from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
 from evenload.gui.surface_dock import SurfaceDock
-from evenload.gui.surface_measures import MEASURES, area_unit, length_unit
+from evenload.gui.surface_measures import MEASURES
 from evenload.gui.surface_node import SurfaceNode
 
 _translate = FreeCAD.Qt.translate
@@ -45,7 +45,7 @@ class SurfaceView:
         self.dock.visibilityChanged.connect(telling_slot(self._dock_shown))
         self._observer = Observer([operation], ("Path",), telling_slot(self._changed))
         FreeCAD.addDocumentObserver(self._observer)
-        self._units = UnitsWatch(self.dock, self._choose)
+        self._units = UnitsWatch(self.dock, self._show_units)
         self.dock.show()
         self.simulate()
 
@@ -79,7 +79,7 @@ class SurfaceView:
 
     def _refuse(self, sentence):
         self._forget()
-        self.dock.tell(in_users_unit(sentence), colours.BAD)
+        self.dock.tell(sentence, colours.BAD)
 
     def _take(self, known):
         if self.known is None or self.known.found is not known.found:
@@ -89,7 +89,7 @@ class SurfaceView:
         self.known = known
         self._list()
         self._choose()
-        self.dock.tell("\n".join(map(in_users_unit, [*known.found.notes, *known.refusals])))
+        self.dock.tell("\n".join([*known.found.notes, *known.refusals]))
 
     def _forget(self):
         if self.node is not None:
@@ -132,21 +132,21 @@ class SurfaceView:
 
     def _figures(self):
         """[(what, value), ...] of the whole surface."""
-        found, length, rows = self.known.found, length_unit(), []
+        found, height, rows = self.known.found, units.ROUGHNESS, []
 
         def add(name, value):
             rows.append((_translate("EvenLoad", name), value))
 
         if found.max_cusp is not None:
-            add("Cusps, mean", length.told(found.mean_cusp))
-            add("95 % of cusps below", length.told(found.cusp_95))
-            add("Highest cusp", length.told(found.max_cusp))
+            add("Cusps, mean", told(height, found.mean_cusp))
+            add("95 % of cusps below", told(height, found.cusp_95))
+            add("Highest cusp", told(height, found.max_cusp))
         if found.wish_share is not None:
             add("Within 10 % of the wish", "%.0f %%" % (100 * found.wish_share))
-        add("Largest gouge", length.told(found.gouge_mm))
-        add("Not cut", area_unit().told(found.uncovered_area))
+        add("Largest gouge", told(height, found.gouge_mm))
+        add("Not cut", told(units.AREA, found.uncovered_area))
         largest = numpy.nanmax(self.values()) if numpy.isfinite(self.values()).any() else 0.0
-        add("Largest shown", self.measure.unit.told(largest))
+        add("Largest shown", told(self.measure.quantity, largest))
         return rows
 
     def fly(self):
@@ -166,6 +166,10 @@ class SurfaceView:
         if path:
             what = PICTURED.get(self.measure.key, self.measure.key)
             files.write(lambda: self.known.found.picture(path, what), self.dock.tell)
+
+    def _show_units(self):
+        self._choose()
+        self.dock.told.follow_units()
 
     # ---- what happens meanwhile ----
 

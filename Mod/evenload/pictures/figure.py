@@ -1,9 +1,13 @@
-"""What all pictures share: a figure of its own, its file, axes in mm."""
+"""What all pictures share: a figure of its own, its file, axes of lengths."""
 
 import matplotlib
+import numpy
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.ticker import AutoLocator, FuncFormatter
 from matplotlib.transforms import ScaledTranslation
+
+from evenload import units
 
 LABEL_HEIGHT = 0.5  # inches that an axis' numbers and label take
 
@@ -40,8 +44,32 @@ def legend_below(axes, columns=6):
 
 
 def seen_from_above(axes):
-    """Both axes in mm and to one scale."""
+    """Both axes to one scale, values in mm."""
     axes.set_aspect("equal")
     axes.autoscale_view()
-    axes.set_xlabel("x, mm")
-    axes.set_ylabel("y, mm")
+    tell_lengths(axes.xaxis, "x, %s")
+    tell_lengths(axes.yaxis, "y, %s")
+
+
+def tell_lengths(axis, label):
+    """Has an axis of values in mm tell them in the unit that the user sees lengths in. label: with
+    a place for the unit.
+    """
+    unit = units.LENGTH.shown
+    axis.set_label_text(label % unit.name)
+    if unit.size != 1.0:
+        axis.set_major_locator(_Ticks(unit.size))
+        axis.set_major_formatter(
+            FuncFormatter(lambda value, _: "%g" % (round(value / unit.size, 6) + 0.0))
+        )
+
+
+class _Ticks(AutoLocator):
+    """Ticks at even values in a unit, whose size is in the axis' own."""
+
+    def __init__(self, size):
+        super().__init__()
+        self._size = size
+
+    def tick_values(self, vmin, vmax):
+        return self._size * numpy.asarray(super().tick_values(vmin / self._size, vmax / self._size))

@@ -5,6 +5,7 @@ It is in the user's language where it is made in FreeCAD's window, else in Engli
 
 from dataclasses import dataclass, field
 
+from evenload import units
 from evenload.pictures import html_page, load_rows, simulation_pictures
 from evenload.pictures.figure import save
 from evenload.settings.sentences import shown
@@ -12,13 +13,13 @@ from evenload.translation import filled, translate
 from evenload.words import MOST_NAMES, clock, listed
 
 MOST_INCIDENTS = 50  # of an operation, that are listed one by one
-CM3 = 1e3  # mm3
+# With places for the units of removal rate and rest, and of lengths.
 HEAD = (
     *("Operation", "Tool", "Time", "On the machine", "Engagement, \u00b0"),
-    *("Removal rate, cm\u00b3/min", "Force, N", "Rest, mm\u00b2", "Incidents"),
+    *("Removal rate, %s", "Force, N", "Rest, %s", "Incidents"),
 )
-AXES = "x, mm", "y, mm", "z, mm"  # the same in each language
-INCIDENT_HEAD = ("Incident", "Command", *AXES, "Amount, mm")
+AXES = "x, %s", "y, %s", "z, %s"  # the same in each language
+INCIDENT_HEAD = ("Incident", "Command", *AXES, "Amount, %s")
 KINDS = ("Gouge", "Fixture", "Rapid in material", "Plunge in material")  # the core's, of incidents
 
 
@@ -89,12 +90,16 @@ def _table(reported):
         _row(each, each.run.simulation) if each.run else (each.name, each.tool, *("",) * 7)
         for each in reported
     ]
+    head = _head(HEAD, units.LARGE_RATE.shown.name, units.AREA.shown.name)
     bad = {n for n, each in enumerate(reported) if each.run and each.run.simulation.incidents}
-    return html_page.heading(translate("Operations")) + html_page.table(_head(HEAD), rows, bad)
+    return html_page.heading(translate("Operations")) + html_page.table(head, rows, bad)
 
 
-def _head(texts):
-    return [translate(each) for each in texts]
+def _head(texts, *names):
+    """Translated texts, with the names of units in their places."""
+    names = iter(names)
+    told = map(translate, texts)
+    return [each % next(names) if "%s" in each else each for each in told]
 
 
 def _row(reported, found):
@@ -103,9 +108,9 @@ def _row(reported, found):
         *(reported.name, reported.tool, clock(found.time_total_s)),
         "" if machine is None else clock(machine),
         "%.1f" % found.max_engagement_deg,
-        "%.3g" % (found.removal_rate_peak / CM3),
+        "%.3g" % (found.removal_rate_peak / units.LARGE_RATE.shown.size),
         "" if force is None else "%.0f" % force,
-        "%.2f" % found.rest_area,
+        units.AREA.shown.figure(found.rest_area),
         "%d" % len(found.incidents),
     )
 
@@ -137,10 +142,14 @@ def _section(reported):
 def _incidents(found):
     if not found.incidents:
         return html_page.sentences([translate("No incidents.")])
+    length = units.LENGTH.shown
     rows = [
-        (translate(what.capitalize()), "%d" % line, *("%.3f" % each for each in (x, y, z, amount)))
+        (translate(what.capitalize()), "%d" % line, *map(length.figure, (x, y, z, amount)))
         for what, x, y, z, _, line, amount in found.incidents[:MOST_INCIDENTS]
     ]
     more = len(found.incidents) - len(rows)
     told = html_page.sentences([translate("Not listed: %d more.") % more]) if more else ""
-    return html_page.table(_head(INCIDENT_HEAD), rows, set(range(len(rows)))) + told
+    return (
+        html_page.table(_head(INCIDENT_HEAD, *4 * (length.name,)), rows, set(range(len(rows))))
+        + told
+    )

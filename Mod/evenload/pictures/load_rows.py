@@ -10,6 +10,7 @@ import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
+from evenload import units
 from evenload.pictures import over_time
 from evenload.pictures.figure import new_figure
 from evenload.planar import CUT, LINK
@@ -28,16 +29,16 @@ class Row:
     """One thing that is plotted."""
 
     key: str  # the Simulation's attribute
-    title: str
-    factor: float  # from the attribute's unit to the title's
+    title: str  # with a place for the unit
+    quantity: units.Quantity
     # Of these the scale is made: entries meet material all round.
     kinds: tuple = (CUT, LINK)
 
 
 ROWS = (
-    Row("engagement_deg", "Engagement, \u00b0", 1.0),
-    Row("removal_rate", "Removal rate,\ncm\u00b3/min", 1e-3),
-    Row("force_peak", "Peak force, N", 1.0),
+    Row("engagement_deg", "Engagement, %s", units.ANGLE),
+    Row("removal_rate", "Removal rate,\n%s", units.LARGE_RATE),
+    Row("force_peak", "Peak force, %s", units.FORCE),
 )
 
 
@@ -108,28 +109,30 @@ def _box(figure, row, column, columns):
 
 def _top(row, runs, limit):
     """The upper end of a row's scale, the same for all runs."""
-    largest = [0.0 if limit is None else limit * row.factor]
+    size = row.quantity.shown.size
+    largest = [0.0 if limit is None else limit / size]
     for run in runs:
         values = getattr(run.simulation, row.key)
         if values is None:
             continue
         counted = values[numpy.isin(run.simulation.kind, row.kinds)]
         counted = counted[numpy.isfinite(counted)]
-        largest += [float(counted.max()) * row.factor] if len(counted) else []
+        largest += [float(counted.max()) / size] if len(counted) else []
     return HEADROOM * max(largest) or 1.0
 
 
 def _draw_row(axes, row, run, limit, span, top):
     seen = _seen(run.time, span)
     time, values = run.time[seen], getattr(run.simulation, row.key)
-    axes.set_ylabel(translate(row.title))
+    unit = row.quantity.shown
+    axes.set_ylabel(translate(row.title) % unit.name)
     if values is None:
         axes.text(
             0.5, 0.5, translate("no material, no force"), ha="center", transform=axes.transAxes
         )
     elif len(time):
-        over_time.draw_band(axes, time, row.factor * values[seen])
-    over_time.draw_limit(axes, limit and row.factor * limit, "%.4g")
+        over_time.draw_band(axes, time, values[seen] / unit.size)
+    over_time.draw_limit(axes, limit and limit / unit.size, "%.4g")
     axes.set_ylim(0, top)
     if row is ROWS[0]:
         over_time.draw_kinds(axes, time, run.simulation.kind[seen])

@@ -2,7 +2,7 @@
 
 import numpy
 
-from evenload import planar
+from evenload import planar, units
 from evenload.pictures.path_picture import ENTRY_COLOUR, LINK_COLOUR
 from evenload.translation import translate
 
@@ -22,10 +22,11 @@ def draw_load(upper, lower, simulation, target_deg, nominal_rate):
     upper.set_ylabel(translate("engagement, degrees"))
     draw_limit(upper, target_deg, translate("target %.4g\u00b0"))
     draw_kinds(upper, time, simulation.kind)
-    draw_band(lower, time, numpy.asarray(simulation.removal_rate) / 1000.0)
-    lower.set_ylabel(translate("removal rate, cm\u00b3/min"))
-    nominal = translate("nominal %.4g cm\u00b3/min")
-    draw_limit(lower, nominal_rate / 1000.0 if nominal_rate else None, nominal)
+    unit = units.LARGE_RATE.shown
+    draw_band(lower, time, numpy.asarray(simulation.removal_rate) / unit.size)
+    lower.set_ylabel(translate("removal rate, %s") % unit.name)
+    nominal = translate("nominal %s") % ("%.4g " + unit.name)
+    draw_limit(lower, nominal_rate / unit.size if nominal_rate else None, nominal)
     for axes in (upper, lower):
         dress(axes, time)
     upper.tick_params(labelbottom=False)

@@ -10,7 +10,7 @@ from matplotlib.colors import LinearSegmentedColormap
 from matplotlib.patches import PathPatch
 from matplotlib.path import Path
 
-from evenload import compiled, planar
+from evenload import compiled, planar, units
 from evenload.pictures import path_picture
 from evenload.pictures.figure import legend_below, new_figure, save, seen_from_above
 from evenload.pictures.over_time import LIMIT_COLOUR, draw_force, draw_load
@@ -131,10 +131,11 @@ def summary(simulation):
     if simulation.machine_time_total_s is not None:
         words.append(translate("%.0f s on the machine") % simulation.machine_time_total_s)
     words.append(translate("largest engagement %.1f\u00b0") % simulation.max_engagement_deg)
-    words.append(translate("rest %.2f mm\u00b2") % simulation.rest_area)
-    words.append(translate("gouge %.3f mm") % simulation.gouge_mm)
-    words.append(translate("rapids in material %.1f mm") % simulation.rapid_in_material_mm)
-    words.append(translate("plunges in material %.1f mm") % simulation.plunge_in_material_mm)
+    words.append(translate("rest %s") % units.AREA.shown.told(simulation.rest_area))
+    words.append(translate("gouge %s") % units.LENGTH.shown.told(simulation.gouge_mm))
+    way = units.WAY.shown
+    words.append(translate("rapids in material %s") % way.told(simulation.rapid_in_material_mm))
+    words.append(translate("plunges in material %s") % way.told(simulation.plunge_in_material_mm))
     if simulation.force_peak_max is not None:
         words.append(translate("largest force %.0f N") % simulation.force_peak_max)
     return ", ".join(words)
@@ -178,7 +179,7 @@ def _draw_rest(axes, simulation, stock, part):
         axes.fill(*points.T, color=REST_COLOUR, lw=0.6, zorder=5, label=label)
     for area, x, y, _ in sorted(simulation.rests, reverse=True)[:MOST_LABELS]:
         axes.annotate(
-            "%.2f mm\u00b2" % area,
+            units.AREA.shown.told(area),
             (x, y),
             xytext=(9, 9),
             textcoords="offset points",
@@ -210,11 +211,12 @@ def _draw_rest(axes, simulation, stock, part):
 def _fill_part(axes, part):
     """The part's prisms, the lowest first, in a darker colour the higher they are."""
     colours = LinearSegmentedColormap.from_list("part", PART_COLOURS)
+    size = units.LENGTH.shown.size
     tops = sorted({round(top, 4) for _, top in part})
     for item, top in sorted(part, key=lambda prism: prism[1]):
         loops = [Path(_closed(polygon), closed=True) for polygon in _polygons(item)]
         rank = tops.index(round(top, 4))
-        label = translate("part, top at z = %g") % tops[rank]
+        label = translate("part, top at z = %g") % (tops[rank] / size)
         axes.add_patch(
             PathPatch(
                 Path.make_compound_path(*loops),

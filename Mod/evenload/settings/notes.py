@@ -5,6 +5,7 @@ which places and fields they name.
 import re
 from dataclasses import dataclass
 
+from evenload import units
 from evenload.settings import sentences
 from evenload.settings.labels import FREECADS, LABELS, told
 
@@ -62,34 +63,37 @@ def kind_of(sentence):
 
 def pieces_of(sentence):
     """The Pieces of a sentence, in their order."""
-    result, at = [], 0
-    for found in _LINKS.finditer(sentence):
-        if found.start() > at:
-            result.append(Piece(sentence[at : found.start()]))
-        if found["label"]:
-            result.append(Piece(found.group(), field=_BY_LABEL[found["label"]]))
-        else:
-            result.append(Piece(found.group(), _place(found)))
-        at = found.end()
-    if at < len(sentence):
-        result.append(Piece(sentence[at:]))
-    return result
+    return _pieces(_LINKS, sentence, sentence)
 
 
 def shown_pieces(sentence):
-    """The same in the user's language."""
-    told = sentences.marked(sentence)
-    if told is None:
-        return pieces_of(sentence)
+    """The same in the user's language and units; places stay in mm."""
+    marked = sentences.marked(sentence)
+    links, told = (_LINKS, sentence) if marked is None else (_MARKS, marked)
+    return _pieces(links, told, units.in_users_unit(told))
+
+
+def _pieces(links, told, shown):
+    """The Pieces of what is shown of a sentence. links: the expression for places and fields; told:
+    the same with places in mm.
+    """
+    places = [_place(found) for found in links.finditer(told) if found["x"]]
     result, at = [], 0
-    for found in _MARKS.finditer(told):
-        result.append(Piece(told[at : found.start()]))
-        if found["name"]:
-            result.append(Piece(sentences.label_of(found["name"]), field=found["name"]))
+    for found in links.finditer(shown):
+        result.append(Piece(shown[at : found.start()]))
+        if found["x"]:
+            result.append(Piece(found.group(), place=places.pop(0)))
         else:
-            result.append(Piece(found.group(), _place(found)))
+            result.append(_field(**found.groupdict()))
         at = found.end()
-    return [piece for piece in (*result, Piece(told[at:])) if piece.text]
+    return [piece for piece in (*result, Piece(shown[at:])) if piece.text]
+
+
+def _field(label=None, name=None, **_):
+    """The Piece of a field, by its English label or by its property."""
+    if label:
+        return Piece(label, field=_BY_LABEL[label])
+    return Piece(sentences.label_of(name), field=name)
 
 
 def _place(found):

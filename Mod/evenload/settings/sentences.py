@@ -3,14 +3,15 @@
 Refusals and notes are made in English, which documents keep and scripts read. Where one is shown,
 the pattern that it was made from is looked for among those that `./run translations` has collected.
 The pattern's translation gets what the sentence was filled with, which is translated first where it
-is of our own words. What no pattern fits, or has no translation, stays as it is.
+is of our own words. What no pattern fits, or has no translation, stays English. Where the user has
+chosen inches, values and places are told in these (evenload.units).
 """
 
 import functools
 import os
 import re
 
-from evenload import translation
+from evenload import translation, units
 from evenload.materials import ADDON
 from evenload.settings.labels import FREECADS, LABELS, in_text
 from evenload.settings.setting import CHOICE
@@ -37,9 +38,9 @@ def label_of(name):
 
 
 def shown(text):
-    """Sentences, one in each line, in the user's language."""
-    lines = (marked(line) or line for line in text.split("\n"))
-    return "\n".join(PROPERTY.sub(lambda found: label_of(found[1]), line) for line in lines)
+    """Sentences, one in each line, in the user's language and units."""
+    told = "\n".join(marked(line) or line for line in text.split("\n"))  # patterns have mm
+    return units.in_users_unit(PROPERTY.sub(lambda found: label_of(found[1]), told))
 
 
 def shown_name(name):

@@ -1,6 +1,7 @@
 """Pictures of an operation's stability chart, by matplotlib; no display is needed."""
 
-from evenload.pictures.figure import new_figure
+from evenload import units
+from evenload.pictures.figure import new_figure, tell_lengths
 from evenload.pictures.figure import save as save_figure
 from evenload.stability import field
 from evenload.translation import translate
@@ -35,7 +36,7 @@ def draw(axes, found, cut=None, is_stable=None):
     axes.set_xlim(found.speeds[0], found.speeds[-1])
     axes.set_ylim(0, found.depths[-1])
     axes.set_xlabel(translate("spindle speed, rev/min"))
-    axes.set_ylabel(translate("axial depth, mm"))
+    tell_lengths(axes.yaxis, translate("axial depth, %s"))
     axes.grid(color="#e8eaed", linewidth=0.6)
     axes.set_axisbelow(True)
     if cut is not None:
@@ -50,6 +51,7 @@ def save(cut, verdict, path):
     axes = figure.add_subplot()
     draw(axes, found, cut, verdict.is_stable)
     axes.set_title(cut.label, loc="left")
-    figure.text(0.01, 0.005, verdict.sentence, fontsize=8, color="#3c4043", wrap=True)
+    sentence = units.in_users_unit(verdict.sentence)
+    figure.text(0.01, 0.005, sentence, fontsize=8, color="#3c4043", wrap=True)
     figure.get_layout_engine().set(rect=(0, 0.05, 1, 0.95))
     save_figure(figure, path)
