@@ -52,8 +52,9 @@ def first_pocket():
     later()
     model.ViewObject.DisplayMode = "Wireframe"
     FreeCADGui.Selection.clearSelection()
-    shown = load_view.show(op)
-    shown.slider.setValue(int(AT * shown.slider.maximum()))
+    view = load_view.show(op)
+    done(view)
+    view.dock.slider.setValue(int(AT * view.dock.slider.maximum()))
     window("first_path")
     load_view.close()
     FreeCAD.closeDocument(doc.Name)

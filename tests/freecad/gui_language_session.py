@@ -118,9 +118,12 @@ def load_of(op):
     from evenload.gui import load_view
 
     view = load_view.show(op)
-    later()
+    until(lambda: not view.task.is_busy)
     view.dock.grab().save(os.path.join(OUT, "load.png"))
-    seen = texts_in(view.dock) + [text for _, text in view.legend.swatches()]
+    seen = texts_in(view.dock)
+    for number in (0, view.dock.choice.count() - 1):  # the first has a limit, the last all kinds
+        view.dock.choice.setCurrentIndex(number)
+        seen += [text for _, text in view.dock.legend.swatches()]
     seen.append(view.dock.windowTitle())
     load_view.close()
     later()

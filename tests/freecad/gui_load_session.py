@@ -11,7 +11,7 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, later, ours_and_theirs, result, run  # noqa: E402
+from gui_tools import OUT, begun, later, ours_and_theirs, result, run, until  # noqa: E402
 
 SAMPLES = 100_000
 NODE = "EvenLoadLoad"
@@ -25,10 +25,10 @@ def nodes_in_scene():
 
 
 def docks():
-    from evenload.gui import load_view
+    from evenload.gui import load_dock
 
     widgets = [w for w in QtGui.QApplication.allWidgets() if isinstance(w, QtGui.QDockWidget)]
-    return [w for w in widgets if w.objectName() == load_view.NAME and w.isVisible()]
+    return [w for w in widgets if w.objectName() == load_dock.NAME and w.isVisible()]
 
 
 def picture(name):
@@ -63,8 +63,8 @@ def seen_of(view, op):
     }
     some = [int(i) for i in numpy.random.default_rng(1).choice(len(found.x), 20, replace=False)]
     cuts = [i for i in range(len(found.x)) if found.kind[i] == 3]
-    for index in range(view.choice.count()):
-        view.choice.setCurrentIndex(index)
+    for index in range(view.dock.choice.count()):
+        view.dock.choice.setCurrentIndex(index)
         later(100)
         measure = view.measure
         is_kind = measure is load_colours.KIND
@@ -76,14 +76,14 @@ def seen_of(view, op):
             "colours": [colours[i] for i in some],
             "values": [float(values[i]) for i in some],
             "kinds": [int(kinds[i]) for i in some],
-            "swatches": [text for _, text in view.legend.swatches()],
+            "swatches": [text for _, text in view.dock.legend.swatches()],
             "means": [mean_before(found, values, i) for i in some],
             "worst": max(mean_before(found, values, i) for i in cuts),
             "range": [least, largest],
-            "limit": view._limit(),
+            "limit": view.limit(),
         }
         picture("%s %s" % (op.Name, measure.key))
-    view.choice.setCurrentIndex(0)
+    view.dock.choice.setCurrentIndex(0)
     seen["at_walls"] = float(found.length[walls.along_walls(found)].sum())
     return seen
 
@@ -106,19 +106,19 @@ def cursor(view):
 
     found, seen = view.found, {}
     number = len(found.x) // 3
-    view.slider.setValue(number)
+    view.dock.slider.setValue(number)
     later(50)
     at = view.node._place.translation.getValue().getValue()
     seen["place"] = [float(v[number]) for v in (found.x, found.y, found.z)]
     seen["tool"] = list(at)
     seen["diameter"] = found.tool_diameter
-    seen["told"] = view.told.text()
-    view.worst.click()
+    seen["told"] = view.dock.values.text()
+    view.dock.fly.click()
     later(200)
     camera = FreeCADGui.activeDocument().activeView().getCameraNode()
     ahead = camera.orientation.getValue().multVec(coin.SbVec3f(0, 0, -1))
     middle = camera.position.getValue() + ahead * camera.focalDistance.getValue()
-    worst = view.slider.value()
+    worst = view.dock.slider.value()
     seen["worst"] = [float(v[worst]) for v in (found.x, found.y, found.z)]
     seen["middle"] = list(middle.getValue())
     cuts = found.kind == 3
@@ -146,13 +146,54 @@ def hundred_thousand():
     return spent
 
 
+def simulated():
+    """Waits for what is under way, if there is a view."""
+    from evenload.gui import load_view
+
+    later(100)  # what has changed is followed a moment later
+    until(lambda: not any(view.task.is_busy for view in load_view._shown))
+    later(50)
+
+
+def after_earlier(view, earlier):
+    """What an operation removes, mm3, before and after one that cuts before it is active."""
+    before = view.found.removed_volume_total
+    earlier.Active = True
+    earlier.Document.recompute()
+    simulated()
+    return [before, view.found.removed_volume_total]
+
+
+def without_path(view, op):
+    """What the dock tells of an operation that has lost its path, and what is there once more."""
+    op.Active = False
+    op.Document.recompute()
+    simulated()
+    seen = [view.dock.told.text(), view.dock.slider.isEnabled(), len(nodes_in_scene())]
+    op.Active = True
+    op.Document.recompute()
+    simulated()
+    return [*seen, view.dock.told.isVisible(), view.dock.slider.isEnabled(), len(nodes_in_scene())]
+
+
+def stopped(view):
+    """Cancel while it is simulated: what is told, and what stays."""
+    before = view.found
+    view.simulate()
+    shown = view.dock.cancel.isVisible(), view.dock.bar.isVisible()
+    view.dock.cancel.click()
+    later(50)
+    hidden = view.dock.cancel.isVisible(), view.dock.bar.isVisible()
+    return [*shown, *hidden, view.dock.told.text(), view.found is before]
+
+
 def command(op):
     """Runs the command for an operation as a user does; tells what is there then."""
     FreeCADGui.Selection.clearSelection()
     FreeCADGui.Selection.addSelection(op)
     later(100)
     FreeCADGui.runCommand("EvenLoad_ShowLoad")
-    later(800)
+    simulated()
     return [len(nodes_in_scene()), len(docks())]
 
 
@@ -168,12 +209,12 @@ def session():
     view = load_view._shown[0]
     result["ours"] = seen_of(view, ours)
     result["cursor"] = cursor(view)
-    swatches = [text for _, text in view.legend.swatches()]
-    result["legend"] = [view.dock.windowTitle(), view.legend.isVisible(), swatches]
+    swatches = [text for _, text in view.dock.legend.swatches()]
+    result["legend"] = [view.dock.windowTitle(), view.dock.legend.isVisible(), swatches]
     # A change of the path is followed.
     ours.EngagementAngle = 40
     doc.recompute()
-    later(800)
+    simulated()
     result["same_view"] = view is load_view._shown[0]
     result["followed"] = [view.found.max_engagement_deg, len(nodes_in_scene()), len(docks())]
     result["ours_hidden"] = command(ours)
@@ -183,12 +224,13 @@ def session():
     FreeCADGui.SendMsgToActiveView("ViewFit")
     result["theirs_shown"] = command(theirs)
     result["theirs"] = seen_of(load_view._shown[0], theirs)
+    result["after_earlier"] = after_earlier(load_view._shown[0], ours)
+    result["no_path"] = without_path(load_view._shown[0], theirs)
+    result["stopped"] = stopped(load_view._shown[0])
     doc.removeObject(theirs.Name)
     later(200)
     result["deleted"] = [len(nodes_in_scene()), len(docks())]
     # A dock that its user closes; a document that is closed.
-    ours.Active = True
-    doc.recompute()
     command(ours)
     docks()[0].close()
     later(200)

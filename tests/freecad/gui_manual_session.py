@@ -85,7 +85,7 @@ def docks(job, op):
 
     found = {}
     view = load_view.show(op)
-    found["load_view"] = both(view.told, view.slider)
+    found["load_view"] = both(view.dock.values, view.dock.slider)
     load_view.close()
     view = surface.show(op)
     found["surface_view"] = both(view.dock.told, view.dock.choice)

@@ -10,7 +10,7 @@ import FreeCADGui
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, answering, begun, later, press, result, run  # noqa: E402
+from gui_tools import OUT, answering, begun, later, press, result, run, until  # noqa: E402
 
 PREFERRED = {
     "EngagementAngle": 45.0,
@@ -124,8 +124,9 @@ def session():
         preferences.machine(),
         preferences.material(),
     ]
-    shown = load_view.show(scripted)
-    picture = shown.legend.grab().toImage()
+    view = load_view.show(scripted)
+    until(lambda: not view.task.is_busy)
+    picture = view.dock.legend.grab().toImage()
     at = picture.width() - 2, 4
     colour = QtGui.QColor(picture.pixel(*at))
     result["legend"] = [colour.redF(), colour.greenF(), colour.blueF()]

@@ -97,6 +97,29 @@ def test_it_follows_each_computation(session):
     assert 35 < degrees < 45 and nodes == docks == 1 and session["same_view"]
 
 
+def test_it_follows_what_is_cut_before_its_operation(session):
+    alone, after = session["after_earlier"]
+    assert alone > 1000 and after < 0.05 * alone
+
+
+def test_an_operation_that_loses_its_path_is_told_so_until_it_has_one_again(session):
+    told, has_slider, nodes, *again = session["no_path"]
+    assert told == "'Theirs' has no path to simulate: recompute it first."
+    assert not has_slider and nodes == 0
+    assert again == [False, True, 1]
+
+
+def test_cancel_stops_it_and_what_is_known_stays(session):
+    assert session["stopped"] == [
+        True,
+        True,
+        False,
+        False,
+        "The simulation was cancelled.",
+        True,
+    ]
+
+
 def test_it_goes_with_its_command_its_dock_its_operation_and_its_document(session):
     assert session["ours_hidden"] == [0, 0]
     assert session["deleted"] == [0, 0]

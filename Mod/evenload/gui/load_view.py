@@ -4,26 +4,24 @@ There is one at most. Until its command runs nothing of it exists; closing it re
 """
 
 import FreeCAD
-import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from evenload import host, simulation
-from evenload.gui import load_colours, manual, preferences, progress, view3d
-from evenload.gui.load_legend import Legend, told
+from evenload import host
+from evenload.gui import colours, load_colours, preferences, simulation_task, view3d
 from evenload.gui.length_box import UnitsWatch
+from evenload.gui.load_colours import KIND, MEASURES
+from evenload.gui.load_dock import LoadDock
+from evenload.gui.load_legend import told
 from evenload.gui.load_node import LoadNode
-from evenload.gui.observer import Observer
+from evenload.gui.measure_dock import table_of
+from evenload.gui.observer import observer_of_paths
+from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
 from evenload.settings.properties import is_ours
 from evenload.settings.sentences import shown
-from evenload.waiting import Stopped
+from evenload.simulation import job
 from evenload.words import clock
 
-NAME = "EvenLoadLoadView"  # of the dock
-MOST_SAMPLES = 100_000  # along the path's length; longer paths are looked at more coarsely
-FINEST = 0.1  # mm between samples
-# Of the table of values at the slider's place: what it is, the value.
-ROW = '<tr><td style="padding-right: 12px">%s</td><td align="right">%s</td></tr>'
 OVER = 2.0  # degrees above the engagement angle from which on it stands out
 
 _translate = FreeCAD.Qt.translate
@@ -39,24 +37,16 @@ def toggle(operation):
 
 
 def show(operation):
-    """Shows the load of an operation in its document's 3D view. None, with a sentence in the report
-    view, where it cannot be simulated, or where that is stopped.
+    """Shows the load of an operation in its document's 3D view, once it is simulated. None, with a
+    sentence in the report view, where it cannot be.
     """
     close()
-    found = _told(lambda: simulated(operation))
-    view = _told(lambda: LoadView(operation, found)) if found is not None else None
-    if view is not None:
-        _shown.append(view)
-    return view
-
-
-def _told(make):
-    """What make() returns; None, with its sentence in the report view, where there is none."""
     try:
-        return make()
+        _shown.append(LoadView(operation))
     except ValueError as error:
         FreeCAD.Console.PrintError(shown(str(error)) + "\n")
         return None
+    return _shown[-1]
 
 
 def close():
@@ -65,108 +55,87 @@ def close():
         _shown.pop().remove()
 
 
-def simulated(operation):
-    """The Simulation of an operation, None where the user stops it. Raises ValueError."""
-    with progress.Watch(operation.Label) as watch:
-        try:
-            result = simulation.of(
-                operation,
-                step=step_of(operation),
-                material=material_of(operation),
-                progress=watch,
-            )
-        except Stopped:
-            return None
-    return None if result.cancelled else result
-
-
-def step_of(operation):
-    """mm between the samples along an operation's path."""
-    return max(FINEST, operation.Path.Length / MOST_SAMPLES)
-
-
-def material_of(operation):
-    """The material whose force is shown: that of ours, the one that is preferred for others; None
-    without a spindle speed.
-    """
-    controller = host.controller_of(operation)
-    if controller is None or not controller.SpindleSpeed > 0:
-        return None
-    inner = host.operation_under(operation)
-    return inner.Material if is_ours(inner) else preferences.material()
-
-
 def values_at(found, number, time):
     """What a Simulation tells at a sample, as rich text; time: s of all samples."""
     rows = [(_translate("EvenLoad", "Time"), clock(float(time[number])))]
-    for each in load_colours.MEASURES:
+    for each in MEASURES:
         values = load_colours.values_of(each, found)
-        if each is not load_colours.KIND and values is not None:
+        if each is not KIND and values is not None:
             rows.append(
                 (_translate("EvenLoad", each.title), told(each.quantity, float(values[number])))
             )
-    return "<table>%s</table>" % "".join(ROW % row for row in rows)
+    return table_of(rows)
 
 
 class LoadView:
-    """What shows the load of one operation: the node in the scene, and the dock."""
+    """What shows the load of one operation: the node in the scene, and the dock. Raises ValueError
+    with a sentence where it cannot be simulated, or where there is no 3D view.
+    """
 
-    def __init__(self, operation, found):
-        self.operation, self.found, self.node = operation, found, None
+    def __init__(self, operation):
+        self.operation, self.found, self.node = operation, None, None
+        setup = job.read(operation)
         self._scene = view3d.scene_of(operation.Document)
-        self._make_dock()
-        self._observer = Observer([operation], ("Path",), telling_slot(self._changed))
-        FreeCAD.addDocumentObserver(self._observer)
+        self.dock = LoadDock(self, operation.Label)
+        self.task = Running(self.dock, self.dock.show_progress, self._refuse, found=self._take)
+        self._observer = None
+        self._again = QtCore.QTimer(self.dock)
+        self._again.setSingleShot(True)
+        self._again.timeout.connect(slot(self.simulate))
+        self.dock.choice.currentIndexChanged.connect(slot(self._choose))
+        self.dock.slider.valueChanged.connect(slot(self._show_place))
+        self.dock.visibilityChanged.connect(telling_slot(self._dock_shown))
         self._units = UnitsWatch(self.dock, self._show_units)
-        self._take(found)
+        self.dock.show_path([], 0)
+        self.dock.show()
+        self._start(setup)
 
     def remove(self):
-        """Removes it from the scene and the window."""
-        FreeCAD.removeDocumentObserver(self._observer)
+        """Removes it from the scene and the window, and stops what is under way."""
+        self._again.stop()  # it would read a document that may be closed
         self._units.end()
-        self._scene.removeChild(self.node.root)
+        self.task.cancel()
+        self._observe(None)
+        self._forget()
         self.dock.hide()
         self.dock.deleteLater()
 
-    def fly_to_worst(self):
-        """Goes to the place with the largest value of what is shown."""
-        number = load_colours.worst_of(self.measure, self.found)
-        if number is not None:
-            self.slider.setValue(number)
-            place = self.found.x[number], self.found.y[number], self.found.z[number]
-            document = self.operation.Document
-            view3d.fly_to(document, map(float, place), self.found.tool_diameter)
+    # ---- simulating ----
 
-    # ---- the dock ----
+    def simulate(self):
+        """Simulates the operation as it is now in a thread, in place of what is under way."""
+        try:
+            setup = job.read(self.operation)
+        except ValueError as error:
+            self.task.cancel()
+            self._observe(self.operation)
+            self._refuse(str(error))
+            return
+        self._start(setup)
 
-    def _make_dock(self):
-        window = FreeCADGui.getMainWindow()
-        self.dock = manual.Dock(_translate("EvenLoad", "Load of %s") % self.operation.Label, window)
-        self.dock.setObjectName(NAME)
-        self.dock.set_page("load_view")
-        content = QtGui.QWidget()
-        column = QtGui.QVBoxLayout(content)
-        self.choice = QtGui.QComboBox()
-        self.legend = Legend()
-        self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
-        self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
-        self.told = QtGui.QLabel()
-        self.told.setTextFormat(QtCore.Qt.RichText)
-        self.worst = QtGui.QPushButton(_translate("EvenLoad", "Fly to the worst"))
-        self.worst.setToolTip(_translate("EvenLoad", "Shows the place with the largest value"))
-        for widget in (self.choice, self.legend, self.slider, self.told, self.worst):
-            column.addWidget(widget)
-        column.addStretch(1)
-        self.dock.setWidget(content)
-        window.addDockWidget(QtCore.Qt.RightDockWidgetArea, self.dock)
-        self.dock.show()
-        self._again = QtCore.QTimer(self.dock)
-        self._again.setSingleShot(True)
-        self._again.timeout.connect(slot(self._simulate_again))
-        self.choice.currentIndexChanged.connect(slot(self._choose))
-        self.slider.valueChanged.connect(slot(self._show_place))
-        self.worst.clicked.connect(slot(self.fly_to_worst))
-        self.dock.visibilityChanged.connect(telling_slot(self._dock_shown))
+    def _start(self, setup):
+        self._observe(self.operation)
+        self.dock.tell("")
+        options = {
+            "step": simulation_task.step_of(self.operation),
+            "material": simulation_task.material_of(self.operation),
+        }
+        self.task.run(lambda: simulation_task.loads(setup, options, self.task.done))
+
+    def cancel(self):
+        """Stops the simulation; what was there before stays."""
+        self.task.cancel()
+        self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
+
+    def _refuse(self, sentence):
+        self._forget()
+        self.dock.tell(sentence, colours.BAD)
+
+    def _forget(self):
+        if self.node is not None:
+            self._scene.removeChild(self.node.root)
+        self.found = self.node = None
+        self.dock.show_path([], 0)
 
     def _take(self, found):
         """Shows a simulation of the operation in place of the one before, by the same measure."""
@@ -174,27 +143,23 @@ class LoadView:
             self._scene.removeChild(self.node.root)
         self.found, self.node = found, LoadNode(found)
         self._scene.addChild(self.node.root)
-        before = self.choice.itemData(self.choice.currentIndex())
-        blocked = self.choice.blockSignals(True)
-        self.choice.clear()
-        for measure in load_colours.MEASURES:
-            if measure is load_colours.KIND or self._has(measure):
-                self.choice.addItem(_translate("EvenLoad", measure.title), measure.key)
-        self.choice.setCurrentIndex(max(0, self.choice.findData(before)))
-        self.choice.blockSignals(blocked)
-        self.slider.setRange(0, len(found.x) - 1)
+        blocked = self.dock.slider.blockSignals(True)
+        self.dock.show_path([each for each in MEASURES if self._has(each)], len(found.x))
+        self.dock.slider.blockSignals(blocked)
         self._choose()
 
+    # ---- what is shown ----
+
     def _has(self, measure):
-        return load_colours.values_of(measure, self.found) is not None
+        return measure is KIND or load_colours.values_of(measure, self.found) is not None
 
     @property
     def measure(self):
-        """The Measure that is shown."""
-        key = self.choice.itemData(self.choice.currentIndex())
-        return next(each for each in load_colours.MEASURES if each.key == key)
+        """The Measure that is shown, None without any."""
+        key = self.dock.choice.currentData()
+        return next((each for each in MEASURES if each.key == key), None)
 
-    def _limit(self):
+    def limit(self):
         """What the operation is not to exceed of what is shown, None where it says nothing."""
         inner = host.operation_under(self.operation)
         if self.measure.key == "engagement_deg" and is_ours(inner):
@@ -202,25 +167,47 @@ class LoadView:
         return None
 
     def _choose(self):
-        measure, limit = self.measure, self._limit()
+        if self.found is None:
+            return
+        measure, limit = self.measure, self.limit()
         least, largest = load_colours.range_of(measure, self.found)
         scale = preferences.scale()
-        colours = load_colours.colours_of(measure, self.found, least, largest, limit, scale)
-        self.node.path.colour(colours)
-        self.legend.show_scale(measure, least, largest, limit)
-        self.worst.setEnabled(load_colours.worst_of(measure, self.found) is not None)
+        shown_colours = load_colours.colours_of(measure, self.found, least, largest, limit, scale)
+        self.node.path.colour(shown_colours)
+        self.dock.legend.show_scale(measure, least, largest, limit)
+        self.dock.fly.setEnabled(load_colours.worst_of(measure, self.found) is not None)
         self._show_place()
 
     def _show_place(self):
-        number = self.slider.value()
-        self.node.show_tool_at(self.found, number)
-        self.told.setText(values_at(self.found, number, self.found.time_s))
+        if self.found is not None:
+            number = self.dock.slider.value()
+            self.node.show_tool_at(self.found, number)
+            self.dock.values.setText(values_at(self.found, number, self.found.time_s))
+
+    def fly(self):
+        """Goes to the place with the largest value of what is shown."""
+        number = load_colours.worst_of(self.measure, self.found)
+        if number is not None:
+            self.dock.slider.setValue(number)
+            place = self.found.x[number], self.found.y[number], self.found.z[number]
+            document = self.operation.Document
+            view3d.fly_to(document, map(float, place), self.found.tool_diameter)
 
     def _show_units(self):
-        self.legend.update()
+        self.dock.legend.update()
+        self.dock.told.follow_units()
         self._show_place()
 
     # ---- what happens meanwhile ----
+
+    def _observe(self, operation):
+        """Follows an operation and those that cut before it; None: no more."""
+        if self._observer is not None:
+            FreeCAD.removeDocumentObserver(self._observer)
+            self._observer = None
+        if operation is not None:
+            self._observer = observer_of_paths([operation], telling_slot(self._changed))
+            FreeCAD.addDocumentObserver(self._observer)
 
     def _dock_shown(self, is_shown):
         """A dock that its user has closed takes the colours with it; one behind others does not."""
@@ -232,12 +219,3 @@ class LoadView:
             close()
         else:
             self._again.start()
-
-    def _simulate_again(self):
-        """Shows the operation as it is computed now; where there is no path now, nothing."""
-        has_path = host.path_size(self.operation) > 1
-        found = _told(lambda: simulated(self.operation)) if has_path else None
-        if found is None:
-            close()
-        else:
-            self._take(found)

@@ -1,17 +1,22 @@
 """What a view is told of the objects that it shows."""
 
+from evenload import host
+from evenload.simulation import earlier
+
 EVERY_ONES = ("", "Base")  # groups of the properties that all document objects have
 
 
 class Observer:
     """Tells of changes to objects of one document, after a recompute or undo, and of their end."""
 
-    def __init__(self, objects, properties, changed, used=()):
+    def __init__(self, objects, properties, changed, used=(), groups=()):
         """properties: names of those that count; changed: called with whether an object is no
-        longer there. used: further objects, such as tool bits, whose end is only a change.
+        longer there. used: further objects, such as tool bits, whose end is only a change; groups:
+        those of which counts what they hold.
         """
         self._names = {obj.Name for obj in objects}
         self._used = {obj.Name for obj in used}
+        self._groups = {obj.Name for obj in groups}
         self._document = objects[0].Document.Name
         self._properties, self._changed = properties, changed
         self._is_stale = False
@@ -25,6 +30,8 @@ class Observer:
 
     def slotChangedObject(self, obj, prop):
         if prop in self._properties and self._is_one(obj):
+            self._is_stale = True
+        elif prop == "Group" and obj.Name in self._groups and obj.Document.Name == self._document:
             self._is_stale = True
 
     def slotRecomputedDocument(self, doc):
@@ -46,6 +53,14 @@ class Observer:
     def slotDeletedDocument(self, doc):
         if doc.Name == self._document:
             self._changed(True)
+
+
+def observer_of_paths(operations, changed):
+    """An Observer of the paths of operations, and of what cuts before them in their jobs."""
+    before = [each for operation in operations for each in earlier.all_before(operation)]
+    jobs = filter(None, map(host.parent_job, operations))
+    groups = [job.Operations for job in jobs]
+    return Observer(operations, ("Path", "Active"), changed, used=before, groups=groups)
 
 
 def bits_of(controllers):

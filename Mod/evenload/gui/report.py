@@ -5,7 +5,7 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import host
-from evenload.gui import load_view, preferences
+from evenload.gui import preferences, simulation_task
 from evenload.gui.simulation_report import JobReport, asked_file
 from evenload.gui.slots import slot
 from evenload.settings.sentences import shown
@@ -83,4 +83,4 @@ class ReportProgress(QtGui.QProgressDialog):
 def _material_of(job):
     """That of the first operation that has one, else the one that is preferred."""
     active = (each for each in host.operations(job) if host.is_active(each))
-    return next(filter(None, map(load_view.material_of, active)), preferences.material())
+    return next(filter(None, map(simulation_task.material_of, active)), preferences.material())

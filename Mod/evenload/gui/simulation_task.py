@@ -3,9 +3,29 @@ another one.
 """
 
 from evenload import host, waiting
-from evenload.gui.load_view import step_of
+from evenload.gui import preferences
 from evenload.pictures.load_rows import Run
-from evenload.simulation import job
+from evenload.settings.properties import is_ours
+from evenload.simulation import job, walls
+
+MOST_SAMPLES = 100_000  # along the path's length; longer paths are looked at more coarsely
+FINEST = 0.1  # mm between samples
+
+
+def step_of(operation):
+    """mm between the samples along an operation's path."""
+    return max(FINEST, operation.Path.Length / MOST_SAMPLES)
+
+
+def material_of(operation):
+    """The material whose force is shown: that of ours, the one that is preferred for others; None
+    without a spindle speed.
+    """
+    controller = host.controller_of(operation)
+    if controller is None or not controller.SpindleSpeed > 0:
+        return None
+    inner = host.operation_under(operation)
+    return inner.Material if is_ours(inner) else preferences.material()
 
 
 def setups_of(operations, material, machine):
@@ -41,6 +61,22 @@ def simulated(setups, told):
         if found.cancelled:
             raise waiting.Stopped()
         yield Run(name, found)
+
+
+def loads(setup, options, told):
+    """The task that generates the Simulation of one setup, which knows its walls. Arguments as for
+    simulated().
+    """
+
+    def going(share):
+        told(share)
+        return goes_on(share)
+
+    found = setup.simulate(progress=going, **options)
+    if found.cancelled:
+        raise waiting.Stopped()
+    walls.along_walls(found)
+    yield found
 
 
 def goes_on(share):

@@ -18,7 +18,7 @@ from evenload.gui import (
     view3d,
 )
 from evenload.gui.length_box import UnitsWatch
-from evenload.gui.observer import Observer
+from evenload.gui.observer import observer_of_paths
 from evenload.gui.running import Running
 from evenload.gui.simulation_dock import SimulationDock, totals_of
 from evenload.gui.simulation_node import COLOURED, RunInView
@@ -86,7 +86,7 @@ class SimulationView:
 
     def _show_defaults(self):
         """The material and the limits of the operation."""
-        material = load_view.material_of(self.operation) or preferences.material()
+        material = simulation_task.material_of(self.operation) or preferences.material()
         self.dock.asked.show_values(material=material)
         try:
             degrees, rate = limits_of(self.operation)
@@ -260,7 +260,7 @@ class SimulationView:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
         if operations:
-            self._observer = Observer(operations, ("Path",), telling_slot(self._changed))
+            self._observer = observer_of_paths(operations, telling_slot(self._changed))
             FreeCAD.addDocumentObserver(self._observer)
 
     def _changed(self, is_gone):

@@ -72,6 +72,16 @@ def moves_of(operation):
         raise ValueError("'%s': %s" % (operation.Label, error)) from None
 
 
+def all_before(operation):
+    """The job's operations before one, active or not, in their order."""
+    inner, result = host.operation_under(operation), []
+    for other in host.operations(host.parent_job(operation)):
+        if inner in host.all_under(other):  # also where the job has but its dressup or array
+            break
+        result.append(other)
+    return result
+
+
 def cut_before(operation, notes, without=()):
     """[(moves, tool diameter), ...] of the job's active operations before one, in their order, and
     of the holes drilled for them and for it; `notes` gets a sentence on each that is left out.
@@ -80,10 +90,7 @@ def cut_before(operation, notes, without=()):
     """
     result, job = [], host.parent_job(operation)
     top = job.Stock.Shape.BoundBox.ZMax
-    inner = host.operation_under(operation)
-    for other in host.operations(job):
-        if inner in host.all_under(other):  # also where the job has but its dressup or array
-            break
+    for other in all_before(operation):
         if other.Name in without:
             continue
         controller = host.controller_of(other)
@@ -105,7 +112,7 @@ def cut_before(operation, notes, without=()):
             ([(*m[:3], m[3] + above, *m[4:]) for m in moves], width)
             for above, width in tools.discs(controller)
         ]
-    return result + hole_of(inner, top)
+    return result + hole_of(host.operation_under(operation), top)
 
 
 def hole_of(operation, top):

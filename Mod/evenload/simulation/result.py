@@ -97,6 +97,7 @@ class Simulation:
     tool_diameter: float  # mm
     top: float
     bottom: float
+    walls: object = None  # for each sample whether it is of a cut along a wall, once that was asked
     notes: list = field(default_factory=list)  # sentences on what could not be taken as it is
 
     def arcs_at(self, i):

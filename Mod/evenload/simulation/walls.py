@@ -10,6 +10,12 @@ def along_walls(found):
     the tool, within two spacings of the stock's dexels, when all of the path is done. A path that
     was stopped leaves no walls yet.
     """
+    if found.walls is None:
+        found.walls = _along_walls(found)
+    return found.walls
+
+
+def _along_walls(found):
     result = numpy.zeros(len(found.x), bool)
     if found.stock is None or found.cancelled:
         return result
