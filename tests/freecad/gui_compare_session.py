@@ -2,6 +2,7 @@
 
 import os
 import sys
+import threading
 
 import FreeCAD
 import FreeCADGui
@@ -81,10 +82,16 @@ def chosen(answer):
 
 def written(name):
     """What Report does where the user names a file, or none."""
-    from evenload.gui import report
+    from evenload.gui import report, simulation_report
 
     opened, ask = [], QtGui.QFileDialog.getSaveFileName
-    browse = QtGui.QDesktopServices.openUrl
+    browse, drawn, draw = QtGui.QDesktopServices.openUrl, [], simulation_report.report_of
+
+    def drawn_in(*facts):
+        drawn.append(threading.current_thread() is threading.main_thread())
+        return draw(*facts)
+
+    simulation_report.report_of = drawn_in
     QtGui.QFileDialog.getSaveFileName = lambda *_: (name and os.path.join(OUT, name), "")
     QtGui.QDesktopServices.openUrl = lambda url: opened.append(url.toLocalFile()) or True
     try:
@@ -97,7 +104,8 @@ def written(name):
     finally:
         QtGui.QFileDialog.getSaveFileName = ask
         QtGui.QDesktopServices.openUrl = browse
-    return {"dialogs": dialogs, "opened": opened, "waits": waits}
+        simulation_report.report_of = draw
+    return {"dialogs": dialogs, "opened": opened, "waits": waits, "in_windows_thread": drawn}
 
 
 def stopped():

@@ -59,13 +59,15 @@ def test_the_report_is_written_and_opened_in_the_browser(session, folder):
     assert session["written"]["dialogs"] == [True]
     assert session["written"]["opened"] == [str(folder / "job.html")]
     assert min(session["written"]["waits"]) > 24 * 3600e3  # ms
+    assert session["written"]["in_windows_thread"] == [False]
     text = (folder / "job.html").read_text()
     assert text.count("<h2>Ours</h2>") == text.count("<h2>Theirs</h2>") == 1
     assert "Not simulated" not in text
 
 
 def test_without_a_file_nothing_is_computed(session):
-    assert session["no_file"] == {"dialogs": [], "opened": [], "waits": []}
+    seen = session["no_file"]
+    assert seen == {"dialogs": [], "opened": [], "waits": [], "in_windows_thread": []}
 
 
 def test_a_file_that_cannot_be_written_is_told_and_not_opened(session):
