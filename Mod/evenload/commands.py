@@ -2,6 +2,7 @@
 commands, so that they survive a post-processor's rounding.
 """
 
+from functools import lru_cache
 from math import hypot, inf, isfinite, pi, sqrt
 
 import Path
@@ -59,6 +60,8 @@ FED_OUT = (74, 84, 85, 89)
 # stands, seen from above, it takes nothing.
 BACK_BORING = 87
 CYCLES = (*PECKING, 76, 81, 82, 86, *FED_OUT, BACK_BORING, 88)
+MOTIONS = frozenset((0, 1, 2, 3, *CYCLES))
+TURNS = frozenset("ABC")
 HOMES = (28, 30)
 RETRACTS = {98: True, 99: False}  # whether cycles end at the height where they began, not at R
 # G-codes that move nothing, or say what holds anyway: dwell, plane XY, mm, no tool radius
@@ -84,12 +87,26 @@ def to_moves(commands, z, feed):
     reader = _Reader({**first, "Z": float(z)}, feed)
     for number, command in enumerate(commands, 1):
         try:
-            reader.read(command.Name.upper(), command.Parameters)
+            reader.read(_code_of(command.Name), command.Parameters)
         except ValueError as error:
             sentence = "Command %d of the path, %s, %s" % (number, command.Name, error)
             raise ValueError(sentence) from None
         reader.numbers += [number] * (len(reader.moves) - len(reader.numbers))
     return reader.moves, reader.numbers
+
+
+@lru_cache(maxsize=1000)  # comments are names, too
+def _code_of(name):
+    """The number of a G-code, None for what moves nothing. Errors are the ends of sentences."""
+    letter, number = name[:1].upper(), name[1:]
+    if letter in ("M", "T", "S", "F", "(", ";", "N", "O"):
+        return None
+    if letter != "G":
+        raise ValueError("is not known to the simulator: leave it out.")
+    try:
+        return float(number)
+    except ValueError:
+        raise ValueError("is no G-code: leave it out.") from None
 
 
 class _Reader:
@@ -102,30 +119,24 @@ class _Reader:
         self.cycles_began = None  # the height; None outside of cycles
         self.to_begin = True
 
-    def read(self, name, p):
-        if not name.startswith("G"):
-            if name.startswith(("M", "T", "S", "F", "(", ";", "N", "O")):
-                return
-            raise ValueError("is not known to the simulator: leave it out.")
-        try:
-            code = float(name[1:])
-        except ValueError:
-            raise ValueError("is no G-code: leave it out.") from None
+    def read(self, code, p):
+        if code is None:
+            return
         if "G" in p:
             raise ValueError("has a second G word, which is lost: give that a line of its own.")
-        if code in RETRACTS:
-            self.to_begin = RETRACTS[code]
-        elif code in (0, 1, 2, 3, *CYCLES):
+        if code in MOTIONS:
             self._motion(int(code), p)
+        elif code in RETRACTS:
+            self.to_begin = RETRACTS[code]
         elif code in HOMES:
             self._home(p)
         elif code not in QUIET:
             raise ValueError("is not known to the simulator: leave it out.")
 
     def _motion(self, code, p):
-        if not all(isfinite(value) for value in p.values()):
+        if not isfinite(sum(p.values())):
             raise ValueError("has a number that is not finite: compute the operation anew.")
-        if any(p.get(axis) for axis in "ABC"):
+        if not TURNS.isdisjoint(p) and any(p.get(axis) for axis in TURNS):
             raise ValueError("turns the work: only paths with a fixed tool axis can be simulated.")
         if code and p.get("F", 0) > 0:
             self.feed = 60.0 * p["F"]

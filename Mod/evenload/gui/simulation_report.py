@@ -46,8 +46,8 @@ class JobReport:
 
 
 def _read(operation, material, machine):
-    """(Reported of an operation, without a run yet; its setup, None where it cannot be simulated, as
-    the notes say)
+    """(Reported of an operation, without a run yet; its setup, None where it cannot be simulated,
+    as the notes say)
     """
     try:
         (setup,) = simulation_task.setups_of([operation], material, machine)
