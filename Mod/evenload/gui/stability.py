@@ -50,4 +50,4 @@ def _selected():
 
 
 def _has_tool(obj):
-    return hasattr(obj, "Path") and host.controller_of(obj) is not None
+    return host.has_path(obj) and host.controller_of(obj) is not None

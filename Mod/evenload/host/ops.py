@@ -90,9 +90,16 @@ def no_tool_chosen():
 
 def operation_under(obj):
     """The operation that a dressup dresses, through any number of them; an operation itself."""
-    while hasattr(getattr(obj, "Base", None), "Path"):
+    while has_path(getattr(obj, "Base", None)):
         obj = obj.Base
     return obj
+
+
+def has_path(obj):
+    """Whether something is a document object with the property Path, which is not read: FreeCAD
+    copies a path that is read.
+    """
+    return isinstance(obj, FreeCAD.DocumentObject) and "Path" in obj.PropertiesList
 
 
 def all_under(obj):
@@ -100,7 +107,7 @@ def all_under(obj):
     result, waiting = [], [obj]
     while waiting:
         item = waiting.pop()
-        if item in result or not hasattr(item, "Path"):
+        if item in result or not has_path(item):
             continue
         result.append(item)
         below = getattr(item, "Base", None)
