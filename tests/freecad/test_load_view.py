@@ -1,12 +1,13 @@
 """The load of operations in the 3D view (see gui_load_session.py)."""
 
 import math
+from types import SimpleNamespace
 
 import numpy
 import pytest
 from conftest import in_gui
 from evenload.gui import load_colours
-from evenload.planar import CUT
+from evenload.planar import CUT, LINK
 
 pytestmark = pytest.mark.between
 
@@ -50,7 +51,8 @@ def test_the_colours_are_those_of_the_simulators_values(session, which):
             seen["colours"], seen["values"], seen["kinds"], seen["means"]
         ):
             wanted = load_colours.KINDS[kind]
-            if kind in measure.kinds and math.isfinite(value):
+            is_loaded = kind in measure.loaded and value > 0
+            if (kind in measure.kinds or is_loaded) and math.isfinite(value):
                 wanted = load_colours.on_scale((value - least) / (largest - least))
                 if seen["limit"] is not None and mean > seen["limit"] and kind == CUT:
                     wanted = load_colours.BEYOND
@@ -74,7 +76,17 @@ def test_only_ours_have_a_limit_of_engagement(session):
 def test_the_legend_tells_of_the_limit_and_of_what_is_not_on_the_scale(session):
     title, is_visible, swatches = session["legend"]
     assert title == "Load of Ours" and is_visible
-    assert swatches == ["cut above 62.0°", "entry", "rapid"]
+    assert swatches == ["cut above 62.0°", "entry", "link", "rapid"]
+
+
+@pytest.mark.core
+def test_links_that_meet_nothing_are_told_from_cuts_that_do():
+    kinds, degrees = numpy.array([CUT, CUT, LINK, LINK]), numpy.array([0.0, 50.0, 0.0, 50.0])
+    found = SimpleNamespace(x=kinds, kind=kinds, engagement_deg=degrees, length=0.1 * kinds)
+    colours = load_colours.colours_of(load_colours.MEASURES[0], found, 0.0, 50.0)
+    assert colours[2].tolist() == list(load_colours.KINDS[LINK])
+    assert colours[0].tolist() == load_colours.on_scale(0.0).tolist() != colours[2].tolist()
+    assert colours[3].tolist() == colours[1].tolist()
 
 
 def test_the_slider_moves_the_tool_along_the_path(session):

@@ -51,13 +51,13 @@ class Measure:
     title: str
     quantity: units.Quantity
     kinds: tuple = (CUT, ENTRY)  # the moves that are on its scale; others have their kind's colour
+    loaded: tuple = ()  # moves that are on its scale where they meet material
 
 
 KIND = Measure("kind", "Kind of move", units.same("", 0), ())
 MEASURES = (
-    Measure(
-        "engagement_deg", "Engagement angle", units.ANGLE, (CUT, LINK)
-    ),  # entries meet all of it
+    # Entries meet all of it.
+    Measure("engagement_deg", "Engagement angle", units.ANGLE, (CUT,), loaded=(LINK,)),
     Measure("removal_rate", "Removal rate", units.RATE),
     Measure("feed", "Feed", units.FEED, (CUT, ENTRY, LINK)),
     Measure("h_max", "Chip thickness", units.CHIP),
@@ -82,8 +82,9 @@ def kinds_of(simulation):
 
 
 def has_it(measure, simulation):
-    """For each sample whether its move has the measure's value."""
-    return numpy.isin(simulation.kind, measure.kinds)
+    """For each sample whether it is on the measure's scale."""
+    is_loaded = numpy.isin(simulation.kind, measure.loaded) & (values_of(measure, simulation) > 0)
+    return numpy.isin(simulation.kind, measure.kinds) | is_loaded
 
 
 def means_of(measure, simulation):
