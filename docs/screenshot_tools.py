@@ -20,6 +20,7 @@ def window(name, height=None, width=WINDOW[0]):
     all there is.
     """
     main = FreeCADGui.getMainWindow()
+    main.move(0, 0)
     main.resize(width, WINDOW[1])
     for dock in widgets(QtGui.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
@@ -34,22 +35,14 @@ def window(name, height=None, width=WINDOW[0]):
     if height is not None:
         FreeCADGui.activeDocument().activeView().getCameraNode().height = height
     later(500)
-    picture = main.grab()
-    _draw_view(picture)
-    picture.save(os.path.join(OUT, name + ".png"))
+    _on_screen(main).save(os.path.join(OUT, name + ".png"))
 
 
-def _draw_view(picture):
-    """Puts the 3D view into a picture of the window, which Qt draws without it."""
-    view = FreeCADGui.activeDocument().activeView()
-    viewport = view.graphicsView().viewport()
-    file = os.path.join(OUT, "view.png")
-    view.saveImage(file, viewport.width(), viewport.height(), "Current")
-    at = viewport.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    painter = QtGui.QPainter(picture)
-    painter.drawImage(at, QtGui.QImage(file))
-    painter.end()
-    os.remove(file)
+def _on_screen(widget):
+    """What the screen shows of a window: the 3D view, too, and what FreeCAD 1.1 lays over that."""
+    corner = widget.mapToGlobal(QtCore.QPoint(0, 0))
+    rect = corner.x(), corner.y(), widget.width(), widget.height()
+    return QtGui.QGuiApplication.primaryScreen().grabWindow(0, *rect)
 
 
 def select(obj, *names):
