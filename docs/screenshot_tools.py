@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 
 TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "tests", "freecad")
 sys.path.insert(0, TESTS)
-from gui_tools import OUT, later, widgets  # noqa: E402
+from gui_tools import OUT, later, on_screen, widgets  # noqa: E402
 
 WINDOW = 1360, 1000  # pixels
 DOCKS = {"left": 330, "right": 300}  # pixels of width
@@ -21,6 +21,8 @@ def window(name, height=None, width=WINDOW[0]):
     """
     main = FreeCADGui.getMainWindow()
     main.move(0, 0)
+    # FreeCAD 1.1 shows a bar over the 3D view where the mouse is.
+    QtGui.QCursor.setPos(0, QtGui.QGuiApplication.primaryScreen().geometry().bottom())
     main.resize(width, WINDOW[1])
     for dock in widgets(QtGui.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
@@ -35,14 +37,7 @@ def window(name, height=None, width=WINDOW[0]):
     if height is not None:
         FreeCADGui.activeDocument().activeView().getCameraNode().height = height
     later(500)
-    _on_screen(main).save(os.path.join(OUT, name + ".png"))
-
-
-def _on_screen(widget):
-    """What the screen shows of a window: the 3D view, too, and what FreeCAD 1.1 lays over that."""
-    corner = widget.mapToGlobal(QtCore.QPoint(0, 0))
-    rect = corner.x(), corner.y(), widget.width(), widget.height()
-    return QtGui.QGuiApplication.primaryScreen().grabWindow(0, *rect)
+    on_screen(main).save(os.path.join(OUT, name + ".png"))
 
 
 def select(obj, *names):
