@@ -27,18 +27,9 @@ def in_users_unit(text):
     return IN_MM.sub(lambda found: "%.4g %s" % (float(found[1]) / mm_per("inch"), name), text)
 
 
-def label(text=""):
-    """A label for sentences."""
-    made = QtGui.QLabel(text)
-    made.setWordWrap(True)
-    made.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return made
-
-
 def tell(where, text, colour=None):
     """Tells a text in a label, a sentence in the user's language."""
-    where.setText(shown(text))
-    where.setStyleSheet("color: %s" % colours.shade(colour, where) if colour else "")
+    where.tell(shown(text), colour)
 
 
 @contextlib.contextmanager

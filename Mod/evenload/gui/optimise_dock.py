@@ -6,10 +6,11 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours, manual
+from evenload.gui import manual
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.docks import add_below
 from evenload.gui.optimise_table import CandidateModel, beside, columns
+from evenload.gui.shaded import Shaded
 from evenload.gui.slots import telling_slot
 from evenload.gui.stability_layout import button, scrolled
 
@@ -35,7 +36,9 @@ class OptimiseDock(manual.Dock):
         self.set_page("optimisation")
         self.limits, self.tool = asking.limits_box(), asking.tool_box()
         self.to_try = asking.TryBox()
-        self.compared, self.told = _label(), _label()
+        self.compared, self.told = (Shaded(form=QtCore.Qt.RichText) for _ in range(2))
+        for label in (self.compared, self.told):
+            label.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self.compared.setWordWrap(False)
         self.suggest = button(
             _translate("EvenLoad", "Suggest"),
@@ -140,18 +143,8 @@ class OptimiseDock(manual.Dock):
 
     def tell(self, text, colour=None):
         """Shows sentences in place of those before."""
-        self.told.setText(html.escape(text).replace("\n", "<br>"))
-        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
+        self.told.tell(html.escape(text).replace("\n", "<br>"), colour)
 
     def _row_chosen(self, current, _):
         if current.isValid():
             self.chosen.emit(self.model.rows[current.row()])
-
-
-def _label():
-    label = QtGui.QLabel()
-    label.setWordWrap(True)
-    label.setTextFormat(QtCore.Qt.RichText)
-    label.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label

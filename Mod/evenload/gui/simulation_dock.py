@@ -7,10 +7,11 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials
-from evenload.gui import colours, manual
+from evenload.gui import fields, manual
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.docks import add_below
 from evenload.gui.machine_box import MachineBox
+from evenload.gui.shaded import Shaded
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
@@ -40,7 +41,7 @@ class SimulationDock(manual.Dock):
         self.plot = PlotView()
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
-        self.told, self.values, self.totals = _label(), _label(), _label()
+        self.told, self.values, self.totals = (Shaded(form=QtCore.Qt.RichText) for _ in range(3))
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation", view.cancel)
@@ -71,6 +72,7 @@ class SimulationDock(manual.Dock):
             self.asked.operation.addItem(each.Label, each.Name)
             self.asked.against.addItem(each.Label, each.Name)
         for widget in (self.asked.operation, self.asked.against):
+            fields.make_room_for_choices(widget)
             widget.blockSignals(False)
         beside = "" if against is None else against.Name
         self.asked.show_values(operation=chosen.Name, against=beside)
@@ -94,8 +96,7 @@ class SimulationDock(manual.Dock):
 
     def tell(self, text, colour=None):
         """Shows sentences, or hides those before where there are none."""
-        self.told.setText(html.escape(shown(text)).replace("\n", "<br>"))
-        self.told.setStyleSheet("color: %s" % colours.shade(colour, self.told) if colour else "")
+        self.told.tell(html.escape(shown(text)).replace("\n", "<br>"), colour)
         self.told.setVisible(bool(text))
 
     def _left(self):
@@ -168,14 +169,6 @@ def _limits():
             ),
         ),
     )
-
-
-def _label():
-    label = QtGui.QLabel()
-    label.setWordWrap(True)
-    label.setTextFormat(QtCore.Qt.RichText)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label
 
 
 def _column(widgets, width):

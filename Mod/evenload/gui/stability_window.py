@@ -9,7 +9,8 @@ from PySide import QtCore, QtGui
 from evenload import host, materials
 from evenload.gui import stability_inputs as inputs
 from evenload.gui import manual, steps
-from evenload.gui.colours import BAD, GOOD, QUIET, shade
+from evenload.gui.colours import BAD, GOOD, QUIET
+from evenload.gui.shaded import Shaded
 from evenload.gui.slots import slot
 from evenload.gui.stability_layout import button, lay_out
 from evenload.gui.stability_modes import ModesBox
@@ -51,9 +52,7 @@ class StabilityWindow(manual.Dialog):
             "Apply", "Sets spindle speed, feeds, step down and cut mode", self.apply
         )
         self.close_button = button("Close", "Closes the window", self.leave)
-        self.told = QtGui.QLabel()
-        self.told.setWordWrap(True)
-        self.told.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
+        self.told = Shaded()
         self.found = QtGui.QLabel()
         self.found.setWordWrap(True)
         lay_out(self)
@@ -317,5 +316,4 @@ class StabilityWindow(manual.Dialog):
         self.closed.emit()
 
     def _tell(self, text, colour):
-        self.told.setText(shown(text))
-        self.told.setStyleSheet("color: %s" % shade(colour, self))
+        self.told.tell(shown(text), colour)

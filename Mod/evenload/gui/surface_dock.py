@@ -4,8 +4,9 @@ import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours, manual
+from evenload.gui import manual
 from evenload.gui.load_legend import Legend
+from evenload.gui.shaded import Shaded
 from evenload.gui.stability_layout import button
 from evenload.gui.surface_measures import BARE
 
@@ -36,9 +37,8 @@ class SurfaceDock(manual.Dock):
         self.set_page("surface_view")
         self.choice = QtGui.QComboBox()
         self.legend = SurfaceLegend()
-        self.figures, self.told = QtGui.QLabel(), QtGui.QLabel()
+        self.figures, self.told = QtGui.QLabel(), Shaded()
         self.figures.setTextFormat(QtCore.Qt.RichText)
-        self.told.setWordWrap(True)
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation; what is known stays", view.cancel)
@@ -57,9 +57,7 @@ class SurfaceDock(manual.Dock):
     def tell(self, text, colour=None):
         """Shows a sentence, translated already; '' none."""
         self.told.setVisible(bool(text))
-        self.told.setText(text)
-        shade = "color: %s" % colours.shade(colour, self.told) if colour else ""
-        self.told.setStyleSheet(shade)
+        self.told.tell(text, colour)
 
     def show_progress(self, share):
         """Shows what is done, 0 to 1; None: nothing is under way."""
