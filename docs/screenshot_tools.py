@@ -8,7 +8,7 @@ from PySide import QtCore, QtGui
 
 TESTS = os.path.join(os.path.dirname(os.path.abspath(__file__)), os.pardir, "tests", "freecad")
 sys.path.insert(0, TESTS)
-from gui_tools import OUT, later, widgets  # noqa: E402
+from gui_tools import OUT, later, on_screen, widgets  # noqa: E402
 
 WINDOW = 1360, 1000  # pixels
 DOCKS = {"left": 330, "right": 300}  # pixels of width
@@ -20,6 +20,9 @@ def window(name, height=None, width=WINDOW[0]):
     all there is.
     """
     main = FreeCADGui.getMainWindow()
+    main.move(0, 0)
+    # FreeCAD 1.1 shows a bar over the 3D view where the mouse is.
+    QtGui.QCursor.setPos(0, QtGui.QGuiApplication.primaryScreen().geometry().bottom())
     main.resize(width, WINDOW[1])
     for dock in widgets(QtGui.QDockWidget):
         if dock.objectName() in ("Report view", "Python console"):
@@ -34,22 +37,7 @@ def window(name, height=None, width=WINDOW[0]):
     if height is not None:
         FreeCADGui.activeDocument().activeView().getCameraNode().height = height
     later(500)
-    picture = main.grab()
-    _draw_view(picture)
-    picture.save(os.path.join(OUT, name + ".png"))
-
-
-def _draw_view(picture):
-    """Puts the 3D view into a picture of the window, which Qt draws without it."""
-    view = FreeCADGui.activeDocument().activeView()
-    viewport = view.graphicsView().viewport()
-    file = os.path.join(OUT, "view.png")
-    view.saveImage(file, viewport.width(), viewport.height(), "Current")
-    at = viewport.mapTo(FreeCADGui.getMainWindow(), QtCore.QPoint(0, 0))
-    painter = QtGui.QPainter(picture)
-    painter.drawImage(at, QtGui.QImage(file))
-    painter.end()
-    os.remove(file)
+    on_screen(main).save(os.path.join(OUT, name + ".png"))
 
 
 def select(obj, *names):

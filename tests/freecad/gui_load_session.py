@@ -11,7 +11,16 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, later, ours_and_theirs, result, run, until  # noqa: E402
+from gui_tools import (  # noqa: E402
+    OUT,
+    begun,
+    later,
+    on_screen,
+    ours_and_theirs,
+    result,
+    run,
+    until,
+)
 
 SAMPLES = 100_000
 NODE = "EvenLoadLoad"
@@ -187,6 +196,17 @@ def stopped(view):
     return [*shown, *hidden, view.dock.told.text(), view.found is before]
 
 
+def own_line(op):
+    """The number of pixels of the 3D view that have the colour of FreeCAD's line of a path."""
+    FreeCADGui.Selection.clearSelection()
+    later(300)
+    view = FreeCADGui.activeDocument().activeView().graphicsView().viewport()
+    image = on_screen(view).toImage().convertToFormat(QtGui.QImage.Format_RGB32)
+    pixels = numpy.frombuffer(image.constBits(), numpy.uint8).reshape(-1, 4)[:, 2::-1]
+    colour = numpy.round(255 * numpy.array(op.ViewObject.NormalColor[:3]))
+    return int((numpy.abs(pixels - colour).max(axis=1) <= 1).sum())
+
+
 def command(op):
     """Runs the command for an operation as a user does; tells what is there then."""
     FreeCADGui.Selection.clearSelection()
@@ -203,7 +223,11 @@ def session():
     doc = begun(1300, 1000)
     job, ours, theirs = ours_and_theirs(doc, face_of(SQUARE))
     result["before"] = len(nodes_in_scene())
+    theirs.ViewObject.Visibility = False  # its line has the same colour
+    before = own_line(ours)
     result["ours_shown"] = command(ours)
+    result["own_line"] = [before, own_line(ours)]
+    theirs.ViewObject.Visibility = True
     from evenload.gui import load_view
 
     view = load_view._shown[0]

@@ -1,138 +1,126 @@
 """Our texts in FreeCAD's themes: their colours beside those of the ground that they stand on."""
 
 import os
-import re
 import sys
 
-import FreeCAD
-import numpy
+import FreeCADGui
 from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
+from gui_contrasts import contrasts, of_the_theme, painted  # noqa: E402
 from gui_preview_tools import CANCEL, job_with, opened, turn  # noqa: E402
-from gui_tools import later, picture, press, result, run, until, workbench  # noqa: E402
+from gui_themes import take, themes  # noqa: E402
+from gui_tools import later, picture, press, result, run, until, widgets, workbench  # noqa: E402
 
-MAIN = "User parameter:BaseApp/Preferences/MainWindow"
-OURS = re.compile(r"color: ?(#[0-9a-f]{6})")  # of a text's own markup or style
-SHOWN = QtGui.QLabel, QtGui.QAbstractButton, QtGui.QLineEdit, QtGui.QComboBox
-
-
-def themes():
-    """The names of the style sheets that FreeCAD brings along, and none. Of those that differ by
-    the colour of what is selected one is enough.
-    """
-    found = QtCore.QDir("qss:").entryList(["*.qss"])
-    return ["", *(name for name in found if not re.search("-(green|orange)[.]", name))]
+ROW = 1  # of a table: the first is selected
 
 
-def take(theme):
-    """As FreeCAD does at its start; FreeCAD 1.1 does it by itself, a moment after it was told."""
-    FreeCAD.ParamGet(MAIN).SetString("StyleSheet", theme)
-    later(600)
-    file = QtCore.QFile("qss:" + theme)
-    text = ""
-    if theme and file.open(QtCore.QFile.ReadOnly):
-        text = bytes(file.readAll()).decode()
-    if "@" not in text:  # what the others are filled with only FreeCAD knows
-        QtGui.QApplication.instance().setStyleSheet(text)
-    later(100)
+def looked_at(form, *more):
+    """(contrasts of what can be read in a form, those of bare widgets there)."""
+    return [*more, *contrasts(form)], of_the_theme(form)
 
 
-def colours_in(widget, window):
-    """The colours of a widget in its window's picture as names, the most frequent first."""
-    corner = widget.mapTo(widget.window(), QtCore.QPoint(0, 0))
-    ratio = window.width() / widget.window().width()
-    # FreeCAD's button for expressions stands at the right of a number.
-    width = widget.width() // (2 if isinstance(widget, QtGui.QLineEdit) else 1)
-    rect = corner.x(), corner.y(), width, widget.height()
-    image = window.copy(*(round(ratio * each) for each in rect))
-    image = image.convertToFormat(QtGui.QImage.Format_RGB32)
-    pixels = numpy.frombuffer(image.constBits(), numpy.uint32) & 0xFFFFFF
-    colours, counts = numpy.unique(pixels, return_counts=True)
-    return ["#%06x" % each for each in colours[numpy.argsort(-counts)]]
-
-
-def text_of(widget):
-    return widget.currentText() if isinstance(widget, QtGui.QComboBox) else widget.text()
-
-
-def is_read(widget):
-    """Whether all of it can be seen, and has a text. FreeCAD's own fields for quantities are left
-    out: FreeCAD 0.20 writes them in black on any ground, in its own pages, too.
-    """
-    if widget.parentWidget().metaObject().className() == "Gui::QuantitySpinBox":
-        return False
-    seen = widget.visibleRegion().boundingRect()
-    whole = seen.height() > 0.8 * widget.height() and 2 * seen.width() > widget.width()
-    return whole and widget.isEnabled() and re.sub(r"<[^>]*>", "", text_of(widget)).strip()
-
-
-def contrasts(form):
-    """[[kind, text, contrast as it is drawn, the least of the colours that we gave it]] of what
-    can be read in a form.
-    """
-    from evenload.gui.colours import contrast
-
-    window, found = form.window().grab().toImage(), []
-    for kind in SHOWN:
-        for widget in filter(is_read, form.findChildren(kind)):
-            drawn, text = colours_in(widget, window), text_of(widget)
-            ours = OURS.findall(text + widget.styleSheet())
-            best = max(contrast(drawn[0], each) for each in drawn)
-            own = min((contrast(drawn[0], each) for each in ours), default=None)
-            found.append([kind.__name__, text, best, own])
-    return found
-
-
-def of_the_theme(form):
-    """{kind: contrast} of bare widgets in the place of a form's first ones."""
-    bare = QtGui.QWidget(form)
-    rows = QtGui.QVBoxLayout(bare)
-    for kind in SHOWN:
-        concrete = {SHOWN[1]: QtGui.QToolButton, SHOWN[2]: QtGui.QDoubleSpinBox}.get(kind, kind)
-        widget = concrete(bare)
-        if kind is QtGui.QComboBox:
-            widget.addItem("Text")
-        elif concrete is kind or kind is QtGui.QAbstractButton:
-            widget.setText("Text")
-        rows.addWidget(widget)
-    bare.setGeometry(form.rect())
-    bare.setAutoFillBackground(True)
-    bare.show()
-    later(50)
-    found = {kind: best for kind, _, best, _ in contrasts(bare)}
-    bare.hide()
-    bare.deleteLater()
-    return found
-
-
-def seen_in(theme, op):
-    """The contrasts of a page with its path and with a value that is refused; of the theme."""
-    take(theme)
+def page_of(op, name):
+    """A page with its path, then with a value that is refused."""
     page = opened(op)
     later(200)
-    picture("theme_%s" % (theme or "none"))  # which lays it out, too
+    picture("theme_" + name)  # which lays it out, too
     found = contrasts(page.form)
     turn(op, 3)
     until(lambda: page.preview.state != "computing")
     later(300)
-    picture("refused_%s" % (theme or "none"))
-    found += contrasts(page.form)
-    bare = of_the_theme(page.form)
+    picture("refused_" + name)
+    found = looked_at(page.form, *found)
     press(CANCEL)
     later(200)
-    return found, bare
+    return found
+
+
+def load_of(op, name):
+    """The load view, whose legend paints the ends of its scale."""
+    from evenload.gui import load_view
+    from evenload.gui.load_legend import BAR
+
+    view = load_view.show(op)
+    picture("load_" + name)
+    legend = view.legend
+    ends = QtCore.QRect(0, BAR + 1, legend.width(), legend.fontMetrics().height())
+    found = looked_at(view.dock.widget(), painted(QtGui.QLabel, legend, "ends", ends))
+    load_view.close()
+    later(100)
+    return found
+
+
+def simulation_of(op, name):
+    """The window Simulation, whose plot has figures at its left."""
+    from evenload.gui import simulation
+
+    view = simulation.show(op)
+    until(lambda: not view.task.is_busy)
+    picture("simulation_" + name)
+    plot = view.dock.plot
+    corner = plot.pixel_of(0, 0, 0.0).toPoint()
+    figures = QtCore.QRect(0, 0, corner.x() - 1, corner.y())
+    found = looked_at(view.dock.widget(), painted(QtGui.QLabel, plot, "figures", figures))
+    simulation.close()
+    later(100)
+    return found
+
+
+def stability_of(op, _):
+    """The Stability chart, which tells in place of a chart what to do."""
+    from evenload.gui import stability
+
+    FreeCADGui.Selection.clearSelection()
+    FreeCADGui.Selection.addSelection(op)
+    window = stability.create()
+    later(300)
+    view = window.view
+    found = looked_at(window, painted(QtGui.QLabel, view, view.message, view.rect()))
+    stability.close()
+    later(100)
+    return found
+
+
+def suggestion_of(op, name):
+    """The dock Optimise with its table."""
+    from evenload.gui import optimise
+
+    view = optimise.show(op)
+    for kept in (view.dock.to_try.keeps_angle, view.dock.to_try.keeps_depth):
+        kept.setChecked(True)  # no path has to be computed
+    view.dock.suggest.click()
+    until(lambda: not view.task.is_busy)
+    picture("optimise_" + name)
+    table = view.dock.table
+    cell = table.visualRect(table.model().index(ROW, 0))
+    row = painted(QtGui.QLabel, table.viewport(), "a row", cell)
+    found = looked_at(view.dock.widget(), row)
+    optimise.close()
+    later(100)
+    return found
+
+
+PLACES = page_of, load_of, simulation_of, stability_of, suggestion_of
+
+
+def seen_in(theme, op):
+    """{place: what is seen there} in a theme."""
+    take(theme)
+    return {place.__name__: place(op, theme or "none") for place in PLACES}
 
 
 def session():
     workbench(1300, 1000)
-    _, _, op = job_with("Themes", 60.0)
+    for dock in widgets(QtGui.QDockWidget):
+        if dock.objectName() in ("Report view", "Python console"):
+            dock.hide()  # there is little room
+    _, _, op = job_with("Themes", 30.0)
     op.MinimumRadius = 5.0  # what is noted of it
     op.Document.recompute()
     result["notes"] = op.Report
     result["themes"] = {theme: seen_in(theme, op) for theme in themes()}
-    take("")
-    later(100)
+    take(themes()[0])
 
 
 run(session)

@@ -96,6 +96,13 @@ def picture(name):
     window.grab().save(os.path.join(OUT, name + ".png"))
 
 
+def on_screen(widget):
+    """What the screen shows of a widget: the 3D view, too, and what FreeCAD 1.1 lays over that."""
+    corner = widget.mapToGlobal(QtCore.QPoint(0, 0))
+    rect = corner.x(), corner.y(), widget.width(), widget.height()
+    return QtGui.QGuiApplication.primaryScreen().grabWindow(0, *rect)
+
+
 def panel_buttons():
     from evenload.gui.wrappers import forget_the_dead
 

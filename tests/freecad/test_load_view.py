@@ -29,6 +29,12 @@ def test_the_command_shows_one_node_and_its_dock(session, which):
     assert session[which + "_shown"] == [1, 1]
 
 
+def test_the_colours_lie_over_the_path_s_own_line(session):
+    before, shown = session["own_line"]
+    assert before > 1000
+    assert shown < 0.02 * before
+
+
 @pytest.mark.parametrize("which", ["ours", "theirs"])
 def test_the_vertices_are_the_simulators_samples(session, which):
     seen = session[which]

@@ -2,14 +2,15 @@
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from evenload import materials
-from evenload.gui import fields, manual
+from evenload.gui import colours, fields, manual
 from evenload.gui.advisor_table import ON_MACHINE, REMARK, AdviceModel, table_of
 from evenload.gui.docks import add_below
 from evenload.gui.length_box import FineLengthBox, LengthBox
 from evenload.gui.machine_box import MachineBox
+from evenload.gui.shaded import Shaded
 from evenload.gui.stability_inputs import Rows, combo
 from evenload.gui.stability_layout import button, scrolled
 from evenload.gui.told import Told
@@ -40,7 +41,7 @@ class AdvisorDock(manual.Dock):
         super().__init__(_translate("EvenLoad", "EvenLoad Finishing Advisor"), window)
         self.setObjectName(NAME)
         self.set_page("finishing_advisor")
-        self.faces, self.told = _label(), Told()
+        self.faces, self.told = Shaded(), Told()
         self.asked = _asked()
         self.model = AdviceModel(self)
         self.table = table_of(self.model)
@@ -78,6 +79,7 @@ class AdvisorDock(manual.Dock):
         blocked = box.blockSignals(True)
         for each in controllers:
             box.addItem(each.Label, each.Name)
+        fields.make_room_for_choices(box)
         box.blockSignals(blocked)
 
     def show_lengths(self, **lengths):
@@ -103,6 +105,8 @@ class AdvisorDock(manual.Dock):
     def show_rows(self, rows):
         """Shows rows of Advice, with the row that was chosen still chosen."""
         chosen = self.chosen()
+        if not self.model.rows:  # the table's own ground is what is seen of it
+            self.model.set_shade(colours.shade(colours.GOOD, self.table.viewport()))
         self.model.show_rows(rows)
         self.table.setColumnHidden(ON_MACHINE, self.asked.machine.machine() is None)
         for section in range(REMARK):
@@ -157,10 +161,3 @@ def _asked():
             ),
         ),
     )
-
-
-def _label():
-    label = QtGui.QLabel()
-    label.setWordWrap(True)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label

@@ -5,7 +5,6 @@ from dataclasses import dataclass
 import FreeCAD
 from PySide import QtCore, QtGui
 
-from evenload.gui import colours
 from evenload.settings.sentences import shown
 from evenload.words import clock
 
@@ -64,7 +63,11 @@ class AdviceModel(QtCore.QAbstractTableModel):
         self.rows, self._remarks, self._units = [], [], {}
         self._bold = QtGui.QFont(parent.font())
         self._bold.setBold(True)
-        self._good = QtGui.QBrush(QtGui.QColor(colours.shade(colours.GOOD, parent)))
+        self._good = None
+
+    def set_shade(self, name):
+        """Takes the name of the colour that the best values have."""
+        self._good = QtGui.QBrush(QtGui.QColor(name))
 
     def show_rows(self, rows):
         self.beginResetModel()

@@ -49,7 +49,7 @@ def widget_of(setting):
         widget = combo_box()
         for choice in setting.value:
             widget.addItem(FreeCAD.Qt.translate("EvenLoad", choice), choice)
-        widget.setMinimumWidth(min(max(NARROWEST, _needed_by_choices(widget)), ROOM))
+        make_room_for_choices(widget)
         return widget
     if setting.type == BOOL:
         return QtGui.QCheckBox(FreeCAD.Qt.translate("EvenLoad", setting.label))
@@ -122,6 +122,11 @@ def combo_box():
     box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     box.setMinimumWidth(NARROWEST)
     return box
+
+
+def make_room_for_choices(box):
+    """Has a box be as wide as the longest of its choices, as far as panels have room."""
+    box.setMinimumWidth(min(max(NARROWEST, _needed_by_choices(box)), ROOM))
 
 
 def _needed_by_choices(box):

@@ -7,9 +7,10 @@ from PySide import QtCore, QtGui
 from evenload.gui import load_colours, manual
 from evenload.gui import inspection_rows as rows
 from evenload.gui.inspection_alignment import Alignment
-from evenload.gui.inspection_labels import label, unit
+from evenload.gui.inspection_labels import unit
 from evenload.gui.length_box import LengthBox
 from evenload.gui.load_legend import NAMES, Legend
+from evenload.gui.shaded import Shaded
 from evenload.gui.stability_layout import button
 from evenload.inspection.points import SHOWN, mm_per
 
@@ -46,9 +47,9 @@ class InspectionDock(manual.Dock):
         super().__init__(_translate("EvenLoad", "Inspect"), window)
         self.setObjectName(NAME)
         self.set_page("inspect")
-        self.faces, self.told_samples, self.told = label(), label(), label()
-        self.predicted = label()
-        self.file = label(_translate("EvenLoad", "No file is open."))
+        self.faces, self.told_samples, self.told = Shaded(), Shaded(), Shaded()
+        self.predicted = Shaded()
+        self.file = Shaded(_translate("EvenLoad", "No file is open."))
         self.take = button(
             "Take Selected Faces", "Inspects the faces that are selected", view.take_selection
         )

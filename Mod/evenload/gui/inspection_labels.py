@@ -13,23 +13,14 @@ def unit():
     return "inch" if fields.shows_inches() else "mm"
 
 
-def label(text=""):
-    """A label for sentences."""
-    made = QtGui.QLabel(text)
-    made.setWordWrap(True)
-    made.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return made
-
-
 def tell(where, text, colour=None):
-    """Tells sentences in a label, in the user's language and units."""
-    name(where, shown(text), colour)
+    """Tells sentences in a Shaded label, in the user's language and units."""
+    where.tell(shown(text), colour)
 
 
 def name(where, text, colour=None):
-    """Shows a text in a label as it is: what the user has given names to."""
-    where.setText(text)
-    where.setStyleSheet("color: %s" % colours.shade(colour, where) if colour else "")
+    """Shows a text in a Shaded label as it is: what the user has given names to."""
+    where.tell(text, colour)
 
 
 @contextlib.contextmanager

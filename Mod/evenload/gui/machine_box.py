@@ -6,6 +6,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload import machines
+from evenload.gui import fields
 from evenload.gui.slots import slot
 
 FILE = "\0file"  # another one, which is asked for
@@ -26,6 +27,7 @@ class MachineBox(QtGui.QComboBox):
         for name in machines.names():
             self.addItem(name, name)
         self.addItem(_translate("EvenLoad", "File…"), FILE)
+        fields.make_room_for_choices(self)
         self.activated.connect(slot(self._ask))
 
     def machine(self):

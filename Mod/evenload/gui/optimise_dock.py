@@ -8,6 +8,7 @@ from evenload.gui import manual
 from evenload.gui import optimise_inputs as asking
 from evenload.gui.docks import add_below
 from evenload.gui.optimise_table import CandidateModel, beside, columns
+from evenload.gui.shaded import Shaded
 from evenload.gui.slots import telling_slot
 from evenload.gui.stability_layout import button, scrolled
 from evenload.gui.told import Told
@@ -34,7 +35,8 @@ class OptimiseDock(manual.Dock):
         self.set_page("optimisation")
         self.limits, self.tool = asking.limits_box(), asking.tool_box()
         self.to_try = asking.TryBox()
-        self.compared, self.told = _label(), Told()
+        self.compared, self.told = Shaded(form=QtCore.Qt.RichText), Told()
+        self.compared.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
         self.compared.setWordWrap(False)
         self.suggest = button(
             _translate("EvenLoad", "Suggest"),
@@ -144,12 +146,3 @@ class OptimiseDock(manual.Dock):
     def _row_chosen(self, current, _):
         if current.isValid():
             self.chosen.emit(self.model.rows[current.row()])
-
-
-def _label():
-    label = QtGui.QLabel()
-    label.setWordWrap(True)
-    label.setTextFormat(QtCore.Qt.RichText)
-    label.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label

@@ -13,7 +13,10 @@ from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
 
-HEAD = '<tr><td></td><th align="right">%s</th><th align="right">%s</th></tr>'
+HEAD = (
+    '<tr><td></td><th align="right">%s</th>'
+    '<th align="right" style="padding-left: 18px">%s</th></tr>'
+)
 ROW = (
     '<tr><td style="padding-right: 14px">%s</td><td align="right">%s</td>'
     '<td align="right" style="padding-left: 18px"><b>%s</b></td></tr>'

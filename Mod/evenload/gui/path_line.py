@@ -6,6 +6,7 @@ from pivy import coin
 from evenload.gui.nodes import unlit
 
 WIDTH = 3  # pixels: wider than FreeCAD's own line
+NEARER = 1e-3  # of the depth that is seen, about a pixel: what lies as deep lies behind it
 
 
 class PathLine:
@@ -22,7 +23,9 @@ class PathLine:
         self.line = coin.SoLineSet()
         self.line.vertexProperty = self.vertices
         self.line.numVertices.setValue(len(points))
-        for node in (unlit(), style, self.colours, self._binding, self.line):
+        in_front = coin.SoDepthBuffer()
+        in_front.range.setValue(0.0, 1.0 - NEARER)
+        for node in (unlit(), in_front, style, self.colours, self._binding, self.line):
             self.root.addChild(node)
 
     def colour(self, colours):

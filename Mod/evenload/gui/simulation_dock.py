@@ -7,11 +7,12 @@ import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials, units
-from evenload.gui import manual
+from evenload.gui import fields, manual
 from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.docks import add_below
 from evenload.gui.length_box import LengthBox
 from evenload.gui.machine_box import MachineBox
+from evenload.gui.shaded import Shaded
 from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
@@ -47,7 +48,8 @@ class SimulationDock(manual.Dock):
         self.plot = PlotView()
         self.slider = QtGui.QSlider(QtCore.Qt.Horizontal)
         self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
-        self.told, self.values, self.totals = Told(), _label(), _label()
+        self.told = Told()
+        self.values, self.totals = (Shaded(form=QtCore.Qt.RichText) for _ in range(2))
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation", view.cancel)
@@ -78,6 +80,7 @@ class SimulationDock(manual.Dock):
             self.asked.operation.addItem(each.Label, each.Name)
             self.asked.against.addItem(each.Label, each.Name)
         for widget in (self.asked.operation, self.asked.against):
+            fields.make_room_for_choices(widget)
             widget.blockSignals(False)
         beside = "" if against is None else against.Name
         self.asked.show_values(operation=chosen.Name, against=beside)
@@ -173,14 +176,6 @@ def _limits():
             ),
         ),
     )
-
-
-def _label():
-    label = QtGui.QLabel()
-    label.setWordWrap(True)
-    label.setTextFormat(QtCore.Qt.RichText)
-    label.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
-    return label
 
 
 def _column(widgets, width):

@@ -4,6 +4,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload import materials, units
+from evenload.gui import fields
 from evenload.gui.length_box import LengthBox
 from evenload.gui.slots import slot
 
@@ -43,6 +44,7 @@ class Rows(QtGui.QGroupBox):
         super().__init__(_translate("EvenLoad", title), parent)
         self.names = [name for name, *_ in rows]
         layout = QtGui.QFormLayout(self)
+        layout.setRowWrapPolicy(QtGui.QFormLayout.WrapLongRows)
         for name, label, tip, widget in rows:
             setattr(self, name, widget)
             widget.setToolTip(_translate("EvenLoad", tip))
@@ -98,6 +100,7 @@ def combo(rows):
     box.setSizeAdjustPolicy(QtGui.QComboBox.AdjustToMinimumContentsLengthWithIcon)
     for title, value in rows:
         box.addItem(_translate("EvenLoad", title), value)
+    fields.make_room_for_choices(box)
     return box
 
 

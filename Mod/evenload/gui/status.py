@@ -199,7 +199,9 @@ class Status:
 
 
 class _Seen(QtGui.QWidget):
-    """A widget that has a bound method called as it is seen, when its window has its colours."""
+    """A widget that has a bound method called as it is seen, when its window has its colours, and
+    as it comes to its place: a dock of FreeCAD 1.1 may be seen before.
+    """
 
     def __init__(self, seen):
         super().__init__()
@@ -210,6 +212,10 @@ class _Seen(QtGui.QWidget):
 
     def showEvent(self, event):
         super().showEvent(event)
+        self._timer.start()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
         self._timer.start()
 
 

@@ -1,29 +1,25 @@
 """Labels of docks for what is to be said of what they show."""
 
-from PySide import QtCore, QtGui
+from PySide import QtCore
 
-from evenload.gui import colours
+from evenload.gui.shaded import Shaded
 from evenload.settings.sentences import shown
 
 
-class Told(QtGui.QLabel):
+class Told(Shaded):
     """Shows sentences in the user's language and units, and hides where there are none."""
 
     def __init__(self):
-        super().__init__()
+        super().__init__(form=QtCore.Qt.PlainText)
         self._said = ("",)
-        self.setWordWrap(True)
-        self.setTextFormat(QtCore.Qt.PlainText)
         self.setAlignment(QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop)
-        self.setTextInteractionFlags(QtCore.Qt.TextSelectableByMouse)
 
     def tell(self, text, colour=None, named=""):
         """Shows sentences in place of those before. named: another text below them, which names
         what is the user's, and is shown as it is.
         """
         self._said = text, colour, named
-        self.setText("\n".join(filter(None, (shown(text), named))))
-        self.setStyleSheet("color: %s" % colours.shade(colour, self) if colour else "")
+        super().tell("\n".join(filter(None, (shown(text), named))), colour)
         self.setVisible(bool(self.text()))
 
     def follow_units(self):
