@@ -11,7 +11,17 @@ import numpy
 from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
-from gui_tools import OUT, begun, later, ours_and_theirs, result, run  # noqa: E402
+from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
+    OUT,
+    begun,
+    choose_units,
+    later,
+    ours_and_theirs,
+    result,
+    run,
+)
 
 SAMPLES = 100_000
 NODE = "EvenLoadLoad"
@@ -123,6 +133,23 @@ def cursor(view):
     return seen
 
 
+def in_inches(view):
+    """What the open dock tells at a place of the path with inches, and then with mm again; beside
+    them the simulator's values there.
+    """
+    number = len(view.found.x) // 3
+    view.slider.setValue(number)
+    names = "removal_rate", "feed", "h_max", "force_peak"
+    seen = {"values": [float(getattr(view.found, name)[number]) for name in names]}
+    for name, schema in (("inches", INCHES), ("mm", METRIC)):
+        choose_units(schema)
+        picture("load_" + name)
+        document = QtGui.QTextDocument()
+        document.setHtml(view.told.text())
+        seen[name] = [line for line in document.toPlainText().splitlines() if line]
+    return seen
+
+
 def hundred_thousand():
     """s, of this thread's work, until a node of so many samples is coloured."""
     from evenload.gui import load_colours
@@ -163,6 +190,7 @@ def session():
     view = load_view._shown[0]
     result["ours"] = seen_of(view, ours)
     result["cursor"] = cursor(view)
+    result["units"] = in_inches(view)
     swatches = [text for _, text in view.legend.swatches()]
     result["legend"] = [view.dock.windowTitle(), view.legend.isVisible(), swatches]
     # A change of the path is followed.
