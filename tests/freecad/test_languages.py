@@ -132,7 +132,7 @@ def test_panels_show_no_metric_unit_in_inches(panels):
     for command, seen in found["panels"].items():
         texts = [*seen["texts"], *seen["status"].splitlines()]
         assert [text for text in texts if METRIC.search(text)] == [], command
-        tips = [text for text in texts if "0.0039 in" in text]  # the mean over 0.1 mm
+        tips = [text for text in texts if "0.00394 in" in text]  # the mean over 0.1 mm
         assert len(tips) == (command != "EvenLoad_Finishing")
     assert "10.04 in/min" in found["refused"]["status"]
     assert not METRIC.search(found["refused"]["status"])
@@ -140,7 +140,7 @@ def test_panels_show_no_metric_unit_in_inches(panels):
 
 def test_notes_are_in_inches_and_are_kept_in_mm(panels):
     (status, report), (_, before) = panels["in_inches"]["notes"], panels["notes"]
-    assert report == before and "0.03543 in" in status and not METRIC.search(status)
+    assert report == before and "0.0354 in" in status and not METRIC.search(status)
     x, y = map(float, re.search(r"\((\d+\.\d+), (\d+\.\d+)\)", report).groups())
     assert "(%.4f, %.4f)" % (x / 25.4, y / 25.4) in status
 

@@ -112,7 +112,7 @@ def test_a_click_on_a_place_in_a_note_flies_there_and_wishes_are_folded(session)
 
 def test_a_click_on_a_place_that_is_told_in_inches_flies_to_the_same(session):
     seen, in_mm = session["notes in inches"], session["notes"]
-    assert "Turned more tightly than the wished 0.03543 in" in seen["text"]
+    assert "Turned more tightly than the wished 0.0354 in" in seen["text"]
     assert not re.search(r"\bmm\b|mm²", seen["text"])
     assert seen["place"] == in_mm["place"]
     assert seen["middle"] == pytest.approx(in_mm["middle"], abs=1e-3)

@@ -83,7 +83,8 @@ def test_it_follows_the_units_that_the_user_chooses(session):
     assert seen["is_same"] and metric["is_same"]
     assert seen["boxes"][0] == "%.5f in" % (depth / 25.4) and seen["error"] == " in"
     verdict, best = seen["told"]
-    assert "%.4g in" % (float("%.3g" % depth) / 25.4) in verdict
+    shown = float(re.search(r"rev/min and ([\d.]+) in", verdict)[1])
+    assert shown == pytest.approx(depth / 25.4, rel=5e-3)  # three digits in mm
     assert best.startswith("Removes %.3g in³/min, now %.3g" % (rate / 25.4**3, now / 25.4**3))
     assert "location error %.4f in," % (error / 25.4) in best
     assert not re.search(r"\bmm\b|cm³|µm", verdict + best)

@@ -9,11 +9,12 @@ from PySide import QtCore, QtGui
 
 from evenload import host, simulation
 from evenload.gui import load_colours, manual, preferences, progress, view3d
-from evenload.gui.load_legend import Legend, told
+from evenload.gui.load_legend import Legend
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.load_node import LoadNode
 from evenload.gui.observer import Observer
 from evenload.gui.slots import slot, telling_slot
+from evenload.gui.values import told
 from evenload.settings.properties import is_ours
 from evenload.settings.sentences import shown
 from evenload.waiting import Stopped
