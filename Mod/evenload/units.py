@@ -93,12 +93,13 @@ _TOLD = {
     "mm": Unit("in", INCH, 4),
     "m": Unit("ft", FOOT, 1),
 }
-_NUMBER = r"(?<![\w.,])-?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?"
+_DIGITS = r"-?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?"
+_NUMBER = r"(?<![\w.,])" + _DIGITS
 _UNIT = r" (?P<unit>%s)(?![\w/²³])" % "|".join(_TOLD)
-_SEVERAL = r"%s(?:(?: (?:to|and|bis|und|és|×|x|–) |–)%s)*" % (_NUMBER, _NUMBER.split(")", 1)[1])
+_SEVERAL = r"%s(?:(?: (?:to|and|bis|und|és|×|x|–) |–)%s)*" % (_NUMBER, _DIGITS)
 # What the user called something stands between quotes, and stays; places are pairs or triples.
 _QUOTED = r"(?<!\w)'.*?'(?!\w)|„[^“”]*[“”]"
-_PLACE = r"\((?:%s)(?:, (?:%s)){1,2}\)" % (_NUMBER, _NUMBER)
+_PLACE = r"\(%s(?:, %s){1,2}\)" % (_DIGITS, _DIGITS)
 _SHOWN = re.compile(
     "(?P<name>%s)|(?P<place>%s)(?: mm\\b)?|(?P<numbers>%s)%s" % (_QUOTED, _PLACE, _SEVERAL, _UNIT)
 )
