@@ -10,7 +10,7 @@ from dataclasses import dataclass
 
 INCH = 25.4  # mm
 FOOT = 0.3048  # m
-FIGURES = 4  # that numbers in sentences have at least
+FIGURES = 3  # that numbers in sentences have at least
 
 
 def never():
@@ -75,7 +75,7 @@ WAY = Quantity(Unit("mm", 1.0, 1), Unit("in", INCH, 2))
 CHIP = Quantity(Unit("mm", 1.0, 4), Unit("in", INCH, 5))
 ERROR = Quantity(Unit("µm", 1e-3, 0), Unit("in", INCH, 4))
 ROUGHNESS = Quantity(Unit("µm", 1e-3, 2), Unit("µin", 1e-6 * INCH, 1))
-AREA = Quantity(Unit("mm²", 1.0, 2), Unit("in²", INCH**2, 5))
+AREA = Quantity(Unit("mm²", 1.0, 2), Unit("in²", INCH**2, 4))
 FEED = Quantity(Unit("mm/min", 1.0, 0), Unit("in/min", INCH, 1))
 RATE = Quantity(Unit("mm³/min", 1.0, 0), Unit("in³/min", INCH**3, 4))
 LARGE_RATE = Quantity(Unit("cm³/min", 1e3, 4), Unit("in³/min", INCH**3, 4))
@@ -91,13 +91,15 @@ _TOLD = {
     "mm³": Unit("in³", INCH**3, 4),
     "µm": Unit("µin", 1e-3 * INCH, 1),
     "mm": Unit("in", INCH, 4),
+    "m": Unit("ft", FOOT, 1),
 }
-_NUMBER = r"(?<![\w.,])-?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?"
+_DIGITS = r"-?\d+(?:[.,]\d+)?(?:e[-+]?\d+)?"
+_NUMBER = r"(?<![\w.,])" + _DIGITS
 _UNIT = r" (?P<unit>%s)(?![\w/²³])" % "|".join(_TOLD)
-_SEVERAL = r"%s(?:(?: (?:to|and|bis|und|és|×|x|–) |–)%s)*" % (_NUMBER, _NUMBER.split(")", 1)[1])
+_SEVERAL = r"%s(?:(?: (?:to|and|bis|und|és|×|x|–) |–)%s)*" % (_NUMBER, _DIGITS)
 # What the user called something stands between quotes, and stays; places are pairs or triples.
 _QUOTED = r"(?<!\w)'.*?'(?!\w)|„[^“”]*[“”]"
-_PLACE = r"\((?:%s)(?:, (?:%s)){1,2}\)" % (_NUMBER, _NUMBER)
+_PLACE = r"\(%s(?:, %s){1,2}\)" % (_DIGITS, _DIGITS)
 _SHOWN = re.compile(
     "(?P<name>%s)|(?P<place>%s)(?: mm\\b)?|(?P<numbers>%s)%s" % (_QUOTED, _PLACE, _SEVERAL, _UNIT)
 )

@@ -4887,10 +4887,6 @@
         <translation>%s: %d s, %d Bahnen</translation>
     </message>
     <message>
-        <source>height of the tool&apos;s tip above z = %.3f, mm</source>
-        <translation>Höhe der Werkzeugspitze über z = %.3f, mm</translation>
-    </message>
-    <message>
         <source>Choose the open side</source>
         <translation>Offene Seite wählen</translation>
     </message>
@@ -5147,6 +5143,10 @@
     <message>
         <source>rest %s</source>
         <translation>Restmaterial %s</translation>
+    </message>
+    <message>
+        <source>height of the tool&apos;s tip above z = %.3f, %s</source>
+        <translation>Höhe der Werkzeugspitze über z = %.3f, %s</translation>
     </message>
 </context>
 <context>

@@ -4887,10 +4887,6 @@
         <translation>%s: %d s, %d sor</translation>
     </message>
     <message>
-        <source>height of the tool&apos;s tip above z = %.3f, mm</source>
-        <translation>a szerszámcsúcs magassága z = %.3f felett, mm</translation>
-    </message>
-    <message>
         <source>Choose the open side</source>
         <translation>Nyitott oldal választása</translation>
     </message>
@@ -5147,6 +5143,10 @@
     <message>
         <source>rest %s</source>
         <translation>maradék %s</translation>
+    </message>
+    <message>
+        <source>height of the tool&apos;s tip above z = %.3f, %s</source>
+        <translation>a szerszámcsúcs magassága z = %.3f felett, %s</translation>
     </message>
 </context>
 <context>

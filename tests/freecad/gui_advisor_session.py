@@ -12,7 +12,10 @@ from PySide import QtCore, QtGui
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     begun,
+    choose_units,
     click,
     is_enabled,
     later,
@@ -240,7 +243,7 @@ def session():
     picture("flat")
     command.close()
     op = doc.getObject(operations(job)[0])
-    FreeCAD.Units.setSchema(3)  # inches
+    choose_units(INCHES)
     select(op)
     result["enabled"].append(is_enabled("EvenLoad_FinishingAdvisor"))
     FreeCADGui.runCommand("EvenLoad_FinishingAdvisor")
@@ -259,10 +262,7 @@ def session():
     doc.undo()
     later(100)
     result["set_undone"] = op.Strategy
-    units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
-    units.SetInt("UserSchema", 6)
-    FreeCAD.Units.setSchema(6)
-    later(100)
+    choose_units(METRIC)
     ended(view)  # which the undo has begun anew
     result["mm_again"] = [headers(dock), dock.asked.Stepover.text()]
 

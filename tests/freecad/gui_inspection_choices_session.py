@@ -19,9 +19,19 @@ from gui_inspection_tools import (  # noqa: E402
     opened,
     save,
 )
-from gui_tools import OUT, begun, click, later, picture, result, run  # noqa: E402
+from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
+    OUT,
+    begun,
+    choose_units,
+    click,
+    later,
+    picture,
+    result,
+    run,
+)
 
-METRIC, IMPERIAL = 6, 3
 WIDTHS = 264, 420
 
 
@@ -100,15 +110,13 @@ def datum_plane(doc, view):
 
 def inches(view, feet, normals):
     """Another unit of lengths, by FreeCAD's preferences, and back."""
-    dock, units = view.dock, FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
+    dock = view.dock
     dock.tolerance.width.set_mm(0.05)
     dock.samples.margin.set_mm(2)
     later(50)
     before = [view.found.zone, view.found.tolerance]
-    for schema in (IMPERIAL, METRIC):
-        units.SetInt("UserSchema", schema)
-        FreeCAD.Units.setSchema(schema)
-        later(100)
+    for schema in (INCHES, METRIC):
+        choose_units(schema)
         if schema == METRIC:
             break
         result["inch"] = {
@@ -116,7 +124,7 @@ def inches(view, feet, normals):
             "tolerance": dock.tolerance.width.text(),
             "margin": dock.samples.margin.text(),
             "ball": dock.samples.ball.text(),
-            "legend": dock.legend._measure.unit,
+            "legend": dock.legend._measure.quantity.shown.name,
             "same": [view.found.zone, view.found.tolerance] == before,
             "roughness": dock.cutting.roughness.suffix(),
         }

@@ -10,8 +10,11 @@ sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_fit import resize_dock  # noqa: E402
 from gui_panels import WIDTHS, fit_of, in_panel, opened, operation_on, picture  # noqa: E402
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     OUT,
     begun,
+    choose_units,
     fold_all,
     later,
     press,
@@ -87,6 +90,16 @@ def looked_at(page, name):
     return seen
 
 
+def in_inches(look):
+    """(what look() tells with metric units, what it tells with inches), of what stays open."""
+    seen = look()
+    choose_units(INCHES)
+    try:
+        return seen, look()
+    finally:
+        choose_units(METRIC)
+
+
 def refused(op):
     """What the panel says of a value that no path can be computed from, and where it leads."""
     fold_all()
@@ -119,12 +132,17 @@ def load_of(op):
 
     view = load_view.show(op)
     until(lambda: not view.task.is_busy)
-    view.dock.grab().save(os.path.join(OUT, "load.png"))
-    seen = texts_in(view.dock)
-    for number in (0, view.dock.choice.count() - 1):  # the first has a limit, the last all kinds
-        view.dock.choice.setCurrentIndex(number)
-        seen += [text for _, text in view.dock.legend.swatches()]
-    seen.append(view.dock.windowTitle())
+    choice, legend = view.dock.choice, view.dock.legend
+
+    def look():
+        view.dock.grab().save(os.path.join(OUT, "load.png"))
+        found = [*texts_in(view.dock), view.dock.windowTitle()]
+        for number in (0, choice.count() - 1):  # the first has a limit, the last all kinds
+            choice.setCurrentIndex(number)
+            found += [text for _, text in legend.swatches()]
+        return found
+
+    seen = in_inches(look)
     load_view.close()
     later()
     return seen
@@ -140,7 +158,7 @@ def simulation_of(op):
     view = simulation._shown[-1]
     until(lambda: not view.task.is_busy)
     picture("simulation")
-    seen = texts_in(view.dock) + [view.dock.windowTitle()]
+    seen = in_inches(lambda: texts_in(view.dock) + [view.dock.windowTitle()])
     view.dock.close()
     later()
     return seen
@@ -156,7 +174,7 @@ def stability_of(op):
 
     window = stability._Open.window
     window.grab().save(os.path.join(OUT, "stability.png"))
-    seen = texts_in(window) + [window.windowTitle()]
+    seen = in_inches(lambda: texts_in(window) + [window.windowTitle()])
     stability.close()
     later()
     return seen
@@ -177,7 +195,7 @@ def inspection_of(doc, model, floor):
     view.dock.cutting.roughness.set_mm(0.003)
     view.predict()
     picture("inspection")
-    seen = texts_in(view.dock) + [view.dock.windowTitle()]
+    seen = in_inches(lambda: texts_in(view.dock) + [view.dock.windowTitle()])
     inspection.close()
     later()
     return seen
@@ -193,8 +211,8 @@ def advice_on(doc, model, floor):
     later(500)
     view = advisor._shown[-1]
     picture("advisor")
-    seen = [*texts_in(view.dock), view.dock.windowTitle()]
-    assert view.dock.told.text() in seen
+    seen = in_inches(lambda: [*texts_in(view.dock), view.dock.windowTitle()])
+    assert all(view.dock.told.text() in each for each in seen)
     advisor.close()
     later()
     return seen
@@ -208,7 +226,7 @@ def suggested_for(op):
     FreeCADGui.Selection.addSelection(op)
     FreeCADGui.runCommand("EvenLoad_Optimise")
     later(500)
-    view, seen = optimise._shown[-1], []
+    view, seen = optimise._shown[-1], ([], [])
     view.dock.to_try.angles.setText("50; 70")
     view.dock.to_try.levels.setValue(1)
     for most in (0.0, 1.0):  # N, of which the first is no limit
@@ -216,8 +234,9 @@ def suggested_for(op):
         view.suggest()
         until(lambda: not view.task.is_busy)
         picture("optimise_%d" % most)
-        seen += texts_in(view.dock)
-    seen.append(view.dock.windowTitle())
+        for texts, each in zip(seen, in_inches(lambda: texts_in(view.dock))):
+            texts += each
+    seen[0].append(view.dock.windowTitle())
     optimise.close()
     later()
     return seen
@@ -228,8 +247,12 @@ def preferences_page():
     from evenload.gui import PreferencesPage
 
     page = PreferencesPage()
-    page.loadSettings()
-    return [*texts_in(page.form), page.form.windowTitle()]
+
+    def look():
+        page.loadSettings()
+        return [*texts_in(page.form), page.form.windowTitle()]
+
+    return in_inches(look)
 
 
 def surface_of(op):
@@ -244,12 +267,9 @@ def surface_of(op):
     (view,) = surface._shown
     until(lambda: not view.task.is_busy)
     picture("surface")
-    seen = [
-        *texts_in(view.dock),
-        view.dock.windowTitle(),
-        *(t for _, t in view.dock.legend.swatches()),
-    ]
-    assert view.dock.told.text() in seen
+    swatches = [text for _, text in view.dock.legend.swatches()]
+    seen = in_inches(lambda: [*texts_in(view.dock), view.dock.windowTitle(), *swatches])
+    assert view.dock.told.text() in seen[0]
     surface.close()
     later()
     return seen
@@ -258,14 +278,27 @@ def surface_of(op):
 def look_at_panels(doc, job, model, floor):
     operations = {c: operation_on(doc, job, model, floor, c) for c in COMMANDS}
     result["undo"] = list(doc.UndoNames)
-    result["panels"] = {}
-    for command, op in operations.items():
-        fold_all()
-        result["panels"][command] = in_panel(op, lambda page: looked_at(page, command))
+    result["panels"] = panels_of(operations)
     adaptive = operations["EvenLoad_Adaptive"]
     result["refused"] = refused(adaptive)
     wedge = [(0, 0, 0), (40, 0, 0), (0, 12, 0)]  # whose tips no wished radius fits
-    result["notes"] = noted(adaptive, sketch_of(doc, wedge))
+    sketch = sketch_of(doc, wedge)
+    result["notes"] = noted(adaptive, sketch)
+    choose_units(INCHES)
+    adaptive.Base = [(model, (floor,))]
+    doc.recompute()
+    result["in_inches"] = {"panels": panels_of(operations), "refused": refused(adaptive)}
+    result["in_inches"]["notes"] = noted(adaptive, sketch)
+    choose_units(METRIC)
+
+
+def panels_of(operations):
+    """{command: what is seen of the panel of its operation}"""
+    seen = {}
+    for command, op in operations.items():
+        fold_all()
+        seen[command] = in_panel(op, lambda page: looked_at(page, command))
+    return seen
 
 
 def look_at_docks(doc, job, model, floor):
@@ -274,7 +307,7 @@ def look_at_docks(doc, job, model, floor):
     op = adaptive.Create("Ours", parentJob=job)
     op.Base = [(model, (floor,))]
     doc.recompute()
-    result["docks"] = {
+    seen = {
         "load": load_of(op),
         "surface": surface_of(op),
         "simulation": simulation_of(op),
@@ -284,6 +317,8 @@ def look_at_docks(doc, job, model, floor):
         "optimise": suggested_for(op),
         "preferences": preferences_page(),
     }
+    result["docks"] = {name: texts for name, (texts, _) in seen.items()}
+    result["docks_in_inches"] = {name: texts for name, (_, texts) in seen.items()}
 
 
 def session():

@@ -12,8 +12,11 @@ from PySide import QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     OUT,
     begun,
+    choose_units,
     later,
     on_screen,
     ours_and_theirs,
@@ -137,6 +140,23 @@ def cursor(view):
     return seen
 
 
+def in_inches(view):
+    """What the open dock tells at a place of the path with inches, and then with mm again; beside
+    them the simulator's values there.
+    """
+    number = len(view.found.x) // 3
+    view.dock.slider.setValue(number)
+    names = "removal_rate", "feed", "h_max", "force_peak"
+    seen = {"values": [float(getattr(view.found, name)[number]) for name in names]}
+    for name, schema in (("inches", INCHES), ("mm", METRIC)):
+        choose_units(schema)
+        picture("load_" + name)
+        document = QtGui.QTextDocument()
+        document.setHtml(view.dock.values.text())
+        seen[name] = [line for line in document.toPlainText().splitlines() if line]
+    return seen
+
+
 def hundred_thousand():
     """s, of this thread's work, until a node of so many samples is coloured."""
     from evenload.gui import load_colours
@@ -233,6 +253,7 @@ def session():
     view = load_view._shown[0]
     result["ours"] = seen_of(view, ours)
     result["cursor"] = cursor(view)
+    result["units"] = in_inches(view)
     swatches = [text for _, text in view.dock.legend.swatches()]
     result["legend"] = [view.dock.windowTitle(), view.dock.legend.isVisible(), swatches]
     # A change of the path is followed.

@@ -9,7 +9,10 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     begun,
+    choose_units,
     later,
     ours_and_theirs,
     panel_of_another,
@@ -278,15 +281,11 @@ def session():
     limits.machine.setCurrentIndex(limits.machine.findData("linuxcnc_mill"))
     suggested(view)
     result["machine"] = titles(view)
-    FreeCAD.Units.setSchema(3)
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 3)
-    later(200)
+    choose_units(INCHES)
     result["inches"] = [titles(view), view.dock.tool.max_chip_thickness.suffix(), tool_of(view)]
     result["inch_cells"], result["rows"] = cells(view)[0], numbers_of(view.dock.model.rows[0])
     picture("inches")
-    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", 6)
-    FreeCAD.Units.setSchema(6)
-    later(200)
+    choose_units(METRIC)
     view.dock.to_try.angles.setText("50; 190")
     view.dock.suggest.click()
     later(50)

@@ -11,10 +11,21 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_panels import fit_of, in_panel, opened, operation_on, picture  # noqa: E402
-from gui_tools import click, fold_all, later, leave, press, result, run, workbench  # noqa: E402
+from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
+    choose_units,
+    click,
+    fold_all,
+    later,
+    leave,
+    press,
+    result,
+    run,
+    workbench,
+)
 
 LAPTOP = 1366, 980  # pixels: what is above the report view is as high as all of a laptop's 768
-METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
 COMMANDS = ("EvenLoad_Adaptive", "EvenLoad_Trochoid", "EvenLoad_LameSpiral")
 
 
@@ -22,12 +33,12 @@ def fits(operations):
     """What does not fit into a narrow dock: of each panel, width and unit schema, folded or not."""
     found = {}
     for schema in (METRIC, INCHES):
-        FreeCAD.Units.setSchema(schema)
+        choose_units(schema)
         for command, op in operations.items():
             fold_all()
             name = "%s %d" % (command, schema)
             found.update(in_panel(op, lambda page: fit_of(page, name)))
-    FreeCAD.Units.setSchema(METRIC)
+    choose_units(METRIC)
     found.update(in_low_window(next(iter(operations.values()))))
     return found
 
@@ -64,10 +75,10 @@ def fields(op):
     """Steps, limits and what unset fields show."""
     seen = {"steps": {}}
     for schema in (METRIC, INCHES):
-        FreeCAD.Units.setSchema(schema)
+        choose_units(schema)
         steps, seen["tolerance %d" % schema] = in_panel(op, steps_of)
         seen["steps"][schema] = steps
-    FreeCAD.Units.setSchema(METRIC)
+    choose_units(METRIC)
     seen.update(in_panel(op, lambda page: taken(page, op)))
     seen["bound"] = in_panel(op, lambda page: bound(page, op))
     return seen
@@ -254,6 +265,9 @@ def session():
     adaptive.Base = [(sketch, "")]
     doc.recompute()
     result["notes"] = in_panel(adaptive, notes)
+    choose_units(INCHES)
+    result["notes in inches"] = in_panel(adaptive, notes)
+    choose_units(METRIC)
 
 
 run(session)

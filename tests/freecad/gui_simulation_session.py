@@ -10,8 +10,11 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     OUT,
     begun,
+    choose_units,
     click,
     later,
     ours_and_theirs,
@@ -164,6 +167,22 @@ def reported(view):
     return view.dock.told.text()
 
 
+def told(view):
+    """What the window tells in lengths, beside the simulator's values of the first run."""
+    dock, found = view.dock, view.runs[0].simulation
+    document = QtGui.QTextDocument()
+    document.setHtml(dock.totals.text())
+    rate = dock.plot._drawn()[0][1]
+    return {
+        "totals": document.toPlainText().splitlines(),
+        "values": dock.values.text(),
+        "limit": [dock.limits.removal_rate.value(), dock.limits.removal_rate.suffix()],
+        "limits": view.limits(),
+        "axis": [rate.get_ylabel(), rate.get_ylim()[1]],
+        "found": [found.removal_rate_peak, found.rest_area],
+    }
+
+
 def points_of(faces):
     """The vertices of a set of faces in Coin."""
     vertices = faces.vertexProperty.getValue()
@@ -245,8 +264,13 @@ def session():
     view.dock.limits.force_peak.setValue(95)
     later(100)
     picture("machine")
+    choose_units(INCHES)
+    result["inches"] = told(view)
+    picture("inches")
     result["refused"] = written(view)
     result["reported"] = reported(view)
+    choose_units(METRIC)
+    result["mm"] = told(view)
     result["samples"] = sum(len(each.time) for each in view.runs)
     # A change is followed; the end of an operation ends it, and its user does.
     ours.EngagementAngle, ours.WallPass = 40, False

@@ -12,8 +12,11 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
     OUT,
     answering,
+    choose_units,
     click,
     later,
     picture,
@@ -38,6 +41,26 @@ def settled(window):
 
 def text_of(window):
     return window.told.text()
+
+
+def in_inches(window):
+    """What the window tells with inches, beside the values; and with mm again."""
+    best, read = window.best, window.read
+    seen = {"best": [best.depth, best.removal_rate, best.surface_location_error, read.removal_rate]}
+    before = window.asked().depth, window._box()
+    for name, schema in (("inches", INCHES), ("mm", METRIC)):
+        choose_units(schema)
+        window.view._render()
+        seen[name] = {
+            "told": [window.told.text(), window.found.text()],
+            "boxes": [box.text() for box in (window.cut.depth, window.chart.to_depth)],
+            "error": window.limits.error.suffix(),
+            "axis": window.view._axes.get_ylabel(),
+            "ticks": [each.get_text() for each in window.view._axes.get_yticklabels()],
+            "is_same": (window.asked().depth, window._box()) == before,
+        }
+        grab(window, "stability_" + name)
+    return seen
 
 
 def cut_off(window):
@@ -239,6 +262,7 @@ def session():
         window.cut.cut_mode.currentData(),
     ]
     grab(window, "best")
+    result["units"] = in_inches(window)
     click(window.apply_button)
     settled(window)
     result["best_taken"], result["best_verdict"] = state(op), text_of(window)

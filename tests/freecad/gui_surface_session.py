@@ -13,7 +13,19 @@ from PySide import QtCore, QtGui
 
 sys.path.insert(0, os.path.dirname(os.path.abspath(__file__)))
 from finishing_parts import part, upper  # noqa: E402
-from gui_tools import OUT, begun, later, picture, result, run, until, widgets  # noqa: E402
+from gui_tools import (  # noqa: E402
+    INCHES,
+    METRIC,
+    OUT,
+    begun,
+    choose_units,
+    later,
+    picture,
+    result,
+    run,
+    until,
+    widgets,
+)
 
 NODE = "EvenLoadSurface"
 
@@ -87,7 +99,7 @@ def seen_of(view):
             "kinds": len({tuple(c.getValue()) for c in node._colour.rgb.getValues()[::50]}),
             "largest": float(known.max()),
             "some": colours_at(view),
-            "scale": [legend._least, legend._largest],
+            "scale": [legend._least, scale_of(legend)[1]],
             "swatches": [text for _, text in legend.swatches()],
         }
         FreeCADGui.SendMsgToActiveView("ViewFit")
@@ -133,23 +145,25 @@ def aim_after_flight(view):
     return [list(aim.getValue()), list(map(float, place)), camera.height.getValue()]
 
 
+def scale_of(legend):
+    """(the unit of a legend's scale, its largest value in that unit)"""
+    unit = legend._measure.quantity.shown
+    return unit.name, legend._largest / unit.size
+
+
 def in_other_units(view):
     """What the dock shows with inches, and in a language with a decimal comma."""
-    units = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units")
-    units.SetInt("UserSchema", 3)
-    FreeCAD.Units.setSchema(3)
-    later(100)
+    choose_units(INCHES)
     legend = view.dock.legend
-    found = {"inches": [view.dock.figures.text(), legend._measure.unit, legend._largest]}
+    found = {"inches": [view.dock.figures.text(), *scale_of(legend)]}
     picture("surface_inches")
-    units.SetInt("UserSchema", 6)
-    FreeCAD.Units.setSchema(6)
+    choose_units(METRIC)
     before = QtCore.QLocale()
     QtCore.QLocale.setDefault(QtCore.QLocale("de_DE"))
     later(100)
     view.dock.choice.setCurrentIndex(1)
     view.dock.choice.setCurrentIndex(0)
-    found["comma"] = [view.dock.figures.text(), legend._measure.unit, legend._largest]
+    found["comma"] = [view.dock.figures.text(), *scale_of(legend)]
     QtCore.QLocale.setDefault(before)
     return found
 

@@ -16,6 +16,7 @@ from PySide import QtCore, QtGui
 
 OUT = os.environ["EVENLOAD_GUI_OUT"]
 MOST = 120  # s that anything is waited for, on a machine that others use
+METRIC, INCHES = 6, 3  # FreeCAD's unit schemas: mm and mm/min, decimal inches
 LAST_ERROR = "The session ends."  # stands in the report view, or its errors were not seen
 result = {}
 # Sentences that the script provokes: the only errors that the report view may hold at the end.
@@ -202,7 +203,14 @@ def set_up():
         settings = FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Mod/" + module)
         settings.SetBool("WarningSuppressVelocity", True)
         settings.SetBool("WarningSuppressSelectionMode", True)
-    FreeCAD.Units.setSchema(6)
+    FreeCAD.Units.setSchema(METRIC)
+
+
+def choose_units(schema):
+    """Has FreeCAD show values as a user chooses in its preferences."""
+    FreeCAD.Units.setSchema(schema)
+    FreeCAD.ParamGet("User parameter:BaseApp/Preferences/Units").SetInt("UserSchema", schema)
+    later(100)
 
 
 def with_plain_views():

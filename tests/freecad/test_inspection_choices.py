@@ -75,7 +75,7 @@ def test_lengths_are_shown_and_read_in_inches_where_the_user_chose_these(session
     assert seen["legend"] == "in" and seen["roughness"].strip() == "µin"
     assert seen["typed"] == pytest.approx(0.0004 * 25.4)
     assert "margin of 10 in leaves nothing" in seen["refused"]
-    assert "lies 1.181 in from the faces" in seen["far"] and "mm" not in seen["far"]
+    assert "lies 1.1811 in from the faces" in seen["far"] and "mm" not in seen["far"]
 
 
 def test_reports_are_in_inches_then_and_files_of_points_in_mm(session):

@@ -24,6 +24,8 @@ COMMANDS = (
 )
 CONTEXT = "EvenLoad"
 ENGLISH = re.compile(r"\b(the|of|and|with|from|which|shows?|its)\b")
+# Forces are in N with each unit schema, and so is what is measured by them.
+METRIC = re.compile(r"\b(mm|m/min)\b|[mc]m[²³]|(?<!N/)µm")
 # With FreeCAD set to a language, as its preferences keep it.
 CONFIGURATION = """<?xml version="1.0" encoding="UTF-8" standalone="no" ?>
 <FCParameters><FCParamGroup Name="Root"><FCParamGroup Name="BaseApp">
@@ -94,8 +96,10 @@ def test_commands_have_their_names_in_the_language(kind, known, request):
     assert len(seen) == len(names)
 
 
-def test_panels_fit_into_freecads_narrow_dock(panels):
-    fits = {k: v for seen in panels["panels"].values() for k, v in seen["fit"].items()}
+@pytest.mark.parametrize("units", ["mm", "inches"])
+def test_panels_fit_into_freecads_narrow_dock(panels, units):
+    found = panels if units == "mm" else panels["in_inches"]
+    fits = {k: v for seen in found["panels"].values() for k, v in seen["fit"].items()}
     widths = [int(name.split()[1]) for name in fits]
     assert widths.count(264) == widths.count(300) == 8
     assert {name: found for name, found in fits.items() if found} == {}
@@ -113,6 +117,32 @@ def test_docks_have_no_english_texts(docks, known):
     assert len(docks["docks"]) == 8
     for name, texts in docks["docks"].items():
         assert len(texts) > 10 and _in_english(texts, known) == [], name
+
+
+def test_docks_show_no_metric_unit_in_inches(docks):
+    for name, texts in docks["docks_in_inches"].items():
+        assert [text for text in texts if METRIC.search(text)] == [], name
+        # What is seen is not the same for want of anything to convert.
+        has_metric = any(METRIC.search(text) for text in docks["docks"][name])
+        assert has_metric == (texts != docks["docks"][name])
+
+
+def test_panels_show_no_metric_unit_in_inches(panels):
+    found = panels["in_inches"]
+    for command, seen in found["panels"].items():
+        texts = [*seen["texts"], *seen["status"].splitlines()]
+        assert [text for text in texts if METRIC.search(text)] == [], command
+        tips = [text for text in texts if "0.00394 in" in text]  # the mean over 0.1 mm
+        assert len(tips) == (command != "EvenLoad_Finishing")
+    assert "10.04 in/min" in found["refused"]["status"]
+    assert not METRIC.search(found["refused"]["status"])
+
+
+def test_notes_are_in_inches_and_are_kept_in_mm(panels):
+    (status, report), (_, before) = panels["in_inches"]["notes"], panels["notes"]
+    assert report == before and "0.0354 in" in status and not METRIC.search(status)
+    x, y = map(float, re.search(r"\((\d+\.\d+), (\d+\.\d+)\)", report).groups())
+    assert "(%.4f, %.4f)" % (x / 25.4, y / 25.4) in status
 
 
 def test_choices_are_shown_in_the_language_and_stored_in_english(panels, known):

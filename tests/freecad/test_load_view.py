@@ -110,6 +110,20 @@ def test_fly_to_the_worst_goes_where_the_value_is_largest(session):
     assert seen["largest"][0] < 63  # of the operation at 60 degrees
 
 
+def test_the_open_dock_follows_the_units_that_the_user_chooses(session):
+    seen = session["units"]
+    rate, feed, chip, force = seen["values"]
+    assert rate > 100 and chip > 1e-3
+    told = dict(zip(seen["inches"][::2], seen["inches"][1::2]))
+    assert told["Removal rate"] == "%.4f in³/min" % (rate / 25.4**3)
+    assert told["Feed"] == "%.1f in/min" % (feed / 25.4)
+    assert told["Chip thickness"] == "%.5f in" % (chip / 25.4)
+    assert told["Force"] == "%.0f N" % force
+    told = dict(zip(seen["mm"][::2], seen["mm"][1::2]))
+    assert told["Removal rate"] == "%.0f mm³/min" % rate
+    assert told["Chip thickness"] == "%.4f mm" % chip
+
+
 def test_it_follows_each_computation(session):
     degrees, nodes, docks = session["followed"]
     assert 35 < degrees < 45 and nodes == docks == 1 and session["same_view"]

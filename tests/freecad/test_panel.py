@@ -122,6 +122,14 @@ def test_a_click_on_a_place_in_a_note_flies_there_and_wishes_are_folded(session)
     assert seen["middle"] == pytest.approx([x, y, -3.0], abs=0.01)
 
 
+def test_a_click_on_a_place_that_is_told_in_inches_flies_to_the_same(session):
+    seen, in_mm = session["notes in inches"], session["notes"]
+    assert "Turned more tightly than the wished 0.0354 in" in seen["text"]
+    assert not re.search(r"\bmm\b|mm²", seen["text"])
+    assert seen["place"] == in_mm["place"]
+    assert seen["middle"] == pytest.approx(in_mm["middle"], abs=1e-3)
+
+
 WISH = "Turned more tightly than the wished 0.900 mm in corners, down to 0.1 mm near (3.000, 4.5)."
 
 

@@ -1,6 +1,7 @@
 """The window Simulation, used in FreeCAD's GUI (see gui_simulation_session.py)."""
 
 import csv
+import re
 
 import pytest
 from conftest import in_gui
@@ -103,6 +104,33 @@ def test_the_report_of_the_job_has_its_operations_times_and_pictures(session, fo
     assert text.count("<h2>Ours</h2>") == text.count("<h2>Theirs</h2>") == 1
     assert text.count("data:image/png;base64,") == 6
     assert "hobby_router_grbl" in text and "No incidents" in text
+
+
+def test_it_follows_the_units_that_the_user_chooses(session):
+    inches, mm = session["inches"], session["mm"]
+    assert inches["limits"] == mm["limits"]
+    limit, name = inches["limit"]
+    assert name == " in³/min" and limit == pytest.approx(mm["limit"][0] * 1e3 / 25.4**3, abs=1e-4)
+    assert mm["limit"][1] == " cm³/min"
+    rate, rest = inches["found"]
+    figures = {each: inches["totals"][k + 1] for k, each in enumerate(inches["totals"][:-1])}
+    assert figures["Removal rate, in³/min"] == "%.3g" % (rate / 25.4**3)
+    assert figures["\u25a0 Rest, in²"] == "%.3g" % (rest / 25.4**2)
+    assert "\u25a0 Gouge, in" in figures and " in/min" in inches["values"]
+    (label, top), (metric_label, metric_top) = inches["axis"], mm["axis"]
+    assert "in³/min" in label and "cm³/min" in metric_label
+    assert top == pytest.approx(metric_top * 1e3 / 25.4**3)
+
+
+def test_files_for_people_are_in_their_units_and_those_for_programs_in_mm(session, folder):
+    assert "in³/min" in (folder / "plots.svg").read_text()
+    text = (folder / "report.html").read_text()
+    assert "<th>Removal rate, in³/min</th>" in text and "<th>Rest, in²</th>" in text
+    assert "\u00d8 0.23622 in" in text
+    assert re.search(r"\bmm\b|cm³|mm²", re.sub("<style>.*?</style>", "", text, flags=re.S)) is None
+    head = next(csv.reader((folder / "samples.csv").open()))
+    assert {"x, mm", "Feed, mm/min"} <= set(head)
+    assert not any(re.search(r"\bin\b", each) for each in head)
 
 
 def test_it_follows_each_computation_and_can_be_cancelled(session):

@@ -1,5 +1,7 @@
 """The window Stability chart, used in FreeCAD's GUI (see gui_stability_session.py)."""
 
+import re
+
 import numpy
 import pytest
 from conftest import in_gui
@@ -73,6 +75,23 @@ def test_apply_keeps_the_feed_per_tooth_and_is_one_step_to_undo(session):
         assert after[feed] / after["speed"] == pytest.approx(before[feed] / before["speed"])
     assert session["after_verdict"].startswith("The cut is stable")
     assert session["undone"] == before and session["redone"] == after
+
+
+def test_it_follows_the_units_that_the_user_chooses(session):
+    seen, metric = session["units"]["inches"], session["units"]["mm"]
+    depth, rate, error, now = session["units"]["best"]
+    assert seen["is_same"] and metric["is_same"]
+    assert seen["boxes"][0] == "%.5f in" % (depth / 25.4) and seen["error"] == " in"
+    verdict, best = seen["told"]
+    shown = float(re.search(r"rev/min and ([\d.]+) in", verdict)[1])
+    assert shown == pytest.approx(depth / 25.4, rel=5e-3)  # three digits in mm
+    assert best.startswith("Removes %.3g in³/min, now %.3g" % (rate / 25.4**3, now / 25.4**3))
+    assert "location error %.4f in," % (error / 25.4) in best
+    assert not re.search(r"\bmm\b|cm³|µm", verdict + best)
+    assert seen["axis"] == "axial depth, in" and metric["axis"] == "axial depth, mm"
+    ticks = [float(each) for each in seen["ticks"]]
+    assert len(ticks) > 2 and max(ticks) < 2 * float(seen["boxes"][1].split()[0])
+    assert metric["boxes"][0] == "%.3f mm" % depth and "cm³/min" in metric["told"][1]
 
 
 def test_the_best_cut_is_shown_and_taken(session):

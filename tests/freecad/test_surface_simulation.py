@@ -1,6 +1,7 @@
 """What a Finishing operation leaves on its faces, on the source's test parts and simple bodies."""
 
 import math
+import re
 import tracemalloc
 
 import FreeCAD
@@ -10,7 +11,7 @@ import Path
 import pytest
 from finishing_parts import DOME, part, upper
 
-from evenload import ball_end, compiled, host, surface_simulation, waiting
+from evenload import ball_end, compiled, host, surface_simulation, units, waiting
 from evenload.operations import finishing
 from evenload.settings.table import EVEN_CUSPS
 from evenload.surface_simulation import nearest, rough, rough_map
@@ -322,7 +323,7 @@ def test_faces_narrower_than_a_cell_have_one_row_of_them(plane):
 
 
 @pytest.mark.parametrize("what", PICTURES)
-def test_each_picture_is_written(plane, few_patches, tmp_path, what):
+def test_each_picture_is_written(plane, few_patches, tmp_path, what, monkeypatch):
     _, op = plane
     found = surface_simulation.simulate(op, resolution=0.2)
     found.picture(tmp_path / "map.png", what)
@@ -330,6 +331,10 @@ def test_each_picture_is_written(plane, few_patches, tmp_path, what):
     found.picture(tmp_path / "map.svg", what)
     text = (tmp_path / "map.svg").read_text()
     assert op.Label in text and ("µm" in text or "%" in text)
+    monkeypatch.setattr(units, "shows_inches", lambda: True)
+    found.picture(tmp_path / "map.svg", what)
+    text = "".join(re.findall("<text[^>]*>([^<]*)</text>", (tmp_path / "map.svg").read_text()))
+    assert op.Label in text and "in" in text and not re.search(r"\bmm\b|mm²|µm", text)
 
 
 def test_what_cannot_be_is_refused_in_a_sentence(plane):

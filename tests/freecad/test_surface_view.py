@@ -53,7 +53,7 @@ def test_inches_and_decimal_commas_are_the_user_s(session):
     mean, scale = session["mean_cusp"], session["seen"]["cusp"]["scale"][1]
     figures, unit, largest = session["units"]["inches"]
     assert "%.1f µin" % (mean / 25.4e-6) in figures and "µm" not in figures
-    assert "%.3f in²" % (session["uncovered"] / 25.4**2) in figures
+    assert "%.4f in²" % (session["uncovered"] / 25.4**2) in figures
     assert unit == "µin" and largest == pytest.approx(scale * 1e-3 / 25.4e-6)
     figures, unit, largest = session["units"]["comma"]
     assert ("%.2f µm" % (1e3 * mean)).replace(".", ",") in figures

@@ -24,7 +24,7 @@ def test_sentences_are_as_they_were_with_metric_units():
 @pytest.mark.parametrize(
     "metric, imperial",
     [
-        ("wished 0.750 mm in narrow places", "wished 0.02953 in in narrow places"),
+        ("wished 0.750 mm in narrow places", "wished 0.0295 in in narrow places"),
         ("SideStep is 30 mm: it must", "SideStep is 1.1811 in: it must"),
         ("down to -12.7 mm.", "down to -0.5 in."),
         ("1.20 mm² stay uncut", "0.00186 in² stay uncut"),
@@ -34,7 +34,8 @@ def test_sentences_are_as_they_were_with_metric_units():
         ("removes 16.387064 cm³/min", "removes 1 in³/min"),
         ("a cutting speed of 100 m/min.", "a cutting speed of 328.1 ft/min."),
         ("a mean thickness of 3.21 µm.", "a mean thickness of 126.4 µin."),
-        ("a tolerance of 1e-05 mm", "a tolerance of 0.0000003937 in"),
+        ("more than 10 m beyond the stock", "more than 32.8 ft beyond the stock"),
+        ("a tolerance of 1e-05 mm", "a tolerance of 0.000000394 in"),
         ("it is 0 mm: it must", "it is 0 in: it must"),
         ("an inch, 25,4 mm lang", "an inch, 1 in lang"),
         ("25,5 mm lang", "1,0039 in lang"),

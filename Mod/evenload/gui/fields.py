@@ -170,6 +170,7 @@ def show(widget, value, point=None):
     elif isinstance(widget, TakenObjects):
         widget.set_objects(value)
     elif isinstance(widget, FineBox):
+        widget.show_units()
         widget.set_mm(value.Value)
     elif isinstance(widget, QtGui.QAbstractSpinBox):
         widget.setValue(value)

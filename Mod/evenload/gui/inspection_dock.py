@@ -13,12 +13,19 @@ from evenload.gui.load_legend import NAMES, Legend
 from evenload.gui.shaded import Shaded
 from evenload.gui.stability_layout import button
 from evenload.inspection.points import SHOWN, mm_per
+from evenload.units import Quantity, Unit
 
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadInspection"  # of the dock
 WIDTH = 264  # pixels, as FreeCAD's own dock has at first
 MARGINS = 4, 4, 4, 4  # pixels around what stands in each other: there is little room
+DEVIATION = load_colours.Measure(
+    "deviation",
+    "Deviation",
+    Quantity(*(Unit(name, mm_per(key), digits) for key, (name, digits) in SHOWN.items())),
+    tuple(NAMES),
+)
 TO_MEASURE, MEASURED, PREDICTED = 0, 1, 2  # the numbers of the tabs
 
 
@@ -27,12 +34,9 @@ class DeviationLegend(Legend):
 
     has_beyond = False
 
-    def show_deviations(self, largest, named):
-        """The scale from -largest to largest, mm, in a unit."""
-        name, decimals = SHOWN[named]
-        measure = load_colours.Measure("deviation", "Deviation", name, decimals, tuple(NAMES))
-        shown = largest / mm_per(named)
-        self.show_scale(measure, -shown, shown, None)
+    def show_deviations(self, largest):
+        """The scale from -largest to largest, mm."""
+        self.show_scale(DEVIATION, -largest, largest, None)
 
     def swatches(self):
         words = _translate("EvenLoad", "point beyond the tolerance")

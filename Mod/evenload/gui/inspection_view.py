@@ -198,7 +198,7 @@ class InspectionView(Measuring, Predicting):
         self.node.show_map(triangles, size, values, points, found.is_beyond, largest)
         legend = self.dock.legend
         legend.has_beyond = found.is_beyond is not None and bool(found.is_beyond.any())
-        legend.show_deviations(largest, unit())
+        legend.show_deviations(largest)
 
     def _enable(self):
         dock = self.dock

@@ -33,6 +33,10 @@ class LengthBox(fields.FineBox):
     def mm(self):
         return self._set if self.value() == self._shown else super().mm()
 
+    def rounded(self, length):
+        """A length in mm as it would be shown."""
+        return round(length / self._factor, self.decimals()) * self._factor
+
     def follow_units(self):
         """Shows its length in the units that the user has chosen by now; tells nobody."""
         length = self.mm()

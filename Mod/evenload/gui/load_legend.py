@@ -4,6 +4,7 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.gui import load_colours, preferences
+from evenload.gui.values import told
 from evenload.planar import CUT, ENTRY, LINK, RAPID
 
 BAR = 14  # pixels
@@ -83,15 +84,6 @@ class Legend(QtGui.QWidget):
             painter.setPen(self.palette().windowText().color())
             painter.drawText(x + BAR + 4, top + metrics.ascent() - 1, text)
             x += width + 12
-
-
-def told(quantity, value):
-    """A value with its unit, both as the user has chosen."""
-    unit = quantity.shown
-    name = unit.name if unit.name == "°" else " " + unit.name
-    locale = QtCore.QLocale()  # FreeCAD's: the decimal sign is the user's
-    locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
-    return locale.toString(float(value) / unit.size, "f", unit.digits) + name
 
 
 def _qt(colour):

@@ -11,12 +11,12 @@ from evenload.gui import colours, load_colours, preferences, simulation_task, vi
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.load_colours import KIND, MEASURES
 from evenload.gui.load_dock import LoadDock
-from evenload.gui.load_legend import told
 from evenload.gui.load_node import LoadNode
 from evenload.gui.measure_dock import table_of
 from evenload.gui.observer import observer_of_paths
 from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
+from evenload.gui.values import told
 from evenload.settings.properties import is_ours
 from evenload.settings.sentences import shown
 from evenload.simulation import job

@@ -89,6 +89,7 @@ class PageWidgets:
     def _show(self, row, value):
         widget = self.defaults[row.name]
         if row.is_fine:
+            widget.show_units()
             widget.set_mm(value)
         elif row.type in OWN_UNITS:
             widget.setProperty("unit", OWN_UNITS[row.type])

@@ -112,7 +112,7 @@ class StabilityWindow(manual.Dialog):
             found = stability.read_without_modes(self.operation)
             cuts.check(found)
         except ValueError as error:
-            self._tell(str(error), BAD)
+            self.told.tell(str(error), BAD)
             self.view.show_message(str(error))
             return False
         finally:
@@ -157,14 +157,14 @@ class StabilityWindow(manual.Dialog):
         missing = self.modes.problem or (not self.modes.modes and self._what_to_do())
         if missing:
             self.view.show_message(missing)
-            self._tell(missing, BAD if self.modes.problem else QUIET)
+            self.told.tell(missing, BAD if self.modes.problem else QUIET)
             return
         cut, box = self.asked(), self._box()
         if box[0][0] >= box[0][1]:
-            self._tell(_translate("EvenLoad", "The chart's speeds must rise."), BAD)
+            self.told.tell(_translate("EvenLoad", "The chart's speeds must rise."), BAD)
             return
         self.view.show_points((self.read.speed, self.read.depth), (cut.speed, cut.depth), None)
-        self._tell(_translate("EvenLoad", "Computing"), QUIET)
+        self.told.tell(_translate("EvenLoad", "Computing"), QUIET)
         self.worker.start(lambda: chart_of(cut, box))
         self.timer.start()
 
@@ -205,7 +205,7 @@ class StabilityWindow(manual.Dialog):
         if is_done:
             self.timer.stop()
         for result in self.worker.results():
-            self._show(result, self._tell)
+            self._show(result, self.told.tell)
         for result in self.searcher.results():
             self._show(result, self.found.tell)
 
@@ -229,7 +229,7 @@ class StabilityWindow(manual.Dialog):
         elif kind == "stable":
             self.view.show_points(self.view.operation, self.view.point, found)
         elif kind == "verdict":
-            self._tell(
+            self.told.tell(
                 "\n".join([found.sentence, *self.read.notes, *self.modes.notes]),
                 GOOD if found.is_stable else BAD,
                 self._shared(),
@@ -249,18 +249,11 @@ class StabilityWindow(manual.Dialog):
             self.found.tell(_translate("EvenLoad", "No cut in the chart keeps the limits."))
             return
         self._tell_best()
-        self.cut.show_values(speed=found.speed, depth=found.depth, cut_mode=found.cut_mode)
-        self.recompute()
+        self._show_chosen(found.speed, found.depth, cut_mode=found.cut_mode)
 
     def _tell_best(self):
-        rate, error = units.LARGE_RATE.shown, units.ERROR.shown
-        told = _translate("EvenLoad", "Removes %.3g %s, now %.3g; location error %s, force %.0f N.")
-        told %= (
-            *(self.best.removal_rate / rate.size, rate.name, self.read.removal_rate / rate.size),
-            error.told(self.best.surface_location_error),
-            choice.force_at(self.asked(), self.best.depth),
-        )
-        self.found.tell("", named=told)
+        force = choice.force_at(self.asked(), self.best.depth)
+        self.found.tell("", named=_told_of(self.best, self.read.removal_rate, force))
 
     def follow_units(self):
         """Shows all in the units that the user has chosen by now."""
@@ -274,8 +267,11 @@ class StabilityWindow(manual.Dialog):
     # ---- what the user does ----
 
     def _point_chosen(self):
-        speed, depth = self.view.point
-        self.cut.show_values(speed=speed, depth=depth)
+        self._show_chosen(*self.view.point)
+
+    def _show_chosen(self, speed, depth, **others):
+        """Shows a cut that was chosen in the chart, rounded: so it is judged and taken."""
+        self.cut.show_values(speed=speed, depth=self.cut.depth.rounded(depth), **others)
         self.recompute()
 
     def _modes_changed(self):
@@ -285,7 +281,7 @@ class StabilityWindow(manual.Dialog):
         if not self.modes.problem and controller is not None:
             refusal = steps.refusal(self.operation)
             if refusal:
-                self._tell(refusal, BAD)
+                self.told.tell(refusal, BAD)
                 return
             name = _translate("EvenLoad", "Modes of vibration")
             with steps.step(self.operation.Document, self.operation, name):
@@ -300,7 +296,7 @@ class StabilityWindow(manual.Dialog):
             return
         refusal = steps.refusal(None)
         if refusal:
-            self._tell(refusal, BAD)
+            self.told.tell(refusal, BAD)
             return
         asked = self.asked()
         wanted = {
@@ -311,7 +307,7 @@ class StabilityWindow(manual.Dialog):
         taking.take(self.operation, **wanted)
         if not self.operation.isValid():
             why = getattr(self.operation, "Report", "") or self.operation.getStatusString()
-            self._tell(why, BAD)
+            self.told.tell(why, BAD)
             return
         if self._read():
             self.recompute()
@@ -327,5 +323,12 @@ class StabilityWindow(manual.Dialog):
         super().closeEvent(event)
         self.closed.emit()
 
-    def _tell(self, text, colour, named=""):
-        self.told.tell(text, colour, named)
+
+def _told_of(best, rate_now, force):
+    """What the best cut is, in a sentence. rate_now: mm3/min of the operation's own; force: N."""
+    rate, error = units.LARGE_RATE.shown, units.ERROR.shown
+    told = _translate("EvenLoad", "Removes %.3g %s, now %.3g; location error %s, force %.0f N.")
+    return told % (
+        *(best.removal_rate / rate.size, rate.name, rate_now / rate.size),
+        *(error.told(best.surface_location_error), force),
+    )

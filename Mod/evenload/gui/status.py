@@ -9,6 +9,7 @@ from PySide import QtCore, QtGui
 
 from evenload.gui import colours
 from evenload.gui.slots import slot, telling_slot
+from evenload.gui.values import told
 from evenload import units
 from evenload.settings import notes
 from evenload.words import clock
@@ -50,7 +51,6 @@ def figures_of(values):
     """[(what is told, explanation), ...] of the results of a path, as values_of() has them."""
     if not values["CuttingTime"] > 0:
         return []
-    area = FreeCAD.Units.Quantity(values["UncutArea"], FreeCAD.Units.Area)
     times = clock(values["CuttingTime"])
     if values["IdealTime"] > 0:
         ratio = values["CuttingTime"] / values["IdealTime"]
@@ -72,7 +72,7 @@ def figures_of(values):
             ),
         ),
         (
-            _translate("EvenLoad", "Uncut %s") % area.UserString,
+            _translate("EvenLoad", "Uncut %s") % told(units.AREA, values["UncutArea"]),
             _translate("EvenLoad", "Area that the tool could reach and did not clear"),
         ),
         (
@@ -127,9 +127,9 @@ class Status:
             '<span style="color:%s"><b>%s</b></span> %s' % (shade, mark, self._linked(sentence))
         )
         # What was computed before a change still stands: its path is the one that is seen.
-        told = figures if state != FAILED else []
-        told = [*told, *[("", "")] * (len(self._figures) - len(told))]
-        for label, (text, tip) in zip(self._figures, told):
+        lines = figures if state != FAILED else []
+        lines = [*lines, *[("", "")] * (len(self._figures) - len(lines))]
+        for label, (text, tip) in zip(self._figures, lines):
             label.setText(text)
             label.setToolTip(tip)
             label.setEnabled(state in (VALID, PREVIEW))

@@ -14,13 +14,13 @@ from evenload.gui import (
     view3d,
 )
 from evenload.gui.length_box import UnitsWatch
-from evenload.gui.load_legend import told
 from evenload.gui.observer import Observer
 from evenload.gui.running import Running
 from evenload.gui.slots import slot, telling_slot
 from evenload.gui.surface_dock import SurfaceDock
 from evenload.gui.surface_measures import MEASURES
 from evenload.gui.surface_node import SurfaceNode
+from evenload.gui.values import told
 
 _translate = FreeCAD.Qt.translate
 

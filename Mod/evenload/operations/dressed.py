@@ -7,7 +7,7 @@ docs/dressups.md has the dressups that work.
 import FreeCAD
 import Path
 
-from evenload import host
+from evenload import host, units
 
 FARTHEST = 10_000.0  # mm beyond the stock: no machine for which these paths are made goes there
 
@@ -50,8 +50,9 @@ def _beyond(commands, box):
 
 
 def _sentence(dressup, operation):
-    return FreeCAD.Qt.translate(
+    told = FreeCAD.Qt.translate(
         "EvenLoad",
         "'%s' would send the tool more than 10 m beyond the stock, and its path was emptied: it "
         "does not suit '%s'.",
-    ) % (dressup.Label, operation.Label)
+    )
+    return units.in_users_unit(told % (dressup.Label, operation.Label))

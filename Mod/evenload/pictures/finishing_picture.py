@@ -1,6 +1,6 @@
 """Pictures of finishing paths seen from above, coloured by height."""
 
-from evenload import planar
+from evenload import planar, units
 from evenload.pictures import path_picture
 from evenload.translation import translate
 
@@ -20,6 +20,10 @@ def picture(op, path):
 def draw(path, moves, title):
     """The same for moves as the core returns them."""
     lowest = min(move[3] for move in moves if move[0] == planar.CUT)
-    samples = [(x, y, z - lowest, kind) for (x, y, z), kind in zip(*planar.drawn(moves))]
-    meaning = translate("height of the tool's tip above z = %.3f, mm") % lowest
+    unit = units.LENGTH.shown
+    samples = [
+        (x, y, (z - lowest) / unit.size, kind) for (x, y, z), kind in zip(*planar.drawn(moves))
+    ]
+    meaning = translate("height of the tool's tip above z = %.3f, %s")
+    meaning %= lowest / unit.size, unit.name
     path_picture.draw(path, samples, [], None, title, meaning)

@@ -1,10 +1,14 @@
-"""Pictures of a surface that was simulated, seen from above, by matplotlib."""
+"""Pictures of a surface that was simulated, seen from above, by matplotlib.
+
+Made in FreeCAD's window they are in the user's units, else in mm and µm.
+"""
 
 import matplotlib
 import numpy
 from matplotlib.colors import ListedColormap, Normalize
 
-from evenload.pictures.figure import new_figure, seen_from_above
+from evenload import units
+from evenload.pictures.figure import new_figure, seen_from_above, tell_lengths
 from evenload.pictures.figure import save as save_figure
 
 SIZE = 7.5, 6.2  # inches
@@ -14,7 +18,7 @@ COLOURS = "viridis"  # its lightness rises evenly: the picture can be read in gr
 SHOWN_SHARE = 99.5  # % of the cells whose values the scale reaches: single corners may stand high
 MICRONS = 1e3  # of a mm
 LEAST_GOUGE = 1e-3  # mm: less is rounding
-LEAST_SCALE = 1e-2  # µm, of a scale's largest value
+LEAST_SCALE = 1e-2  # of a scale's largest value, in what it tells
 
 
 def save(simulation, path, what):
@@ -35,7 +39,7 @@ def _cusp(simulation):
     if simulation.wish_share is not None:
         wish = 100 * simulation.wish_share, MICRONS * simulation.wish
         title += "\n%.0f %% within 10 %% of the wished %.2f µm" % wish
-    return _map(simulation, MICRONS * simulation.cusp, "cusp height, µm", title)
+    return _map_of_heights(simulation, simulation.cusp, "cusp height", title)
 
 
 def _rest(simulation):
@@ -44,7 +48,7 @@ def _rest(simulation):
         simulation.uncovered_area,
         simulation.uncovered_area + simulation.covered_area,
     )
-    return _map(simulation, MICRONS * rest, "above the part, µm", title)
+    return _map_of_heights(simulation, rest, "above the part", title)
 
 
 def _gouge(simulation):
@@ -53,12 +57,13 @@ def _gouge(simulation):
     if at is not None:
         deepest = MICRONS * simulation.gouge_mm
         title = "the part is cut into by %.2f µm" % deepest
-        title += ", at x = %.2f, y = %.2f, z = %.2f" % at
+        title += ", at (%.2f, %.2f, %.2f)" % at
     values = simulation.gouge_anywhere
     figure, axes = _figure(simulation, title)
     _ground(simulation, axes, numpy.isfinite(values))
-    shown = MICRONS * numpy.where(values > LEAST_GOUGE, values, numpy.nan)
-    _colours(figure, axes, simulation, shown, "below the part's surface, µm", "Reds")
+    shown, unit = numpy.where(values > LEAST_GOUGE, values, numpy.nan), units.ROUGHNESS.shown
+    meaning = "below the part's surface, " + unit.name
+    _colours(figure, axes, simulation, shown / unit.size, meaning, "Reds")
     if at is not None:
         axes.plot(*at[:2], "o", markerfacecolor="none", markeredgecolor=BAD, markersize=12)
     return figure
@@ -66,12 +71,12 @@ def _gouge(simulation):
 
 def _h_m(simulation):
     chips = simulation.chips
-    title = "mean chip thickness h_m of %.2f µm ± %.2f" % (
+    title = "mean chip thickness h_m of %.2f µm ± %.2f µm" % (
         MICRONS * chips.mean_thickness.mean(),
         MICRONS * chips.mean_thickness.std(),
     )
-    values = MICRONS * chips.on(simulation, chips.mean_thickness)
-    return _map(simulation, values, "mean chip thickness h_m, µm", title)
+    values = chips.on(simulation, chips.mean_thickness)
+    return _map_of_heights(simulation, values, "mean chip thickness h_m", title)
 
 
 def _tip_share(simulation):
@@ -95,34 +100,36 @@ def _rz(simulation, values, way):
         MICRONS * values.mean(),
         MICRONS * values.max(),
     )
-    on_cells = MICRONS * simulation.roughness_map.on(simulation, values)
-    return _map(simulation, on_cells, "R_z %s the feed, µm" % way, title)
+    on_cells = simulation.roughness_map.on(simulation, values)
+    return _map_of_heights(simulation, on_cells, "R_z %s the feed" % way, title)
 
 
 def _roughness(simulation):
     patch = simulation.roughness()
     figure = new_figure(*ROUGH_SIZE, layout="constrained")
-    figure.suptitle(
-        "%s at x = %.2f, y = %.2f\nalong the feed R_t %.2f, R_z %.2f µm; across it %.2f, %.2f µm"
+    title = (
+        "at (%.2f, %.2f)\nalong the feed R_t %.2f µm, R_z %.2f µm; across it %.2f µm, %.2f µm"
         % (
-            *(simulation.label, *patch.at),
+            *patch.at,
             *(MICRONS * patch.rt_along, MICRONS * patch.rz_along),
             *(MICRONS * patch.rt_across, MICRONS * patch.rz_across),
-        ),
-        fontsize=10,
+        )
     )
+    title = "%s %s" % (simulation.label, units.in_users_unit(title))
+    figure.suptitle(title, fontsize=10)
     above, below = figure.subplots(2, 1, height_ratios=(3, 1))
     half = patch.resolution * (len(patch.heights) - 1) / 2
-    heights = MICRONS * (patch.heights - numpy.nanmin(patch.heights))
+    unit = units.ROUGHNESS.shown
+    heights = (patch.heights - numpy.nanmin(patch.heights)) / unit.size
     shown = above.imshow(heights, origin="lower", extent=(-half, half, -half, half), cmap=COLOURS)
-    figure.colorbar(shown, ax=above, label="height, µm")
-    above.set_xlabel("along the feed, mm")
-    above.set_ylabel("across the feed, mm")
+    figure.colorbar(shown, ax=above, label="height, " + unit.name)
+    tell_lengths(above.xaxis, "along the feed, %s")
+    tell_lengths(above.yaxis, "across the feed, %s")
     places, middle = numpy.linspace(-half, half, len(heights)), len(heights) // 2
     below.plot(places, heights[middle], label="along the feed", color="#1a73e8")
     below.plot(places, heights[:, middle], label="across the feed", color="#b06000")
-    below.set_xlabel("mm from the middle")
-    below.set_ylabel("height, µm")
+    tell_lengths(below.xaxis, "%s from the middle")
+    below.set_ylabel("height, " + unit.name)
     below.legend(fontsize=8, frameon=False, loc="upper right")
     return figure
 
@@ -139,6 +146,12 @@ WHAT = {
 }
 
 
+def _map_of_heights(simulation, values, meaning, title):
+    """values: mm."""
+    unit = units.ROUGHNESS.shown
+    return _map(simulation, values / unit.size, "%s, %s" % (meaning, unit.name), title)
+
+
 def _map(simulation, values, meaning, title):
     figure, axes = _figure(simulation, title)
     _ground(simulation, axes, simulation.is_covered)
@@ -148,7 +161,7 @@ def _map(simulation, values, meaning, title):
 
 def _figure(simulation, title):
     figure = new_figure(*SIZE, layout="constrained")
-    figure.suptitle("%s: %s" % (simulation.label, title), fontsize=10)
+    figure.suptitle("%s: %s" % (simulation.label, units.in_users_unit(title)), fontsize=10)
     axes = figure.subplots()
     seen_from_above(axes)
     return figure, axes
