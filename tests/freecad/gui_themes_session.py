@@ -42,8 +42,9 @@ def load_of(op, name):
     from evenload.gui.load_legend import BAR
 
     view = load_view.show(op)
+    until(lambda: not view.task.is_busy)
     picture("load_" + name)
-    legend = view.legend
+    legend = view.dock.legend
     ends = QtCore.QRect(0, BAR + 1, legend.width(), legend.fontMetrics().height())
     found = looked_at(view.dock.widget(), painted(QtGui.QLabel, legend, "ends", ends))
     load_view.close()
