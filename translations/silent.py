@@ -71,8 +71,19 @@ _SILENT = re.compile(
     r"\(\?.*"  # expressions
 )
 _WORDS = {
-    *("Active", "Angle", "Base", "Edge", "FreeCAD", "Job", "Label", "Length", "Operations"),
-    *("Path", "Pixmap", "Placement", "Report", "Resources", "Shape", "Size", "Value", "Velocity"),
+    *("Active", "Angle", "Base", "Edge", "FreeCAD", "Group", "Job", "Label", "Length"),
+    *(
+        "Operations",
+        "Path",
+        "Pixmap",
+        "Placement",
+        "Report",
+        "Resources",
+        "Shape",
+        "Size",
+        "Value",
+        "Velocity",
+    ),
     *("Up-to-date", "MenuText", "ToolTip", "xx", "yy", "DMIS", "Halton-Zaremba", "arc length"),
     *("m/N", "mm/N", "um/N", "uin/lbf", "g/N", "(m/s)/N", "(m/s2)/N", "N/µm", "Hz", " Hz", "kN/m"),
     *("mm", "N", "%s, Ø %.5g %s", "%.12g mm/min"),

@@ -5148,6 +5148,14 @@
         <source>height of the tool&apos;s tip above z = %.3f, %s</source>
         <translation>Höhe der Werkzeugspitze über z = %.3f, %s</translation>
     </message>
+    <message>
+        <source>EngagementAngle and SideStep both have an expression, though each sets the other: take one of the two away.</source>
+        <translation>[EngagementAngle] und [SideStep] haben beide einen Ausdruck, obwohl jedes das andere setzt: einen der beiden entfernen.</translation>
+    </message>
+    <message>
+        <source>cut along a wall</source>
+        <translation>Schnitt entlang einer Wand</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

@@ -5148,6 +5148,14 @@
         <source>height of the tool&apos;s tip above z = %.3f, %s</source>
         <translation>a szerszámcsúcs magassága z = %.3f felett, %s</translation>
     </message>
+    <message>
+        <source>EngagementAngle and SideStep both have an expression, though each sets the other: take one of the two away.</source>
+        <translation>[EngagementAngle] és [SideStep] is kifejezéssel van megadva, noha mindkettő meghatározza a másikat: törölje az egyiket.</translation>
+    </message>
+    <message>
+        <source>cut along a wall</source>
+        <translation>fogás fal mentén</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>
