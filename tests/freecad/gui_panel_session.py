@@ -55,10 +55,12 @@ def in_low_window(op):
     return found
 
 
-def step_of(box):
-    before = box.property("rawValue")
-    assert QtCore.QMetaObject.invokeMethod(box, "stepUp")
-    return box.property("rawValue") - before
+def step_of(page, name):
+    """What an arrow adds to a setting, in FreeCAD's own units."""
+    before = getattr(page.obj, name).Value
+    assert QtCore.QMetaObject.invokeMethod(page.widgets[name], "stepUp")
+    later(50)
+    return getattr(page.obj, name).Value - before
 
 
 def typed(widget, text):
@@ -78,15 +80,47 @@ def fields(op):
         choose_units(schema)
         steps, seen["tolerance %d" % schema] = in_panel(op, steps_of)
         seen["steps"][schema] = steps
+    seen["stepped"] = in_panel(op, lambda page: stepped(page, op))
     choose_units(METRIC)
     seen.update(in_panel(op, lambda page: taken(page, op)))
     seen["bound"] = in_panel(op, lambda page: bound(page, op))
+    seen["bound_while_open"] = in_panel(op, lambda page: bound_while_open(page, op))
     return seen
+
+
+def stepped(page, op):
+    """Stock to leave and roll radius in inches: the texts, and mm, of three presses of a key each,
+    and of a thousandth that is typed.
+    """
+    seen = {}
+    for name in ("RollRadius", "StockToLeave"):
+        box = page.widgets[name]
+        page.folds.get("Turns", page.folds["Feeds"]).unfold()
+        seen[name] = [[box.property("text"), getattr(op, name).Value]]
+        for _ in range(3):
+            assert QtCore.QMetaObject.invokeMethod(box, "stepUp")
+            later(50)
+            seen[name].append([box.property("text"), getattr(op, name).Value])
+    typed(page.widgets["StockToLeave"], "0.002 in")
+    seen["typed"] = [page.widgets["StockToLeave"].property("text"), op.StockToLeave.Value]
+    typed(page.widgets["StockToLeave"], "0 in")
+    return seen
+
+
+def bound_while_open(page, op):
+    """What the fields show, and whether Apply can be pressed, once side step has an expression."""
+    op.setExpression("SideStep", "OpToolDiameter * 0.3")
+    later(100)
+    seen = [page.widgets[n].property("text") for n in ("SideStep", "EngagementAngle")]
+    seen += [page.widgets["EngagementAngle"].isEnabled(), page.isdirty, op.SideStep.Value]
+    op.setExpression("SideStep", None)
+    later(100)
+    return [*seen, page.widgets["EngagementAngle"].isEnabled()]
 
 
 def steps_of(page):
     names = ("EngagementAngle", "SideStep", "MaximumFeed", "RollRadius")
-    return {name: step_of(page.widgets[name]) for name in names}, page.widgets["Tolerance"].text()
+    return {name: step_of(page, name) for name in names}, page.widgets["Tolerance"].text()
 
 
 def taken(page, op):

@@ -276,6 +276,9 @@ def taken_away(doc, job, op):
         remove()
         until(lambda: state(op) == "refused")
         seen[name] = [page.preview.sentence]
+        press(OK)
+        later(100)
+        seen[name] += [bool(FreeCADGui.Control.activeDialog()), seen[name][0] in page.status.text()]
         press(CANCEL)
         later(100)
         seen[name] += [len(doc.Objects) == count, op.isValid(), op.Path.Size > 10]

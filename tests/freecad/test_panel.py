@@ -30,6 +30,25 @@ def test_an_arrow_adds_a_sensible_step(session):
         assert steps["MaximumFeed"] == pytest.approx(feed, rel=0.02)
 
 
+def test_a_press_of_an_arrow_adds_two_thousandths_of_an_inch_and_they_are_seen(session):
+    seen = session["fields"]["stepped"]
+    for name in ("RollRadius", "StockToLeave"):
+        lengths = [length / 25.4 for _, length in seen[name]]
+        added = [after - before for before, after in zip(lengths, lengths[1:])]
+        assert added == pytest.approx(3 * [0.002], rel=1e-6), name
+        shown = [float(text.replace(",", ".").split()[0]) for text, _ in seen[name] if text]
+        assert shown == pytest.approx(lengths[len(lengths) - len(shown) :], abs=5.1e-5), name
+    text, length = seen["typed"]
+    assert text.replace(",", ".") == "0.0020 in" and length == pytest.approx(0.0508)
+
+
+def test_an_expression_that_is_entered_in_the_open_panel_counts_at_once(session):
+    seen = session["fields"]["bound_while_open"]
+    step, angle, is_enabled, is_dirty, value, is_enabled_again = seen
+    assert step.startswith(("1.80", "1,80")) and angle.startswith(("66.42", "66,42"))
+    assert not is_enabled and is_dirty and value == pytest.approx(1.8) and is_enabled_again
+
+
 def test_a_length_that_is_shown_finely_has_the_users_unit(session):
     assert session["fields"]["tolerance 6"].replace(",", ".") == "0.0050 mm"
     assert session["fields"]["tolerance 3"].replace(",", ".") == "0.000197 in"

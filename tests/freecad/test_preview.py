@@ -99,11 +99,10 @@ def test_cancel_comes_at_any_moment_of_what_takes_long(session):
 
 def test_what_is_taken_away_meanwhile_is_one_sentence_and_nothing_is_lost(session):
     seen = session["taken_away"]
-    assert seen["base"] == ["The job 'Job' has no model: add one to it.", True, True, True]
-    assert seen["tool"] == [
-        "The operation has no tool: choose a tool controller for it.",
-        *[True] * 3,
-    ]
+    # The sentence; whether OK leaves the panel open and tells it; what is there after Cancel.
+    assert seen["base"] == ["The job 'Job' has no model: add one to it.", *[True] * 5]
+    told = "The operation has no tool: choose a tool controller for it."
+    assert seen["tool"] == [told, *[True] * 5]
     assert seen["closed"] == [False, True]
     assert seen["two"] == [True, [], True, 45]
 

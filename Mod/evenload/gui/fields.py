@@ -2,7 +2,7 @@
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtGui
+from PySide import QtCore, QtGui
 
 from evenload.gui.slots import slot
 from evenload.units import INCH
@@ -24,9 +24,13 @@ from evenload.settings.setting import (
 ROOM = 214
 NARROWEST = 70  # pixels of a field
 SPACING = 6  # pixels between a label and its field
-# What quantities must have room for, and pixels: of frame and margins, of arrows besides, of
-# FreeCAD's icon.
-LONGEST = {ANGLE: "180.00 °", LENGTH: "00.00 mm", SPEED: "0000.00 mm/min"}
+# What quantities must have room for, with metric units and with inches, and pixels: of frame and
+# margins, of arrows besides, of FreeCAD's icon.
+LONGEST = {
+    ANGLE: 2 * ("180.00 °",),
+    LENGTH: ("00.00 mm", "0.0000 in"),
+    SPEED: 2 * ("0000.00 mm/min",),
+}
 FRAME, AROUND, ICON = 12, 28, 12
 DECIMALS = 4  # of numbers without a unit
 MOST = 1_000_000  # of what is counted: no value that a macro set may be cut short here
@@ -40,6 +44,10 @@ STEPS = {
 FINE_STEPS = 0.001, 0.0001 * INCH  # mm
 FINE_DECIMALS = 4, 6  # in mm, in inches
 FINE_MOST = 10.0  # mm
+INCH_DECIMALS = 4
+COARSE = 0.1 * INCH  # mm: a step that FreeCAD's decimals show
+ROUNDED = 0.01 * INCH  # mm: more than two decimals of an inch round away
+UNITS = "User parameter:BaseApp/Preferences/Units"
 DIMENSIONS = {ANGLE: "Angle", LENGTH: "Length", POINT: "Length", SPEED: "Velocity"}
 
 
@@ -109,7 +117,7 @@ def quantity_box(kind, limits=None):
 
 def needed_by(kind, widget):
     """Pixels that a quantity's field needs, in the font of a widget."""
-    return max(NARROWEST, width_of(widget, LONGEST[kind]) + AROUND + ICON)
+    return max(NARROWEST, width_of(widget, LONGEST[kind][shows_inches()]) + AROUND + ICON)
 
 
 def narrowest(field):
@@ -138,12 +146,8 @@ def _needed_by_choices(box):
     return result
 
 
-def value_of(widget, point=None):
-    """What a field but that of a quantity holds; None where it cannot be read. point: the two
-    fields of a POINT.
-    """
-    if point:
-        return tuple(float(box.property("rawValue")) for box in point)
+def value_of(widget):
+    """What a field but that of a quantity or a point holds; None where it cannot be read."""
     if isinstance(widget, QtGui.QComboBox):
         return widget.itemData(widget.currentIndex())
     if isinstance(widget, TakenObjects):
@@ -158,7 +162,9 @@ def value_of(widget, point=None):
 
 
 def show(widget, value, point=None):
-    """Shows a property's value in a field but that of a quantity; arguments as for value_of."""
+    """Shows a property's value in a field but that of a quantity. point: the two fields of a
+    POINT.
+    """
     if point:
         for box, number in zip(point, (value.x, value.y)):
             box.setProperty("rawValue", number)
@@ -182,9 +188,33 @@ def show(widget, value, point=None):
 
 
 def set_step(box, kind):
-    """Has the arrows of a quantity's field add a sensible step, in the units that it shows now."""
+    """Has the arrows of a quantity's field add a sensible step, in the units that it shows now; one
+    that its decimals can show, where steps_in() is to tell how many of ours that are.
+    """
     factor, unit = _shown_unit(kind, box.property("rawValue") or 0.0)
-    box.setProperty("singleStep", float("%.3g" % (STEPS[kind][_is_inch(unit)] / factor)))
+    step = COARSE if rounds_steps(kind) else STEPS[kind][_is_inch(unit)]
+    box.setProperty("singleStep", float("%.3g" % (step / factor)))
+
+
+def rounds_steps(kind):
+    """Whether the fields of a kind of quantity round our steps away: inches with FreeCAD's
+    decimals, by default two.
+    """
+    if kind not in (LENGTH, POINT) or _shown_unit(LENGTH, INCH)[1] != "in":
+        return False  # mm, or fractions of inches
+    return FreeCAD.ParamGet(UNITS).GetInt("Decimals", 2) < INCH_DECIMALS
+
+
+def steps_in(box, before):
+    """The value, mm, that a field with rounds_steps() is to hold: `before`, with a step of ours for
+    each that its arrows, a key or the wheel have added.
+    """
+    added = box.property("rawValue") - before
+    count = round(added / COARSE)
+    if count == 0 and abs(added) > ROUNDED:  # it has stopped at a limit
+        count = 1 if added > 0 else -1
+    after = before + count * STEPS[LENGTH][True]
+    return min(max(after, box.property("minimum")), box.property("maximum"))
 
 
 def edit_of(box):
@@ -200,6 +230,20 @@ def show_unset(box, text):
         blocked = edit.blockSignals(True)  # the value stays
         edit.clear()
         edit.blockSignals(blocked)
+
+
+def show_finely(box, value):
+    """Has a field with rounds_steps() show a length, mm, with INCH_DECIMALS where it shows it as
+    FreeCAD does: a thousandth would be nothing.
+    """
+    edit = edit_of(box)
+    if edit.text() != FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).UserString:
+        return  # it is edited, or stepped
+    locale = QtCore.QLocale()
+    locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
+    blocked = edit.blockSignals(True)  # the value stays
+    edit.setText(locale.toString(value / INCH, "f", INCH_DECIMALS) + " in")
+    edit.blockSignals(blocked)
 
 
 class FineBox(QtGui.QDoubleSpinBox):

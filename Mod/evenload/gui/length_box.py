@@ -7,8 +7,6 @@ from evenload import units
 from evenload.gui import fields
 from evenload.gui.slots import slot
 
-UNITS = "User parameter:BaseApp/Preferences/Units"
-
 
 class LengthBox(fields.FineBox):
     """A field whose values are mm, shown in the user's unit."""
@@ -69,7 +67,7 @@ class UnitsWatch:
         self._timer = QtCore.QTimer(parent)
         self._timer.setSingleShot(True)
         self._timer.timeout.connect(slot(changed))
-        self._group = FreeCAD.ParamGet(UNITS)
+        self._group = FreeCAD.ParamGet(fields.UNITS)
         self._group.Attach(self)
 
     def onChange(self, *_):

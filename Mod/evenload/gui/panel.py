@@ -5,16 +5,13 @@ from PySide import QtCore, QtGui
 
 from evenload import host
 from evenload import tool as tools
-from evenload.gui import bound_fields, fields, load_view, optimise, preferences, recording, view3d
+from evenload.gui import fields, load_view, optimise, preferences, recording, view3d
 from evenload.gui.base_page import BaseGeometryPage
-from evenload.gui.preview_page import PreviewPage
+from evenload.gui.settings_page import SettingsPage
 from evenload.gui.slots import slot
 from evenload.gui.status import FAILED
-from evenload.gui.stepping import Stepping
 from evenload.operations.base import SENTENCES
 from evenload.settings.sentences import shown
-from evenload.settings.setting import UNITS
-from evenload.settings.table import HOLE_ENTRIES
 
 _gui = host.gui()
 _translate = FreeCAD.Qt.translate
@@ -22,7 +19,6 @@ _translate = FreeCAD.Qt.translate
 NARROWEST_BUTTON = 36  # pixels beside the frame
 NARROW = "; icon-size: 0px; padding-left: 6px; padding-right: 6px"
 BESIDE_BUTTONS_TEXT = 36  # pixels: icon, frame, what is between buttons
-EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
 
 
 def create(operation):
@@ -57,24 +53,12 @@ def create(operation):
     return obj
 
 
-class OperationPage(PreviewPage):
-    """The operation's settings and results.
-
-    What is edited goes into the properties at once, so that the two that follow each other can; the
-    path is computed at Apply and OK.
-    """
+class OperationPage(SettingsPage):
+    """The operation's settings and results, and what the user does with them."""
 
     taskPanelBaseGeometryPage = BaseGeometryPage
-    steppings = ()  # until FreeCAD has the page connected
 
     # ---- what FreeCAD calls ----
-
-    def initPage(self, obj):
-        super().initPage(obj)
-        for name, widget in self.widgets.items():
-            setting = self.settings[name]
-            if setting.type in UNITS and not setting.is_fine:
-                self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
 
     def setFields(self, obj):
         self.setupToolController(obj, self.form.toolController)
@@ -90,33 +74,10 @@ class OperationPage(PreviewPage):
 
     def registerSignalHandlers(self, obj):
         super().registerSignalHandlers(obj)
-        self.steppings = []
         self.form.toolController.activated.connect(slot(self._tool_chosen))
         self.form.coolantController.activated.connect(slot(self._coolant_chosen))
         self.load.clicked.connect(slot(self.toggle_view))
-        if self.engagement is not None:
-            self.engagement.share.editingFinished.connect(slot(self._share_edited))
-            self.steppings.append(Stepping(self.engagement.share, self._share_edited))
-        for name, widget in self.widgets.items():
-            take = slot(self._take, name)
-            if name in self.boxes or isinstance(widget, EDITED):
-                widget.editingFinished.connect(take)
-                if not isinstance(widget, QtGui.QLineEdit):
-                    self.steppings.append(Stepping(widget, self._take, name))
-            elif name in self.points:
-                for box in self.points[name]:
-                    box.editingFinished.connect(take)
-                    self.steppings.append(Stepping(box, self._take, name))
-            elif isinstance(widget, QtGui.QComboBox):
-                widget.activated.connect(take)
-            elif isinstance(widget, fields.TakenObjects):
-                widget.clicked.connect(take)
-            else:
-                widget.toggled.connect(take)
-
-        for name in self.boxes:
-            # FreeCAD writes its text anew whenever a field comes into view.
-            fields.edit_of(self.widgets[name]).textChanged.connect(slot(self._show_unset, name))
+        self.connect_fields()
         if self.suggest is not None:
             self.suggest.clicked.connect(slot(self._suggest))
         if self.kind.fitted:
@@ -126,8 +87,14 @@ class OperationPage(PreviewPage):
         super().updateData(obj, prop)
         if prop in (*self.result_names, *self.kind.fitted):
             self._refresh.start()
+        elif prop == "ExpressionEngine" and self.is_followed:
+            self.is_bound_anew = True
+            self._refresh.start()
 
     def refresh(self):
+        if self.is_bound_anew:
+            self.is_bound_anew = False
+            self.take_expressions()
         self._show_settings(self.obj)
         super().refresh()
 
@@ -146,8 +113,7 @@ class OperationPage(PreviewPage):
     def cleanupPage(self, obj):
         super().cleanupPage(obj)
         self._refresh.stop()
-        for each in self.steppings:
-            each.end()
+        self.end_fields()
         for pick in (self.hole, self.open_side):
             if pick is not None:
                 pick.end()
@@ -183,6 +149,11 @@ class OperationPage(PreviewPage):
 
     # ---- what the user does ----
 
+    def updateToolController(self, obj, combo):
+        """Takes what is chosen; without any tool controller in the job the refusal says so."""
+        if host.parent_job(obj) is not None and host.parent_job(obj).Tools.Group:
+            super().updateToolController(obj, combo)
+
     def _tool_chosen(self):
         self.updateToolController(self.obj, self.form.toolController)
         self._show_new_tool()
@@ -194,11 +165,6 @@ class OperationPage(PreviewPage):
     def _coolant_chosen(self):
         self.updateCoolant(self.obj, self.form.coolantController)
         self.setDirty()
-
-    def _share_edited(self):
-        if self.engagement.take_share(self.obj):
-            self._show_settings(self.obj)
-            self.setDirty()
 
     def _fit_again(self):
         self.obj.Proxy.follow_tool(self.obj, again=self.kind.fitted)
@@ -259,71 +225,6 @@ class OperationPage(PreviewPage):
             self.area.ensureWidgetVisible(self.widgets[name])
         elif self.parent is not None:
             host.show_field(self.parent, name)
-
-    def _take(self, name):
-        """Takes what is edited in one widget into its property, and shows what follows from it."""
-        obj, widget = self.obj, self.widgets[name]
-        if name in self.shown and self._texts(name) == self.shown[name]:
-            return  # what is shown is rounded, and is no new value until it is edited
-        if name in self.boxes:
-            changed = self.boxes[name].updateProperty()
-            if not changed:  # a value beyond the limits, or the same: what holds is shown again
-                self._show_settings(obj)
-        else:
-            value = fields.value_of(widget, self.points.get(name))
-            if value is None:
-                told = _translate("EvenLoad", "%s takes numbers, as 0; 0.1; 0.4; 1.")
-                FreeCAD.Console.PrintError(told % self.labels[name].text() + "\n")
-                self._show_settings(obj)
-                return
-            before = getattr(obj, name)
-            changed = fields.differs(before, value)
-            if changed and name in self.points:
-                value = FreeCAD.Vector(*value, before.z)
-            if changed:
-                setattr(obj, name, value)
-        if changed:
-            self._show_settings(obj)
-            self.setDirty()
-
-    # ---- what it shows ----
-
-    def _show_settings(self, obj):
-        for name, widget in self.widgets.items():
-            value, setting = getattr(obj, name), self.settings[name]
-            if name in self.boxes:
-                host.show_value(self.boxes[name])
-                fields.set_step(widget, setting.type)
-                self._show_unset(name)
-            else:
-                fields.show(widget, value, self.points.get(name))
-        self.shown = {
-            name: self._texts(name)
-            for name, setting in self.settings.items()
-            if setting.is_fine or name in self.boxes or name in self.points
-        }
-        held = bound_fields.held(obj, self.boxes)
-        for setting in self.kind.settings:
-            matters = setting.matters_to(obj)
-            self.widgets[setting.name].setEnabled(matters and setting.name not in held)
-            self.labels[setting.name].setEnabled(matters)
-            self.widgets[setting.name].setToolTip(bound_fields.tip_of(setting, held))
-        if self.engagement is not None:
-            self.engagement.show_cut(obj)
-        if self.hole is not None:
-            self.hole.button.setEnabled(obj.Entry in HOLE_ENTRIES)
-        if self.open_side is not None:
-            self.open_side.button.setEnabled(obj.Entry == "Automatic")
-        if self.kind.fitted:
-            self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
-
-    def _show_unset(self, name):
-        if self.settings[name].unset:
-            fields.show_unset(self.widgets[name], self.settings[name].unset)
-
-    def _texts(self, name):
-        """What the boxes for a quantity or a point show."""
-        return [box.property("text") for box in self.points.get(name, [self.widgets[name]])]
 
     def _show_refusal(self, refusal):
         self._show_settings(self.obj)  # the value that is refused may come from elsewhere

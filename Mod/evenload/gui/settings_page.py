@@ -1,0 +1,191 @@
+"""What an operation's page shows of the settings, and takes from their fields."""
+
+import FreeCAD
+from PySide import QtGui
+
+from evenload import host
+from evenload.gui import bound_fields, fields
+from evenload.gui.preview_page import PreviewPage
+from evenload.gui.stepping import Stepping
+from evenload.gui.slots import slot
+from evenload.operations.following import bound
+from evenload.operations.seen import Seen
+from evenload.settings.setting import UNITS
+from evenload.settings.table import HOLE_ENTRIES
+
+_gui = host.gui()
+_translate = FreeCAD.Qt.translate
+
+EDITED = (QtGui.QAbstractSpinBox, QtGui.QLineEdit)  # widgets that tell when their text is done
+
+
+class SettingsPage(PreviewPage):
+    """A page whose fields are the operation's settings.
+
+    What is edited goes into the properties at once, so that the two that follow each other can; the
+    path is computed at Apply and OK.
+    """
+
+    steppings = ()  # until FreeCAD has the page connected
+    is_bound_anew = False  # whether expressions have changed since their values were taken
+
+    def initPage(self, obj):
+        super().initPage(obj)
+        for name, widget in self.widgets.items():
+            setting = self.settings[name]
+            if setting.type in UNITS and not setting.is_fine:
+                self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
+
+    def connect_fields(self):
+        """Has what is done in the fields taken."""
+        self.steppings = []
+        if self.engagement is not None:
+            self.engagement.share.editingFinished.connect(slot(self._share_edited))
+            self.steppings.append(Stepping(self.engagement.share, self._share_edited))
+        for name, widget in self.widgets.items():
+            take = slot(self._take, name)
+            if name in (*self.boxes, *self.points):
+                for box in self._boxes(name):
+                    box.editingFinished.connect(take)
+                    self.steppings.append(Stepping(box, self._take_step, name))
+                    # FreeCAD writes its text anew whenever a field comes into view.
+                    fields.edit_of(box).textChanged.connect(slot(self._show_text, name))
+            elif isinstance(widget, EDITED):
+                widget.editingFinished.connect(take)
+                if not isinstance(widget, QtGui.QLineEdit):
+                    self.steppings.append(Stepping(widget, self._take, name))
+            elif isinstance(widget, QtGui.QComboBox):
+                widget.activated.connect(take)
+            elif isinstance(widget, fields.TakenObjects):
+                widget.clicked.connect(take)
+            else:
+                widget.toggled.connect(take)
+
+    def end_fields(self):
+        """From now on nothing that is done in the fields is taken."""
+        for each in self.steppings:
+            each.end()
+
+    # ---- what is taken ----
+
+    def take_expressions(self):
+        """Has settings the values of their expressions at once, as FreeCAD does in a recompute."""
+        try:
+            seen = Seen(self.obj)
+        except ValueError:
+            return  # the preview says which one cannot be evaluated
+        for name in bound(self.obj) & {*self.settings}:
+            value = getattr(seen, name)
+            if hasattr(value, "Value") and value != getattr(self.obj, name):
+                setattr(self.obj, name, value)
+        self.setDirty()
+
+    def _share_edited(self):
+        if self.engagement.take_share(self.obj):
+            self._show_settings(self.obj)
+            self.setDirty()
+
+    def _take_step(self, name):
+        """Takes what arrows, keys or the wheel have added; it is called, too, when FreeCAD has
+        written a text anew.
+        """
+        if not fields.rounds_steps(self.settings[name].type):
+            self._take(name)
+            return
+        before, held = getattr(self.obj, name), self._lengths(name)
+        after = [fields.steps_in(box, value) for box, value in zip(self._boxes(name), held)]
+        if after != held:
+            value = FreeCAD.Vector(*after, before.z) if name in self.points else after[0]
+            setattr(self.obj, name, value)
+            self._show_settings(self.obj)
+            self.setDirty()
+
+    def _take(self, name):
+        """Takes what is edited in one widget into its property, and shows what follows from it."""
+        obj, widget = self.obj, self.widgets[name]
+        if name in self.shown and self._texts(name) == self.shown[name]:
+            return  # what is shown is rounded, and is no new value until it is edited
+        if name in self.boxes:
+            changed = self.boxes[name].updateProperty()
+            if not changed:  # a value beyond the limits, or the same: what holds is shown again
+                self._show_settings(obj)
+        else:
+            value = self._point(name) if name in self.points else fields.value_of(widget)
+            if value is None:
+                told = _translate("EvenLoad", "%s takes numbers, as 0; 0.1; 0.4; 1.")
+                FreeCAD.Console.PrintError(told % self.labels[name].text() + "\n")
+                self._show_settings(obj)
+                return
+            before = getattr(obj, name)
+            changed = fields.differs(before, value)
+            if changed and name in self.points:
+                value = FreeCAD.Vector(*value, before.z)
+            if changed:
+                setattr(obj, name, value)
+        if changed:
+            self._show_settings(obj)
+            self.setDirty()
+
+    def _point(self, name):
+        """(x, y) as the fields of a point hold them. One that is not edited shows a rounded number,
+        and keeps its own.
+        """
+        edits = zip(self._boxes(name), self._lengths(name), self.shown.get(name, (None, None)))
+        return tuple(
+            held if box.property("text") == shown else float(box.property("rawValue"))
+            for box, held, shown in edits
+        )
+
+    # ---- what it shows ----
+
+    def _show_settings(self, obj):
+        for name, widget in self.widgets.items():
+            value, setting = getattr(obj, name), self.settings[name]
+            if name in self.boxes:
+                host.show_value(self.boxes[name])
+                fields.set_step(widget, setting.type)
+            else:
+                fields.show(widget, value, self.points.get(name))
+            if name in (*self.boxes, *self.points):
+                self._show_text(name)
+        self.shown = {
+            name: self._texts(name)
+            for name, setting in self.settings.items()
+            if setting.is_fine or name in self.boxes or name in self.points
+        }
+        held = bound_fields.held(obj, self.boxes)
+        for setting in self.kind.settings:
+            matters = setting.matters_to(obj)
+            self.widgets[setting.name].setEnabled(matters and setting.name not in held)
+            self.labels[setting.name].setEnabled(matters)
+            self.widgets[setting.name].setToolTip(bound_fields.tip_of(setting, held))
+        if self.engagement is not None:
+            self.engagement.show_cut(obj)
+        if self.hole is not None:
+            self.hole.button.setEnabled(obj.Entry in HOLE_ENTRIES)
+        if self.open_side is not None:
+            self.open_side.button.setEnabled(obj.Entry == "Automatic")
+        if self.kind.fitted:
+            self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
+
+    def _show_text(self, name):
+        """Shows a quantity or a point as we want it, where FreeCAD's fields have their own way."""
+        setting = self.settings[name]
+        if setting.unset and name in self.boxes:
+            fields.show_unset(self.widgets[name], setting.unset)
+        if fields.rounds_steps(setting.type):
+            for box, value in zip(self._boxes(name), self._lengths(name)):
+                fields.show_finely(box, value)
+
+    def _lengths(self, name):
+        """What the fields of a length or a point are to hold, mm."""
+        value = getattr(self.obj, name)
+        return [value.x, value.y] if name in self.points else [value.Value]
+
+    def _boxes(self, name):
+        """The fields of a quantity or a point."""
+        return self.points.get(name, [self.widgets[name]])
+
+    def _texts(self, name):
+        """What the boxes for a quantity or a point show."""
+        return [box.property("text") for box in self._boxes(name)]
