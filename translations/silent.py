@@ -64,7 +64,7 @@ _SILENT = re.compile(
     r"[#<\0.*].*|(?:; )?(?:font|color|text|icon)[ :-].*|"  # colours, HTML, style sheets
     r"QPushButton .*|"
     r".*::.*|User parameter:.*|evenload\..*|utf-8|"
-    r"[^A-Za-z]*|[\d. ]+(?:mm|mm/min|°)|"  # numbers
+    r"[^A-Za-z]*|[\d. ]+(?:mm|mm/min|in|°)|"  # numbers
     r"%#?[\d.*]*[dfg]°?|%\.(?:\*f|4g) ?%s|%s\n|"  # nothing but places
     r"\[%s\]|%s(?:\.|\.%s = | \()%s\)?|%s = %s or %s|"
     r".*%r.*|"  # lines of macros
@@ -84,7 +84,18 @@ _WORDS = {
         "Value",
         "Velocity",
     ),
-    *("Up-to-date", "MenuText", "ToolTip", "xx", "yy", "DMIS", "Halton-Zaremba", "arc length"),
+    *(
+        "Decimals",
+        "Touched",
+        "Up-to-date",
+        "MenuText",
+        "ToolTip",
+        "xx",
+        "yy",
+        "DMIS",
+        "Halton-Zaremba",
+        "arc length",
+    ),
     *("m/N", "mm/N", "um/N", "uin/lbf", "g/N", "(m/s)/N", "(m/s2)/N", "N/µm", "Hz", " Hz", "kN/m"),
     *("mm", "N", "%s, Ø %.5g %s", "%.12g mm/min"),
     *("µin", "m/min", "ft/min", "N m", "N\u00b7s", "W", "Rz", "CX", "CV"),

@@ -1995,10 +1995,6 @@
         <translation>Seitenzustellung</translation>
     </message>
     <message>
-        <source>SideStep is %1 mm, less than the Tolerance of %2 mm: raise EngagementAngle.</source>
-        <translation>[SideStep] ist %1 mm, weniger als [Tolerance] von %2 mm: [EngagementAngle] erhöhen.</translation>
-    </message>
-    <message>
         <source>SideStep is %1 mm: it must lie between 0 and the tool&apos;s diameter of %2 mm.</source>
         <translation>[SideStep] ist %1 mm: muss zwischen 0 und dem Werkzeugdurchmesser von %2 mm liegen.</translation>
     </message>
@@ -5155,6 +5151,18 @@
     <message>
         <source>cut along a wall</source>
         <translation>Schnitt entlang einer Wand</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not active: activate it first.</source>
+        <translation>„%1“ ist nicht aktiv: zuerst aktivieren.</translation>
+    </message>
+    <message>
+        <source>SideStep is %1 mm, less than the Tolerance of %2 mm: lower Tolerance or raise EngagementAngle.</source>
+        <translation>[SideStep] ist %1 mm, weniger als [Tolerance] von %2 mm: [Tolerance] senken oder [EngagementAngle] erhöhen.</translation>
+    </message>
+    <message>
+        <source>The preview is shown; Apply or Cancel brings the load back.</source>
+        <translation>Die Vorschau wird gezeigt; Anwenden oder Abbrechen bringt die Belastung zurück.</translation>
     </message>
 </context>
 <context>

@@ -1995,10 +1995,6 @@
         <translation>Oldallépés</translation>
     </message>
     <message>
-        <source>SideStep is %1 mm, less than the Tolerance of %2 mm: raise EngagementAngle.</source>
-        <translation>[SideStep]: %1 mm, kevesebb ennél: [Tolerance] %2 mm: növelje: [EngagementAngle].</translation>
-    </message>
-    <message>
         <source>SideStep is %1 mm: it must lie between 0 and the tool&apos;s diameter of %2 mm.</source>
         <translation>[SideStep]: %1 mm: 0 és a szerszám átmérője, %2 mm közé essen.</translation>
     </message>
@@ -5155,6 +5151,18 @@
     <message>
         <source>cut along a wall</source>
         <translation>fogás fal mentén</translation>
+    </message>
+    <message>
+        <source>&apos;%1&apos; is not active: activate it first.</source>
+        <translation>„%1” nem aktív: előbb aktiválja.</translation>
+    </message>
+    <message>
+        <source>SideStep is %1 mm, less than the Tolerance of %2 mm: lower Tolerance or raise EngagementAngle.</source>
+        <translation>[SideStep] értéke %1 mm, kisebb, mint [Tolerance] %2 mm-es értéke: csökkentse ezt: [Tolerance], vagy növelje ezt: [EngagementAngle].</translation>
+    </message>
+    <message>
+        <source>The preview is shown; Apply or Cancel brings the load back.</source>
+        <translation>Az előnézet látszik; az Alkalmaz vagy a Mégse visszahozza a terhelést.</translation>
     </message>
 </context>
 <context>

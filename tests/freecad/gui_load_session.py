@@ -227,6 +227,68 @@ def own_line(op):
     return int((numpy.abs(pixels - colour).max(axis=1) <= 1).sum())
 
 
+def beside_a_preview(op):
+    """What is seen of the load while the panel's preview shows another path, and after Cancel."""
+    from evenload.gui import load_view
+    from gui_preview_tools import CANCEL, opened, shown, turn
+    from gui_tools import press
+
+    command(op)
+    (view,) = load_view._shown
+    seen = [view.limit(), view.node.root.whichChild.getValue()]
+    opened(op)
+    turn(op, 35)
+    until(lambda: shown(op))
+    picture("beside_a_preview")
+    view._choose()
+    seen += [view.limit(), view.node.root.whichChild.getValue(), view.dock.told.text()]
+    press(CANCEL)
+    later(200)
+    seen += [view.limit(), view.node.root.whichChild.getValue(), view.dock.told.isVisible()]
+    command(op)
+    return seen
+
+
+def out_of_its_job(op):
+    """What the dock tells once an operation has left its job, and once it is there again."""
+    from evenload.gui import load_view
+
+    command(op)
+    (view,) = load_view._shown
+    view.dock.choice.setCurrentIndex(2)
+    operations = view.operation.Document.getObject("Operations")
+    group = operations.Group
+    operations.Group = [each for each in group if each is not op]
+    op.touch()
+    op.Document.recompute()
+    result["provoked"].append(op.Report)
+    simulated()
+    seen = [view.dock.told.text(), view.found is None]
+    operations.Group = group
+    op.touch()
+    op.Document.recompute()
+    simulated()
+    seen += [view.dock.told.isVisible(), view.found is None, view.dock.choice.currentIndex()]
+    op.Label = "Renamed"
+    op.Document.recompute()
+    simulated()
+    seen.append(view.dock.windowTitle())
+    op.Label = "Ours"
+    command(op)
+    return seen
+
+
+def first_stopped(op):
+    """What is there after Cancel of the first simulation."""
+    from evenload.gui import load_view
+
+    load_view.close()
+    view = load_view.show(op)
+    view.dock.cancel.click()
+    later(100)
+    return [len(nodes_in_scene()), len(docks())]
+
+
 def command(op):
     """Runs the command for an operation as a user does; tells what is there then."""
     FreeCADGui.Selection.clearSelection()
@@ -263,6 +325,9 @@ def session():
     result["same_view"] = view is load_view._shown[0]
     result["followed"] = [view.found.max_engagement_deg, len(nodes_in_scene()), len(docks())]
     result["ours_hidden"] = command(ours)
+    result["first_stopped"] = first_stopped(ours)
+    result["out_of_its_job"] = out_of_its_job(ours)
+    result["beside_a_preview"] = beside_a_preview(ours)
     # Another one, of FreeCAD's own, which no other has cut before; then it is deleted.
     ours.Active = False
     doc.recompute()

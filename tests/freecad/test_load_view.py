@@ -129,6 +129,22 @@ def test_it_follows_each_computation(session):
     assert 35 < degrees < 45 and nodes == docks == 1 and session["same_view"]
 
 
+def test_it_stands_back_while_a_preview_shows_another_path(session):
+    told = "The preview is shown; Apply or Cancel brings the load back."
+    shown, hidden = -3, -1  # of a Coin switch
+    assert session["beside_a_preview"] == [42, shown, 42, hidden, told, 42, shown, False]
+
+
+def test_an_operation_out_of_its_job_is_told_so_and_a_new_name_is_followed(session):
+    told, is_gone, *again, index, title = session["out_of_its_job"]
+    assert told == "'Ours' belongs to no job: put it into one." and is_gone
+    assert again == [False, False] and index == 2 and title == "Load of Renamed"
+
+
+def test_cancel_of_the_first_simulation_leaves_nothing(session):
+    assert session["first_stopped"] == [0, 0]
+
+
 def test_it_follows_what_is_cut_before_its_operation(session):
     alone, after = session["after_earlier"]
     assert alone > 1000 and after < 0.05 * alone
@@ -136,7 +152,7 @@ def test_it_follows_what_is_cut_before_its_operation(session):
 
 def test_an_operation_that_loses_its_path_is_told_so_until_it_has_one_again(session):
     told, has_slider, nodes, *again = session["no_path"]
-    assert told == "'Theirs' has no path to simulate: recompute it first."
+    assert told == "'Theirs' is not active: activate it first."
     assert not has_slider and nodes == 0
     assert again == [False, True, 1]
 

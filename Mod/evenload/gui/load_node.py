@@ -14,13 +14,18 @@ class LoadNode:
     """`root` is what goes into a scene. Its line has a vertex for each sample, in their order."""
 
     def __init__(self, simulation):
-        self.root = coin.SoSeparator()
+        self.root = coin.SoSwitch()
         self.root.setName("EvenLoadLoad")
+        self.show(True)
         self.path = PathLine(numpy.stack([simulation.x, simulation.y, simulation.z], axis=1))
         self.root.addChild(unpickable())
         self.root.addChild(self.path.root)
         self.root.addChild(self._tool(simulation))
         self.show_tool_at(simulation, 0)
+
+    def show(self, is_shown):
+        """Shows or hides all of it."""
+        self.root.whichChild = coin.SO_SWITCH_ALL if is_shown else coin.SO_SWITCH_NONE
 
     def show_tool_at(self, simulation, number):
         """Moves the tool to a sample."""

@@ -9,8 +9,9 @@ from PySide import QtCore
 from evenload import host
 from evenload.gui import colours, load_colours, preferences, simulation_task, view3d
 from evenload.gui.length_box import UnitsWatch
-from evenload.gui.load_colours import KIND, MEASURES
+from evenload.gui.load_colours import KIND, MEASURES, WALL
 from evenload.gui.load_dock import LoadDock
+from evenload.gui.load_legend import NAMES
 from evenload.gui.load_node import LoadNode
 from evenload.gui.measure_dock import table_of
 from evenload.gui.observer import observer_of_paths
@@ -55,9 +56,22 @@ def close():
         _shown.pop().remove()
 
 
+def stand_back(operation, is_back):
+    """Hides the load of an operation while the preview in its panel shows another path, or shows it
+    again.
+    """
+    for view in _shown:
+        if host.operation_under(view.operation) is operation:
+            view.stand_back(is_back)
+
+
 def values_at(found, number, time):
     """What a Simulation tells at a sample, as rich text; time: s of all samples."""
-    rows = [(_translate("EvenLoad", "Time"), clock(float(time[number])))]
+    kind = WALL if found.walls is not None and found.walls[number] else int(found.kind[number])
+    rows = [
+        (_translate("EvenLoad", "Time"), clock(float(time[number]))),
+        (_translate("EvenLoad", KIND.title), _translate("EvenLoad", NAMES[kind])),
+    ]
     for each in MEASURES:
         values = load_colours.values_of(each, found)
         if each is not KIND and values is not None:
@@ -74,6 +88,7 @@ class LoadView:
 
     def __init__(self, operation):
         self.operation, self.found, self.node = operation, None, None
+        self._angle, self._is_back = None, False
         setup = job.read(operation)
         self._scene = view3d.scene_of(operation.Document)
         self.dock = LoadDock(self, operation.Label)
@@ -115,7 +130,11 @@ class LoadView:
 
     def _start(self, setup):
         self._observe(self.operation)
+        self.dock.name(self.operation.Label)
         self.dock.tell("")
+        inner = host.operation_under(self.operation)
+        if "Touched" not in inner.State:  # else its path was computed with another one
+            self._angle = inner.EngagementAngle.Value if is_ours(inner) else None
         options = {
             "step": simulation_task.step_of(self.operation),
             "material": simulation_task.material_of(self.operation),
@@ -123,8 +142,11 @@ class LoadView:
         self.task.run(lambda: simulation_task.loads(setup, options, self.task.done))
 
     def cancel(self):
-        """Stops the simulation; what was there before stays."""
+        """Stops the simulation; what was there before stays. Where nothing was, it closes."""
         self.task.cancel()
+        if self.found is None:
+            close()
+            return
         self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
 
     def _refuse(self, sentence):
@@ -142,6 +164,7 @@ class LoadView:
         if self.node is not None:
             self._scene.removeChild(self.node.root)
         self.found, self.node = found, LoadNode(found)
+        self.node.show(not self._is_back)
         self._scene.addChild(self.node.root)
         blocked = self.dock.slider.blockSignals(True)
         self.dock.show_path([each for each in MEASURES if self._has(each)], len(found.x))
@@ -160,11 +183,9 @@ class LoadView:
         return next((each for each in MEASURES if each.key == key), None)
 
     def limit(self):
-        """What the operation is not to exceed of what is shown, None where it says nothing."""
-        inner = host.operation_under(self.operation)
-        if self.measure.key == "engagement_deg" and is_ours(inner):
-            return inner.EngagementAngle.Value + OVER
-        return None
+        """What the path is not to exceed of what is shown, None where nothing is known of that."""
+        is_engagement = self.measure.key == "engagement_deg"
+        return self._angle + OVER if is_engagement and self._angle is not None else None
 
     def _choose(self):
         if self.found is None:
@@ -192,6 +213,16 @@ class LoadView:
             place = self.found.x[number], self.found.y[number], self.found.z[number]
             document = self.operation.Document
             view3d.fly_to(document, map(float, place), self.found.tool_diameter)
+
+    def stand_back(self, is_back):
+        """Hides the colours while another path is shown in their place, or shows them again."""
+        if is_back == self._is_back:
+            return
+        self._is_back = is_back
+        if self.node is not None:
+            self.node.show(not is_back)
+        told = _translate("EvenLoad", "The preview is shown; Apply or Cancel brings the load back.")
+        self.dock.tell(told if is_back else "", colours.QUIET)
 
     def _show_units(self):
         self.dock.legend.update()

@@ -28,6 +28,7 @@ class MeasureDock(manual.Dock):
         self.setObjectName(name)
         self.set_page(page)
         self.choice, self.legend, self.told = QtGui.QComboBox(), legend, Told()
+        self._chosen = None  # the key of the measure, also while there is none to choose from
         self.bar = QtGui.QProgressBar()
         self.bar.setRange(0, BAR)
         self.cancel = button("Cancel", "Stops the simulation; what is known stays", view.cancel)
@@ -57,12 +58,12 @@ class MeasureDock(manual.Dock):
 
     def list_measures(self, measures):
         """Lists what can be shown; what was chosen stays so. Tells nobody."""
-        before = self.choice.currentData()
+        self._chosen = self.choice.currentData() or self._chosen
         blocked = self.choice.blockSignals(True)
         self.choice.clear()
         for each in measures:
             self.choice.addItem(_translate("EvenLoad", each.title), each.key)
-        self.choice.setCurrentIndex(max(0, self.choice.findData(before)))
+        self.choice.setCurrentIndex(max(0, self.choice.findData(self._chosen)))
         self.choice.blockSignals(blocked)
 
 

@@ -60,7 +60,7 @@ def observer_of_paths(operations, changed):
     before = [each for operation in operations for each in earlier.all_before(operation)]
     jobs = filter(None, map(host.parent_job, operations))
     groups = [job.Operations for job in jobs]
-    return Observer(operations, ("Path", "Active"), changed, used=before, groups=groups)
+    return Observer(operations, ("Path", "Active", "Label"), changed, used=before, groups=groups)
 
 
 def bits_of(controllers):

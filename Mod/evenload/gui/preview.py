@@ -8,7 +8,7 @@ import FreeCAD
 from PySide import QtCore
 
 from evenload import waiting
-from evenload.gui import preferences
+from evenload.gui import load_view, preferences
 from evenload.gui.observer import Observer
 from evenload.gui.preview_node import PreviewNode, colours_of
 from evenload.gui.slots import slot, telling_slot
@@ -89,6 +89,7 @@ class Preview:
             return
         if self._node is None:
             self._node = PreviewNode(self.operation.ViewObject)
+            load_view.stand_back(self.operation, True)
             self._node.grey()
         with self._cleared_by_bugs():
             try:
@@ -148,6 +149,7 @@ class Preview:
         self._stop()
         if self._node is not None:
             self._node.remove()
+            load_view.stand_back(self.operation, False)
         self._node = self.done = None
 
     def _tell(self, state):

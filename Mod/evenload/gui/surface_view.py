@@ -73,8 +73,11 @@ class SurfaceView:
         self.task.run(lambda: surface_task.results(question, self.task.done))
 
     def cancel(self):
-        """Stops the simulation; what is known stays."""
+        """Stops the simulation; what is known stays. Where nothing is, it closes."""
         self.task.cancel()
+        if self.known is None:
+            self._closed()
+            return
         self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
 
     def _refuse(self, sentence):

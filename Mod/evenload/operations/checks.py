@@ -46,8 +46,8 @@ def values(obj, rows, tool, data):
     # Nothing could be held that is less than what the path may be off; it would not end, either.
     if obj.SideStep.Value < obj.Tolerance.Value:
         raise ValueError(
-            "SideStep is %g mm, less than the Tolerance of %g mm: raise EngagementAngle."
-            % (obj.SideStep.Value, obj.Tolerance.Value)
+            "SideStep is %g mm, less than the Tolerance of %g mm: lower Tolerance or raise "
+            "EngagementAngle." % (obj.SideStep.Value, obj.Tolerance.Value)
         )
     if 60 * obj.MaximumFeed.Value < data.feed * (1 - 1e-9):
         raise ValueError(

@@ -73,9 +73,9 @@ def moves_of(operation):
 
 
 def all_before(operation):
-    """The job's operations before one, active or not, in their order."""
-    inner, result = host.operation_under(operation), []
-    for other in host.operations(host.parent_job(operation)):
+    """The operations of its job before one, active or not, in their order; none without a job."""
+    inner, result, job = host.operation_under(operation), [], host.parent_job(operation)
+    for other in host.operations(job) if job is not None else ():
         if inner in host.all_under(other):  # also where the job has but its dressup or array
             break
         result.append(other)

@@ -106,6 +106,8 @@ def read(operation, after_earlier=True, without=()):
     tool, data = tools.read(controller)
     notes = []
     moves, lines = earlier.moves_of(operation)
+    if not host.is_active(operation):
+        raise ValueError("'%s' is not active: activate it first." % operation.Label)
     if len(moves) < 2:
         raise ValueError("'%s' has no path to simulate: recompute it first." % operation.Label)
     if tool.bull_nosed:
