@@ -17,6 +17,7 @@ from evenload.gui.simulation_plot import PlotView
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
 from evenload.gui.told import Told
+from evenload.simulation.means import worst_force
 from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
@@ -207,9 +208,9 @@ def totals_of(runs):
             _figures("%.3g", "removal_rate_peak", found, rate.size),
         ),
     ]
-    if all(each.force_peak_max is not None for each in found):
-        forces = _figures("%.0f", "force_peak_max", found)
-        rows.append((_translate("EvenLoad", "Force, N"), forces))
+    forces = [worst_force(each) for each in found]
+    if None not in forces:
+        rows.append((_translate("EvenLoad", "Force, N"), ["%.0f" % each for each in forces]))
     rows += [
         (
             SIGN % REST_COLOUR + _translate("EvenLoad", "Rest, %s") % area.name,
