@@ -64,8 +64,8 @@ def simulate(
     earlier: [(source, tool diameter), ...]: cut beforehand.
     infer_kinds: whether links and entries are told from cuts by what the moves do; None: in G-code.
     lines: for each of the moves a line to be reported with it.
-    progress: callable(share) -> bool, False cancels; where it cancels what was cut beforehand, there
-        are no samples.
+    progress: callable(share) -> bool, False cancels; there are no samples where that is while what
+        was cut beforehand is taken away.
 
     Raises ValueError with a sentence, which names the move or the line, for what cannot be used.
     """

@@ -10,7 +10,8 @@ COARSE = 0.25
 
 
 def take(stock, cuts, going):
-    """Takes out of a DexelStock what [(moves, tool diameter in mm), ...] cut; tells whether all of it.
+    """Takes out of a DexelStock what [(moves, tool diameter in mm), ...] cut. Gives whether that
+    was all of it.
 
     going: callable(share of the cuts' length that is done) -> whether to go on.
     """
