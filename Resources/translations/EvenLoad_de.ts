@@ -5099,12 +5099,6 @@
         <translation>Spitzenkraft, %s</translation>
     </message>
     <message>
-        <source>Removal rate,
-%s</source>
-        <translation>Zeitspanvolumen,
-%s</translation>
-    </message>
-    <message>
         <source>Removal rate, %s</source>
         <translation>Zeitspanvolumen, %s</translation>
     </message>

@@ -5099,12 +5099,6 @@
         <translation>Csúcserő, %s</translation>
     </message>
     <message>
-        <source>Removal rate,
-%s</source>
-        <translation>Anyagleválasztás,
-%s</translation>
-    </message>
-    <message>
         <source>Removal rate, %s</source>
         <translation>Anyagleválasztás, %s</translation>
     </message>

@@ -82,6 +82,20 @@ def test_no_label_lies_over_the_plots(runs, language):
         assert not any(axes.bbox.overlaps(box) for _, box in boxes_of(figure))
 
 
+def test_long_names_keep_to_their_columns(runs):
+    name = "Roughing of the large pocket, second setup, %d"
+    long = [Run(name % number, run.simulation) for number, run in enumerate(runs)]
+    for size in SIZES:
+        figure, columns = drawn(long, SIZES[size])
+        titles = [axes.get_title(loc="left") for axes, *_ in columns]
+        assert all("\u2026" in each and each.startswith("Rough") for each in titles)
+        assert [each[-3:] for each in titles] == [", 0", ", 1"]
+        boxes = boxes_of(figure)
+        assert not any(p.overlaps(q) for (_, p), (_, q) in itertools.combinations(boxes, 2))
+    figure, ((axes, *_), _) = drawn(runs, SIZES["laptop"])
+    assert axes.get_title(loc="left") == runs[0].name  # there is room for it
+
+
 # ---- matplotlib's settings ----
 
 

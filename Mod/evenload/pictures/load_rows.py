@@ -15,10 +15,12 @@ from evenload.pictures import over_time
 from evenload.pictures.figure import new_figure
 from evenload.planar import CUT, LINK
 from evenload.translation import translate
+from evenload.words import ends_of
 
 MARGINS = 0.5, 0.12, 0.42, 0.66  # inches: left, right, top, bottom
 BETWEEN = 0.5, 0.24  # inches between columns, between rows, each of which has its label above it
 LETTERS, LINE = 8, 1.2  # points, and a line's height in letters
+BOLD = 0.72  # the width of bold letters in their size, on average of wide words
 POINTS = 72  # per inch
 HEADROOM = 1.08  # over the largest value or limit
 SIZE = 10, 7  # inches, of a picture in a file; wider with two simulations
@@ -152,9 +154,11 @@ def _draw_label(axes, words):
 
 
 def _draw_name(axes, name):
-    """The name of a run over the label of its first row."""
-    pad = 2 * ABOVE + LINE * LETTERS
-    axes.set_title(name, loc="left", pad=pad, fontsize=LETTERS + 1, fontweight="bold")
+    """The name of a run over the label of its first row, as far as there is room above the axes."""
+    pad, letters = 2 * ABOVE + LINE * LETTERS, LETTERS + 1
+    width = axes.get_position().width * axes.figure.get_figwidth() * POINTS
+    shown = ends_of(name, max(3, int(width / (BOLD * letters))))
+    axes.set_title(shown, loc="left", pad=pad, fontsize=letters, fontweight="bold")
 
 
 def _seen(time, span):
