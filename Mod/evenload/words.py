@@ -38,6 +38,16 @@ def shortened(label):
     return label if len(label) <= LONGEST_LABEL else label[: LONGEST_LABEL - 1] + "\u2026"
 
 
+def ends_of(label, most):
+    """A label of at most so many characters, at least 3, without its middle where it is longer:
+    copies of an operation differ at their ends.
+    """
+    if len(label) <= most:
+        return label
+    end = (most - 1) // 2
+    return label[: most - 1 - end] + "\u2026" + label[-end:]
+
+
 def in_order(parts):
     """Parts by label and number: Face9 before Face10."""
     return sorted(parts, key=lambda part: (part[0], len(part[1]), part[1]))

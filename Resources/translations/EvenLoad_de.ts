@@ -5095,12 +5095,6 @@
         <translation>Spitzenkraft, %s</translation>
     </message>
     <message>
-        <source>Removal rate,
-%s</source>
-        <translation>Zeitspanvolumen,
-%s</translation>
-    </message>
-    <message>
         <source>Removal rate, %s</source>
         <translation>Zeitspanvolumen, %s</translation>
     </message>

@@ -5095,12 +5095,6 @@
         <translation>Csúcserő, %s</translation>
     </message>
     <message>
-        <source>Removal rate,
-%s</source>
-        <translation>Anyagleválasztás,
-%s</translation>
-    </message>
-    <message>
         <source>Removal rate, %s</source>
         <translation>Anyagleválasztás, %s</translation>
     </message>

@@ -24,7 +24,7 @@ constexpr double kFinest = 0.13;
 constexpr double kLongestStep = 0.5;
 // Steps of one piece of a move: 200 m at the usual step; no real move is so long.
 constexpr double kMostSteps = 2e6;
-// Samples between two reports of progress.
+// Samples between two reports of progress, at the least.
 constexpr std::size_t kReportEvery = 1024;
 // Fall per length: flatter moves down are cuts, not entries.
 constexpr double kEntrySlope = 0.0087;  // half a degree
@@ -55,6 +55,7 @@ LoadWalk::LoadWalk(DexelStock& stock, const SimulationParams& params, Simulation
       progress_(progress),
       radius_(0.5 * params.tool_diameter),
       step_(std::min(params.step, kLongestStep * radius_)),
+      next_report_(kReportEvery),
       part_(params.part, radius_, stock.top()),
       fixtures_(params.fixtures, radius_, stock.top()) {
   if (params.force && params.spindle_speed > 0)
@@ -137,7 +138,10 @@ bool LoadWalk::walk(const MovePiece& piece, double share) {
     result_.figures.removed_area += removal.area;
     check_contact(step.b, z_before, z, stretch, removal);
     at = to;
-    if (result_.record.size() % kReportEvery == 0 && !progress_.report(share)) return false;
+    if (result_.record.size() >= next_report_) {
+      next_report_ = result_.record.size() + kReportEvery;
+      if (!progress_.report(share)) return false;
+    }
   }
   return true;
 }

@@ -67,6 +67,7 @@ class LoadWalk {
   Progress& progress_;
   double radius_;
   double step_;  // mm, between samples at the most
+  std::size_t next_report_;  // of progress: at so many samples
   PartGauge part_, fixtures_;
   std::optional<ForceModel> force_;
   std::vector<EngagedArc> arcs_;

@@ -169,6 +169,8 @@ def reported(view):
 
 def told(view):
     """What the window tells in lengths, beside the simulator's values of the first run."""
+    from evenload.simulation.means import worst_force
+
     dock, found = view.dock, view.runs[0].simulation
     document = QtGui.QTextDocument()
     document.setHtml(dock.totals.text())
@@ -179,7 +181,7 @@ def told(view):
         "limit": [dock.limits.removal_rate.value(), dock.limits.removal_rate.suffix()],
         "limits": view.limits(),
         "axis": [rate.get_ylabel(), rate.get_ylim()[1]],
-        "found": [found.removal_rate_peak, found.rest_area],
+        "found": [found.removal_rate_peak, found.rest_area, worst_force(found)],
     }
 
 

@@ -112,10 +112,11 @@ def test_it_follows_the_units_that_the_user_chooses(session):
     limit, name = inches["limit"]
     assert name == " in³/min" and limit == pytest.approx(mm["limit"][0] * 1e3 / 25.4**3, abs=1e-4)
     assert mm["limit"][1] == " cm³/min"
-    rate, rest = inches["found"]
+    rate, rest, force = inches["found"]
     figures = {each: inches["totals"][k + 1] for k, each in enumerate(inches["totals"][:-1])}
     assert figures["Removal rate, in³/min"] == "%.3g" % (rate / 25.4**3)
     assert figures["\u25a0 Rest, in²"] == "%.3g" % (rest / 25.4**2)
+    assert figures["Force, N"] == "%.0f" % force
     assert "\u25a0 Gouge, in" in figures and " in/min" in inches["values"]
     (label, top), (metric_label, metric_top) = inches["axis"], mm["axis"]
     assert "in³/min" in label and "cm³/min" in metric_label

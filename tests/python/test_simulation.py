@@ -240,6 +240,46 @@ def test_a_cancelled_run_ends_where_it_was_stopped():
     assert stopped.time_total_s == whole.time_s[size - 1]
 
 
+def test_what_was_cut_beforehand_has_its_part_of_the_progress():
+    shares, earlier = [], [(line_at(-8), 6), (spiral(2000), 6)]
+    progress = lambda share: shares.append(share) or True  # noqa: E731
+    run = simulated(spiral(), earlier=earlier, progress=progress)
+    assert shares == sorted(shares) and shares[-1] == 1 and not run.cancelled
+    # A quarter of some 2700 mm beside 700 mm.
+    before = [share for share in shares if share < 0.5]
+    assert len(before) >= 3 and 0 < before[0] < 0.1
+    assert max(b - a for a, b in zip(shares, shares[1:])) < 0.3
+    assert same_load(run, simulated(spiral(), earlier=earlier))
+
+
+def test_it_can_be_cancelled_while_what_was_cut_beforehand_is_taken_away():
+    asked = []
+
+    def progress(share):
+        asked.append(share)
+        return False
+
+    stopped = simulated(
+        line_at(0), earlier=[(line_at(-8), 6), (spiral(2000), 6)], progress=progress
+    )
+    assert len(asked) == 1 and 0 < asked[0] < 0.1
+    assert stopped.cancelled and len(stopped.x) == 0 and stopped.time_total_s == 0
+    assert math.isnan(stopped.rest_area) and stopped.figures()["cancelled"]
+    assert stopped.stock.stands_beside(numpy.array([[0.0, 10, -DEPTH, 0]]), RADIUS).all()
+
+
+def test_short_moves_ask_as_often_as_long_ones():
+    """Each of these has some samples, so that not all numbers of samples come up."""
+    shares = []
+    run = simulated(
+        spiral(4000, 0.5),
+        step=1.5,
+        resolution=0.05,
+        progress=lambda share: shares.append(share) or True,
+    )
+    assert len(shares) > len(run.x) // 1100
+
+
 def test_what_progress_raises_comes_through():
     with pytest.raises(ZeroDivisionError):
         simulated(spiral(), progress=lambda share: 1 / 0)

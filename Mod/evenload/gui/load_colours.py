@@ -10,6 +10,7 @@ import numpy
 
 from evenload import units
 from evenload.planar import CUT, ENTRY, LINK, RAPID
+from evenload.simulation.means import means
 from evenload.simulation.walls import along_walls
 
 WALL = CUT + 1  # a cut along a wall, which the simulator counts among the cuts
@@ -40,7 +41,6 @@ KINDS = {  # their lightness, 0 to 100, is 17 apart and more
     WALL: (0.00, 0.31, 0.22),
     CUT: (0.03, 0.06, 0.40),
 }
-WINDOW = 0.1  # mm of path: single places in corners may meet anything, means over this may not
 
 
 @dataclass(frozen=True)
@@ -88,15 +88,11 @@ def has_it(measure, simulation):
 
 
 def means_of(measure, simulation):
-    """For each sample the mean of the values over the last WINDOW of the path, as the worst values
-    of a Simulation are; None where there are no values.
+    """For each sample the mean of the values over a little of the path, as the worst values of a
+    Simulation are; None where there are no values.
     """
     values = values_of(measure, simulation)
-    if values is None:
-        return None
-    along = numpy.cumsum(simulation.length)
-    area = numpy.cumsum(simulation.length * numpy.nan_to_num(values))
-    return (area - numpy.interp(along - WINDOW, along, area, left=0.0)) / WINDOW
+    return None if values is None else means(simulation, values)
 
 
 def range_of(measure, simulation):

@@ -9,7 +9,8 @@ from evenload.planar import CUT, ENTRY, LINK, RAPID
 
 BAR = 14  # pixels
 STEPS = 64  # of the scale's colours
-SWATCH_LINES = 2  # for which there is room: as many as all kinds of moves need in a narrow dock
+SWATCH_LINES = 2  # for which there is room always, so that what is below stays where it is mostly
+APART, BELOW = 12, 2  # pixels between swatches, between lines
 NAMES = {
     CUT: "cut",
     load_colours.WALL: "cut along a wall",
@@ -25,24 +26,45 @@ class Legend(QtGui.QWidget):
     def __init__(self):
         super().__init__()
         self._measure, self._least, self._largest, self._limit = None, 0.0, 1.0, None
-        line = QtGui.QFontMetrics(self.font()).height()
-        self.setFixedHeight(BAR + (1 + SWATCH_LINES) * (line + 2) + 6)
         self.setMinimumWidth(180)
+        self._fit()
 
     def show_scale(self, measure, least, largest, limit):
         self._measure, self._least, self._largest, self._limit = measure, least, largest, limit
+        self._fit()
         self.update()
+
+    def resizeEvent(self, event):
+        super().resizeEvent(event)
+        self._fit()
+
+    def changeEvent(self, event):
+        super().changeEvent(event)
+        if event.type() == QtCore.QEvent.FontChange:
+            self._fit()
+
+    def _fit(self):
+        """Takes the height that all swatches need at this width."""
+        line = self._line()
+        least = BAR + (1 + SWATCH_LINES) * (line + BELOW) + 6
+        lines = 1 + max([number for _, number, _, _ in self._places()], default=0)
+        needed = self._swatches_top() + lines * (line + BELOW)
+        self.setFixedHeight(max(least, needed))
+
+    def _line(self):
+        return QtGui.QFontMetrics(self.font()).height()
+
+    def _swatches_top(self):
+        has_scale = self._measure is not load_colours.KIND
+        return 2 + (BAR + self._line() + 4 if has_scale else 0)
 
     def paintEvent(self, _):
         if self._measure is None:
             return
         painter = QtGui.QPainter(self)
-        line = QtGui.QFontMetrics(self.font()).height()
-        top = 2
         if self._measure is not load_colours.KIND:
-            self._paint_scale(painter, line)
-            top += BAR + line + 4
-        self._paint_swatches(painter, top)
+            self._paint_scale(painter, self._line())
+        self._paint_swatches(painter, self._swatches_top())
         painter.end()
 
     def _paint_scale(self, painter, line):
@@ -74,16 +96,25 @@ class Legend(QtGui.QWidget):
         above = _translate("EvenLoad", "cut above %s") % told(self._measure.quantity, self._limit)
         return [(load_colours.BEYOND, above), *kinds]
 
-    def _paint_swatches(self, painter, top):
-        metrics, x = QtGui.QFontMetrics(self.font()), 0
-        for colour, text in self.swatches():
+    def _places(self):
+        """[(x, number of the line, colour, text), ...] of the swatches at this width."""
+        found, x, line = [], 0, 0
+        metrics = QtGui.QFontMetrics(self.font())
+        for colour, text in self.swatches() if self._measure is not None else ():
             width = BAR + 4 + metrics.boundingRect(text).width()
             if x > 0 and x + width > self.width():
-                x, top = 0, top + metrics.height() + 2
-            painter.fillRect(x, top + 2, BAR, BAR - 4, _qt(colour))
-            painter.setPen(self.palette().windowText().color())
-            painter.drawText(x + BAR + 4, top + metrics.ascent() - 1, text)
-            x += width + 12
+                x, line = 0, line + 1
+            found.append((x, line, colour, text))
+            x += width + APART
+        return found
+
+    def _paint_swatches(self, painter, top):
+        metrics = QtGui.QFontMetrics(self.font())
+        painter.setPen(self.palette().windowText().color())
+        for x, line, colour, text in self._places():
+            y = top + line * (metrics.height() + BELOW)
+            painter.fillRect(x, y + 2, BAR, BAR - 4, _qt(colour))
+            painter.drawText(x + BAR + 4, y + metrics.ascent() - 1, text)
 
 
 def _qt(colour):

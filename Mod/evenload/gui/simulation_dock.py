@@ -1,32 +1,28 @@
 """The widgets of the window Simulation."""
 
-import html
-
 import FreeCAD
 import FreeCADGui
 from PySide import QtCore, QtGui
 
 from evenload import materials, units
 from evenload.gui import fields, manual
-from evenload.gui.areas_node import GOUGE_COLOUR, REST_COLOUR
 from evenload.gui.docks import add_below
+from evenload.gui.fitted_column import FittedColumn
 from evenload.gui.length_box import LengthBox
 from evenload.gui.machine_box import MachineBox
 from evenload.gui.shaded import Shaded
 from evenload.gui.simulation_plot import PlotView
+from evenload.gui.simulation_totals import totals_of
 from evenload.gui.stability_inputs import Rows, combo, number
 from evenload.gui.stability_layout import button, scrolled
 from evenload.gui.told import Told
-from evenload.words import clock
 
 _translate = FreeCAD.Qt.translate
 
 NAME = "EvenLoadSimulation"  # of the dock
 LEFT, RIGHT, HEIGHT = 285, 280, 430  # pixels
+WIDEST = 540  # pixels, of what is on the right: the plots are to be seen
 BAR = 100  # steps of the progress bar, whose drawing takes as long as some work
-ROW = '<tr><td style="padding-right: 10px">%s</td>%s</tr>'
-SIGN = '<span style="color: %s">\u25a0</span> '  # of the areas in the 3D view
-CELL = '<td align="right" style="padding-left: 8px">%s</td>'
 
 
 class RateBox(LengthBox):
@@ -64,7 +60,8 @@ class SimulationDock(manual.Dock):
         row = QtGui.QHBoxLayout(content)
         row.addWidget(self._left())
         row.addLayout(self._middle(), 1)
-        row.addWidget(self._right())
+        self.right = self._right()
+        row.addWidget(self.right)
         self.setWidget(content)
         add_below(window, self, HEIGHT)
 
@@ -106,8 +103,13 @@ class SimulationDock(manual.Dock):
         """Shows sentences, or hides those before where there are none."""
         self.told.tell(text, colour)
 
+    def show_totals(self, runs):
+        """Shows the figures of Runs beside each other; none: nothing."""
+        self.totals.setText(totals_of(runs) if runs else "")
+        self.right.fit()
+
     def _left(self):
-        return _column((self.asked, self.limits), LEFT)
+        return scrolled(_column((self.asked, self.limits)), LEFT)
 
     def _middle(self):
         column = QtGui.QVBoxLayout()
@@ -126,7 +128,8 @@ class SimulationDock(manual.Dock):
         row.setContentsMargins(0, 0, 0, 0)
         for widget in (self.picture, self.table, self.report):
             row.addWidget(widget)
-        return _column((self.told, files, self.values, self.totals), RIGHT)
+        column = _column((self.told, files, self.values, self.totals))
+        return FittedColumn(column, RIGHT, WIDEST)
 
 
 def _asked():
@@ -178,7 +181,7 @@ def _limits():
     )
 
 
-def _column(widgets, width):
+def _column(widgets):
     """Widgets one below the other."""
     content = QtGui.QWidget()
     column = QtGui.QVBoxLayout(content)
@@ -186,44 +189,4 @@ def _column(widgets, width):
     for widget in widgets:
         column.addWidget(widget)
     column.addStretch(1)
-    return scrolled(content, width)
-
-
-def totals_of(runs):
-    """The figures of Runs beside each other, as rich text."""
-    found = [run.simulation for run in runs]
-    rate, area, length = (each.shown for each in (units.LARGE_RATE, units.AREA, units.LENGTH))
-    rows = [
-        ("", ["<b>%s</b>" % html.escape(run.name) for run in runs]),
-        (_translate("EvenLoad", "Time"), [clock(each.time_total_s) for each in found]),
-    ]
-    if all(each.machine_time_total_s is not None for each in found):
-        times = [clock(each.machine_time_total_s) for each in found]
-        rows.append((_translate("EvenLoad", "On the machine"), times))
-    rows += [
-        (_translate("EvenLoad", "Engagement"), _figures("%.1f°", "max_engagement_deg", found)),
-        (
-            _translate("EvenLoad", "Removal rate, %s") % rate.name,
-            _figures("%.3g", "removal_rate_peak", found, rate.size),
-        ),
-    ]
-    if all(each.force_peak_max is not None for each in found):
-        forces = _figures("%.0f", "force_peak_max", found)
-        rows.append((_translate("EvenLoad", "Force, N"), forces))
-    rows += [
-        (
-            SIGN % REST_COLOUR + _translate("EvenLoad", "Rest, %s") % area.name,
-            _figures("%.3g", "rest_area", found, area.size),
-        ),
-        (
-            SIGN % GOUGE_COLOUR + _translate("EvenLoad", "Gouge, %s") % length.name,
-            [length.figure(each.gouge_mm) for each in found],
-        ),
-        (_translate("EvenLoad", "Incidents"), ["%d" % len(each.incidents) for each in found]),
-    ]
-    lines = [ROW % (title, "".join(CELL % value for value in values)) for title, values in rows]
-    return "<table>%s</table>" % "".join(lines)
-
-
-def _figures(form, key, found, size=1.0):
-    return [form % (getattr(each, key) / size) for each in found]
+    return content

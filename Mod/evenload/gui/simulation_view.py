@@ -20,7 +20,7 @@ from evenload.gui import (
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.observer import observer_of_paths
 from evenload.gui.running import Running
-from evenload.gui.simulation_dock import SimulationDock, totals_of
+from evenload.gui.simulation_dock import SimulationDock
 from evenload.gui.simulation_node import COLOURED, RunInView
 from evenload.gui.simulation_report import JobReport, asked_file
 from evenload.gui.slots import slot, telling_slot
@@ -28,6 +28,7 @@ from evenload.pictures import load_rows
 from evenload.pictures.figure import save
 from evenload.simulation.limits import limits_of
 from evenload.simulation.table import write_csv
+from evenload.words import shortened
 
 _translate = FreeCAD.Qt.translate
 
@@ -157,14 +158,14 @@ class SimulationView:
         self.in_view.show(None)
         self.dock.plot.show_message(sentence)
         self.dock.values.clear()
-        self.dock.totals.clear()
+        self.dock.show_totals([])
         self.dock.tell(sentence, colours.BAD)
 
     def _take(self, runs):
         self.runs = runs
         self.in_view.show_limit(self.limits()[COLOURED.key])
         self.dock.plot.show_runs(runs, self.limits())
-        self.dock.totals.setText(totals_of(runs))
+        self.dock.show_totals(runs)
         self.dock.tell("\n".join(dict.fromkeys(s for run in runs for s in run.simulation.notes)))
         self.place(self.dock.plot.active, 0)
 
@@ -193,7 +194,7 @@ class SimulationView:
         """Tells what there is at the cursor of the run whose path is in the 3D view."""
         run, plot = self.run, self.dock.plot
         told = load_view.values_at(run.simulation, plot.cursors[plot.active], run.time)
-        self.dock.values.setText("<b>%s</b>%s" % (html.escape(run.name), told))
+        self.dock.values.setText("<b>%s</b>%s" % (html.escape(shortened(run.name)), told))
 
     def _show_units(self):
         """Shows all in the units that the user has chosen by now."""
@@ -201,7 +202,7 @@ class SimulationView:
         self.dock.told.follow_units()
         self.dock.plot.follow_units()
         if self.runs:
-            self.dock.totals.setText(totals_of(self.runs))
+            self.dock.show_totals(self.runs)
             self._tell_values()
 
     def _slid(self, sample):

@@ -11,7 +11,7 @@ from evenload import host
 from evenload.geometry.floor import SAME_HEIGHT
 from evenload.settings.table import REST_MACHINING
 from evenload.simulation import rest_resolution
-from evenload.simulation.earlier import COARSE
+from evenload.simulation.taking import COARSE
 
 
 def is_wanted(op):

@@ -1,4 +1,11 @@
-"""What all pictures share: a figure of its own, its file, axes of lengths."""
+"""What all pictures share: a figure of its own, its file, axes of lengths.
+
+Pictures are drawn in several threads, and FreeCAD's own plots beside them: whatever is drawn has
+its sizes itself, for matplotlib's settings are everyone's.
+"""
+
+import contextlib
+import threading
 
 import matplotlib
 import numpy
@@ -10,6 +17,8 @@ from matplotlib.transforms import ScaledTranslation
 from evenload import units
 
 LABEL_HEIGHT = 0.5  # inches that an axis' numbers and label take
+SVG = {"svg.fonttype": "none", "svg.hashsalt": "EvenLoad"}
+_writing_svg = threading.Lock()
 
 
 def new_figure(width, height, **options):
@@ -22,12 +31,25 @@ def new_figure(width, height, **options):
 
 def save(figure, path):
     """Writes a figure as SVG where the name ends so, else as PNG; nothing is added to the name."""
-    is_svg = str(path).lower().endswith(".svg")
-    with matplotlib.rc_context({"svg.fonttype": "none", "svg.hashsalt": "EvenLoad"}):
-        if is_svg:
+    if str(path).lower().endswith(".svg"):
+        with _svg_as_ours():
             figure.savefig(path, format="svg", metadata={"Date": None})
-        else:
-            figure.savefig(path, format="png")
+    else:
+        figure.savefig(path, format="png")
+
+
+@contextlib.contextmanager
+def _svg_as_ours():
+    """While this lasts SVGs have their texts as texts, and the same names each time. Matplotlib has
+    these two settings for all figures alone; no other is touched, and nothing else reads them.
+    """
+    with _writing_svg:
+        before = {key: matplotlib.rcParams[key] for key in SVG}
+        matplotlib.rcParams.update(SVG)
+        try:
+            yield
+        finally:
+            matplotlib.rcParams.update(before)
 
 
 def legend_below(axes, columns=6):

@@ -9,6 +9,7 @@ from evenload import units
 from evenload.pictures import html_page, load_rows, simulation_pictures
 from evenload.pictures.figure import save
 from evenload.settings.sentences import shown
+from evenload.simulation.means import worst_force
 from evenload.translation import filled, translate
 from evenload.words import MOST_NAMES, clock, listed
 
@@ -103,7 +104,7 @@ def _head(texts, *names):
 
 
 def _row(reported, found):
-    machine, force = found.machine_time_total_s, found.force_peak_max
+    machine, force = found.machine_time_total_s, worst_force(found)
     return (
         *(reported.name, reported.tool, clock(found.time_total_s)),
         "" if machine is None else clock(machine),

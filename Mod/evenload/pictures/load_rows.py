@@ -5,23 +5,26 @@ A row of axes for each of them, a column for each simulation. Times in s.
 
 from dataclasses import dataclass
 
-import matplotlib
 import numpy
 from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
+from matplotlib.transforms import ScaledTranslation
 
 from evenload import units
 from evenload.pictures import over_time
 from evenload.pictures.figure import new_figure
 from evenload.planar import CUT, LINK
 from evenload.translation import translate
+from evenload.words import ends_of
 
-MARGINS = 0.62, 0.12, 0.28, 0.66  # inches: left, right, top, bottom
-BETWEEN = 0.62, 0.10  # inches between columns, between rows
-LETTERS = 8  # points
+MARGINS = 0.5, 0.12, 0.42, 0.66  # inches: left, right, top, bottom
+BETWEEN = 0.5, 0.24  # inches between columns, between rows, each of which has its label above it
+LETTERS, LINE = 8, 1.2  # points, and a line's height in letters
+BOLD = 0.72  # the width of bold letters in their size, on average of wide words
+POINTS = 72  # per inch
 HEADROOM = 1.08  # over the largest value or limit
 SIZE = 10, 7  # inches, of a picture in a file; wider with two simulations
-PLACE = 0.03  # where the title stands, of the axes' width
+ABOVE = 3  # points between axes and the label above them
 
 
 @dataclass(frozen=True)
@@ -37,7 +40,7 @@ class Row:
 
 ROWS = (
     Row("engagement_deg", "Engagement, %s", units.ANGLE),
-    Row("removal_rate", "Removal rate,\n%s", units.LARGE_RATE),
+    Row("removal_rate", "Removal rate, %s", units.LARGE_RATE),
     Row("force_peak", "Peak force, %s", units.FORCE),
 )
 
@@ -77,21 +80,23 @@ def draw(figure, runs, limits, span=None):
     """
     span = span or whole(runs)
     tops = [_top(row, runs, limits.get(row.key)) for row in ROWS]
-    with matplotlib.rc_context({"font.size": LETTERS}):
-        columns = []
-        for number, run in enumerate(runs):
-            axes = [figure.add_axes(_box(figure, k, number, len(runs))) for k in range(len(ROWS))]
-            for row, each, top in zip(ROWS, axes, tops):
-                _draw_row(each, row, run, limits.get(row.key), span, top)
-                each.tick_params(labelbottom=row is ROWS[-1])
-            axes[0].set_title(run.name, loc="left", x=PLACE, fontsize=LETTERS + 1)
-            axes[-1].set_xlabel(
+    columns = []
+    for number, run in enumerate(runs):
+        axes = [figure.add_axes(_box(figure, k, number, len(runs))) for k in range(len(ROWS))]
+        for row, each, top in zip(ROWS, axes, tops):
+            _draw_row(each, row, run, limits.get(row.key), span, top)
+            each.tick_params(labelsize=LETTERS, labelbottom=row is ROWS[-1])
+        _draw_name(axes[0], run.name)
+        axes[-1].set_xlabel(
+            (
                 translate("time, s")
                 if run.simulation.machine_time_s is None
                 else translate("time on the machine, s")
-            )
-            columns.append(axes)
-        _draw_legend(figure, any(limits.get(row.key) for row in ROWS))
+            ),
+            fontsize=LETTERS,
+        )
+        columns.append(axes)
+    _draw_legend(figure, any(limits.get(row.key) for row in ROWS))
     return columns
 
 
@@ -125,11 +130,10 @@ def _draw_row(axes, row, run, limit, span, top):
     seen = _seen(run.time, span)
     time, values = run.time[seen], getattr(run.simulation, row.key)
     unit = row.quantity.shown
-    axes.set_ylabel(translate(row.title) % unit.name)
+    _draw_label(axes, translate(row.title) % unit.name)
     if values is None:
-        axes.text(
-            0.5, 0.5, translate("no material, no force"), ha="center", transform=axes.transAxes
-        )
+        words = translate("no material, no force")
+        axes.text(0.5, 0.5, words, ha="center", transform=axes.transAxes, fontsize=LETTERS)
     elif len(time):
         over_time.draw_band(axes, time, values[seen] / unit.size)
     over_time.draw_limit(axes, limit and limit / unit.size, "%.4g")
@@ -138,6 +142,23 @@ def _draw_row(axes, row, run, limit, span, top):
         over_time.draw_kinds(axes, time, run.simulation.kind[seen])
     over_time.dress(axes, time)
     axes.set_xlim(*span)
+
+
+def _draw_label(axes, words):
+    """What a row tells, above its left end: beside it, upright, long words need more than its
+    height.
+    """
+    above = ScaledTranslation(0, ABOVE / POINTS, axes.figure.dpi_scale_trans)
+    axes.set_ylabel(words, rotation="horizontal", ha="left", va="bottom", fontsize=LETTERS)
+    axes.yaxis.set_label_coords(0, 1, transform=axes.transAxes + above)
+
+
+def _draw_name(axes, name):
+    """The name of a run over the label of its first row, as far as there is room above the axes."""
+    pad, letters = 2 * ABOVE + LINE * LETTERS, LETTERS + 1
+    width = axes.get_position().width * axes.figure.get_figwidth() * POINTS
+    shown = ends_of(name, max(3, int(width / (BOLD * letters))))
+    axes.set_title(shown, loc="left", pad=pad, fontsize=letters, fontweight="bold")
 
 
 def _seen(time, span):
@@ -154,4 +175,11 @@ def _draw_legend(figure, has_limits):
         line = Line2D([], [], color=over_time.LIMIT_COLOUR, linestyle="--", label=words)
         signs.append(line)
     close = {"handlelength": 1.2, "handletextpad": 0.4, "columnspacing": 1.0}  # for long words
-    figure.legend(handles=signs, loc="lower center", ncol=len(signs), frameon=False, **close)
+    figure.legend(
+        handles=signs,
+        loc="lower center",
+        ncol=len(signs),
+        frameon=False,
+        fontsize=LETTERS,
+        **close,
+    )

@@ -8,12 +8,9 @@ from evenload import commands, compiled, host, planar
 from evenload import tool as tools
 from evenload.settings.properties import is_ours
 from evenload.settings.table import HOLE_ENTRIES
-from evenload.simulation import part
+from evenload.simulation import part, taking
 from evenload.waiting import Stopped
 
-# Share of a tool's diameter between looks at its load where that does not matter; what it sweeps is
-# exact at any.
-COARSE = 0.25
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -32,20 +29,9 @@ class Before:
         progress: callable(share) -> bool, False stops it; nothing but 0 is told, for more work
         follows. Raises waiting.Stopped where it was stopped.
         """
-        core, answers = compiled.core(), []
-        stock = core.DexelStock(self.blocks, self.bottom, resolution)
-
-        def ask(_):
-            answers.append(progress is None or progress(0.0))
-            return answers[-1]
-
-        for moves, diameter in self.cuts:
-            step = COARSE * diameter
-            core.simulate(
-                moves, stock, tool_diameter=diameter, step=step, find_rest=False, progress=ask
-            )
-            if not all(answers):
-                raise Stopped()
+        stock = compiled.core().DexelStock(self.blocks, self.bottom, resolution)
+        if not taking.take(stock, self.cuts, lambda _: progress is None or progress(0.0)):
+            raise Stopped()
         return stock
 
 

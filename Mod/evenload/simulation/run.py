@@ -5,6 +5,7 @@ import math
 import numpy
 
 from evenload import compiled, machines
+from evenload.simulation import taking
 from evenload.simulation.inputs import (
     Source,
     check_number,
@@ -22,6 +23,7 @@ COARSEST, FINEST, IN_TOOL = 0.05, 0.005, 50
 # mm between the dexels in which rest machining sees what is left, and so many in the width of a
 # cut: of films thinner than what lies between dexels only pieces are seen, and fed for.
 COARSEST_REST, FINEST_REST, REST_IN_CUT = 0.05, 0.02, 16
+EARLIER = 0.25  # of the time that a mm of path takes: one that was cut before, about
 
 
 def simulate(
@@ -62,7 +64,8 @@ def simulate(
     earlier: [(source, tool diameter), ...]: cut beforehand.
     infer_kinds: whether links and entries are told from cuts by what the moves do; None: in G-code.
     lines: for each of the moves a line to be reported with it.
-    progress: callable(share) -> bool, False cancels.
+    progress: callable(share) -> bool, False cancels; there are no samples where that is while what
+        was cut beforehand is taken away.
 
     Raises ValueError with a sentence, which names the move or the line, for what cannot be used.
     """
@@ -101,13 +104,10 @@ def simulate(
         dexels = core.DexelStock(blocks, bottom, resolution)
         check_within(dexels, prisms)
     before = earlier_cuts(core, earlier)
-    for cut, diameter in before:
-        core.simulate(
-            cut.moves, dexels, tool_diameter=diameter, step=_coarse(diameter), find_rest=False
-        )
+    goes_on, told = _take(before, dexels, path.moves, progress)
 
     record, figures, cancelled = core.simulate(
-        path.moves,
+        path.moves if goes_on else taking.listed(path.moves)[:1] * 2,
         dexels,
         tool_diameter=tool_diameter,
         teeth=teeth,
@@ -116,14 +116,15 @@ def simulate(
         part=prisms,
         fixtures=prisms_of(core, fixtures, top, "The fixture", may_be_none=True),
         machine=profile,
-        progress=progress,
+        find_rest=goes_on,
+        progress=told,
         **data,
     )
     speed = data.get("spindle_speed", 0.0)
     result = simulation_of(record, figures, path.lines, speed * teeth)
     if fixtures is None:
         result.fixture_mm = None
-    if cancelled:  # the rest was not looked for
+    if cancelled or not goes_on:  # the rest was not looked for
         result.cancelled = True
         result.rest_area = result.rest_depth = result.unreachable_area = math.nan
     if path.dwell_s:
@@ -149,6 +150,15 @@ def rest_resolution(cut_width):
     return max(FINEST_REST, min(COARSEST_REST, cut_width / REST_IN_CUT))
 
 
-def _coarse(diameter):
-    """mm: the step where the load does not matter; the swept ground is exact at any."""
-    return max(0.1, 0.25 * diameter)
+def _take(before, dexels, moves, progress):
+    """Takes what was cut before out of the stock. Gives whether to go on, and who is to be told of
+    the progress of the moves then.
+    """
+    cuts = [(cut.moves, diameter) for cut, diameter in before]
+    if not cuts or progress is None:
+        return taking.take(dexels, cuts, lambda _: True), progress
+    length = EARLIER * sum(taking.length_of(each) for each, _ in cuts)
+    begin = length / max(length + taking.length_of(moves), 1e-9)
+    if not taking.take(dexels, cuts, lambda share: progress(begin * share)):
+        return False, None
+    return True, lambda share: progress(begin + (1 - begin) * share)
