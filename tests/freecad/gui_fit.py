@@ -101,6 +101,9 @@ def too_wide(page):
     if buttons.minimumSizeHint().width() > buttons.width():
         found.append("the buttons, which lie one over the other")
     found += ["the text of the button " + text for text in cut_off_buttons(buttons)]
+    for label in page.status.top.findChildren(QtGui.QLabel):
+        if label.isVisible() and label.height() < label.heightForWidth(label.width()):
+            found.append("a line of the status: " + label.text())
     if page.area.horizontalScrollBar().maximum() > 0:
         found.append("the width of the page")
     return found

@@ -240,6 +240,8 @@ def beside_a_preview(op):
     turn(op, 35)
     until(lambda: shown(op))
     picture("beside_a_preview")
+    label = op.ViewObject.Proxy.panel.featurePages[-1].status._state
+    result["status_room"] = [label.height(), label.heightForWidth(label.width())]
     view._choose()
     seen += [view.limit(), view.node.root.whichChild.getValue(), view.dock.told.text()]
     press(CANCEL)

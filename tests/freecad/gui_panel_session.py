@@ -22,6 +22,7 @@ from gui_tools import (  # noqa: E402
     press,
     result,
     run,
+    until,
     workbench,
 )
 
@@ -49,7 +50,16 @@ def in_low_window(op):
     before = window.size()
     window.resize(*LAPTOP)
     fold_all()
-    found = in_panel(op, lambda page: fit_of(page, "EvenLoad_Adaptive low"))
+
+    def look(page):
+        seen = fit_of(page, "EvenLoad_Adaptive low")
+        page.widgets["EngagementAngle"].setProperty("rawValue", 50.0)  # its status has two lines
+        page.widgets["EngagementAngle"].editingFinished.emit()
+        until(lambda: page.preview.state == "shown")
+        later(100)
+        return {**seen, **fit_of(page, "EvenLoad_Adaptive low,preview")}
+
+    found = in_panel(op, look)
     window.resize(before)
     later()
     return found

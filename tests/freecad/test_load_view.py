@@ -135,6 +135,11 @@ def test_it_stands_back_while_a_preview_shows_another_path(session):
     assert session["beside_a_preview"] == [42, shown, 42, hidden, told, 42, shown, False]
 
 
+def test_all_of_a_panel_s_status_is_seen_in_a_low_window(session):
+    height, needed = session["status_room"]
+    assert height >= needed
+
+
 def test_an_operation_out_of_its_job_is_told_so_and_a_new_name_is_followed(session):
     told, is_gone, *again, index, title = session["out_of_its_job"]
     assert told == "'Ours' belongs to no job: put it into one." and is_gone

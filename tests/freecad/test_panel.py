@@ -17,7 +17,7 @@ def session(tmp_path_factory):
 
 def test_panels_fit_into_freecads_narrow_dock(session):
     widths = [int(name.split()[2]) for name in session["wide"]]
-    assert widths.count(264) == widths.count(300) == 14
+    assert widths.count(264) == widths.count(300) == 16
     assert {name: found for name, found in session["wide"].items() if found} == {}
 
 

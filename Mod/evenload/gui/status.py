@@ -142,6 +142,7 @@ class Status:
         self._fold.setText(_translate("EvenLoad", "Remarks (%d)") % len(remarks))
         self._fold.setVisible(bool(remarks))
         self._show_fold()
+        self.top.keep_height()
 
     def _show_again(self):
         """In colours for the ground, which is not known before the panel is seen."""
@@ -200,7 +201,7 @@ class Status:
 
 class _Seen(QtGui.QWidget):
     """A widget that has a bound method called as it is seen, when its window has its colours, and
-    as it comes to its place: a dock of FreeCAD 1.1 may be seen before.
+    as it comes to its place: a dock of FreeCAD 1.1 may be seen before. All of its text is seen.
     """
 
     def __init__(self, seen):
@@ -216,7 +217,14 @@ class _Seen(QtGui.QWidget):
 
     def resizeEvent(self, event):
         super().resizeEvent(event)
+        self.keep_height()
         self._timer.start()
+
+    def keep_height(self):
+        """Asks for the height that its texts need at its width: in a low panel they would get less,
+        for labels that wrap are said to do with little.
+        """
+        self.setMinimumHeight(self.layout().totalHeightForWidth(self.width()))
 
 
 def _column(widget):
