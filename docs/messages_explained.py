@@ -11,6 +11,7 @@ MEANT = {
     "The models have no surface that looks up": "Give the job a model with faces, not a mesh.",
     "The path of '…' lies beside the models": "Look at the job's models: nothing lies below it.",
     "Cells of … mm are coarse": "A note: lower `resolution` in a script.",
+    "'…' is not active": "An operation that is switched off in the job has no path.",
     "'…' has a ball end mill, whose loads": "Show Load and Simulation know upright edges alone.",
     # What became of the path.
     "Left uncut: … mm² near (…), where": (
