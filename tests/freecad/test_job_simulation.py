@@ -251,6 +251,10 @@ def test_what_cannot_be_simulated_says_why(square):
     op = square.operation()
     op.Active = False
     square.doc.recompute()
+    with pytest.raises(ValueError, match="'Operation' is not active: activate it first"):
+        job_simulation.read(op)
+    op.Active = True
+    op.Path = Path.Path()
     with pytest.raises(ValueError, match="has no path to simulate: recompute it first"):
         job_simulation.read(op)
     loose = square.doc.addObject("Path::Feature", "Loose")

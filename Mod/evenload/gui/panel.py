@@ -90,6 +90,7 @@ class OperationPage(SettingsPage):
         elif prop == "ExpressionEngine" and self.is_followed:
             self.is_bound_anew = True
             self._refresh.start()
+            self.setDirty()
 
     def refresh(self):
         if self.is_bound_anew:

@@ -78,7 +78,6 @@ class SettingsPage(PreviewPage):
             value = getattr(seen, name)
             if hasattr(value, "Value") and value != getattr(self.obj, name):
                 setattr(self.obj, name, value)
-        self.setDirty()
 
     def _share_edited(self):
         if self.engagement.take_share(self.obj):
