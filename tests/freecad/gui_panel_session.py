@@ -83,6 +83,18 @@ def typed(widget, text):
     later(50)
 
 
+def type_in(widget, text):
+    """Types a text into a field by keys, and goes on to the next one."""
+    edit = widget.findChild(QtGui.QLineEdit)
+    widget.setFocus()
+    edit.selectAll()
+    for key, letter in [*((0, each) for each in text), (QtCore.Qt.Key_Tab, "\t")]:
+        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+            event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, letter)
+            QtGui.QApplication.sendEvent(widget if key else edit, event)
+    later(50)
+
+
 def fields(op):
     """Steps, limits and what unset fields show."""
     seen = {"steps": {}}
@@ -111,7 +123,7 @@ def stepped(page, op):
             assert QtCore.QMetaObject.invokeMethod(box, "stepUp")
             later(50)
             seen[name].append([box.property("text"), getattr(op, name).Value])
-    typed(page.widgets["StockToLeave"], "0.002 in")
+    type_in(page.widgets["StockToLeave"], "0.002 in")
     seen["typed"] = [page.widgets["StockToLeave"].property("text"), op.StockToLeave.Value]
     typed(page.widgets["StockToLeave"], "0 in")
     return seen

@@ -232,6 +232,25 @@ def show_unset(box, text):
         edit.blockSignals(blocked)
 
 
+def typed_in(box):
+    """The length, mm, that is being typed into a field with rounds_steps(), within its limits; None
+    where nobody types, or where it cannot be read. FreeCAD 1.1 rounds what was typed before it
+    tells that this is done.
+    """
+    edit = edit_of(box)
+    if not edit.isModified():
+        return None
+    text = edit.text().replace(",", ".")
+    for each in (text, text + " in"):  # a bare number is inches
+        try:
+            found = FreeCAD.Units.Quantity(each)
+        except ValueError:
+            return None
+        if found.Unit == FreeCAD.Units.Length:
+            return min(max(found.Value, box.property("minimum")), box.property("maximum"))
+    return None
+
+
 def show_finely(box, value):
     """Has a field with rounds_steps() show a length, mm, with INCH_DECIMALS where it shows it as
     FreeCAD does: a thousandth would be nothing.

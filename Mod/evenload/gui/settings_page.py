@@ -27,6 +27,7 @@ class SettingsPage(PreviewPage):
     """
 
     steppings = ()  # until FreeCAD has the page connected
+    typed = {}  # by settings: what is typed into fields that would round it, mm
     is_bound_anew = False  # whether expressions have changed since their values were taken
 
     def initPage(self, obj):
@@ -38,7 +39,7 @@ class SettingsPage(PreviewPage):
 
     def connect_fields(self):
         """Has what is done in the fields taken."""
-        self.steppings = []
+        self.steppings, self.typed = [], {}
         if self.engagement is not None:
             self.engagement.share.editingFinished.connect(slot(self._share_edited))
             self.steppings.append(Stepping(self.engagement.share, self._share_edited))
@@ -91,17 +92,29 @@ class SettingsPage(PreviewPage):
         if not fields.rounds_steps(self.settings[name].type):
             self._take(name)
             return
-        before, held = getattr(self.obj, name), self._lengths(name)
-        after = [fields.steps_in(box, value) for box, value in zip(self._boxes(name), held)]
-        if after != held:
-            value = FreeCAD.Vector(*after, before.z) if name in self.points else after[0]
-            setattr(self.obj, name, value)
-            self._show_settings(self.obj)
-            self.setDirty()
+        held = self._lengths(name)
+        self._set_lengths(
+            name, [fields.steps_in(box, value) for box, value in zip(self._boxes(name), held)]
+        )
+
+    def _set_lengths(self, name, lengths):
+        """Sets a length or a point to what its fields are to hold, mm, where that is new."""
+        if lengths == self._lengths(name):
+            return
+        if name in self.points:
+            lengths = [FreeCAD.Vector(*lengths, getattr(self.obj, name).z)]
+        setattr(self.obj, name, lengths[0])
+        self._show_settings(self.obj)
+        self.setDirty()
 
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
         obj, widget = self.obj, self.widgets[name]
+        typed = self.typed.pop(name, ())
+        if any(each is not None for each in typed):
+            held = self._lengths(name)
+            self._set_lengths(name, [h if t is None else t for t, h in zip(typed, held)])
+            return
         if name in self.shown and self._texts(name) == self.shown[name]:
             return  # what is shown is rounded, and is no new value until it is edited
         if name in self.boxes:
@@ -174,6 +187,8 @@ class SettingsPage(PreviewPage):
             fields.show_unset(self.widgets[name], setting.unset)
         if fields.rounds_steps(setting.type):
             for box, value in zip(self._boxes(name), self._lengths(name)):
+                if fields.edit_of(box).isModified():
+                    self.typed[name] = [fields.typed_in(each) for each in self._boxes(name)]
                 fields.show_finely(box, value)
 
     def _lengths(self, name):
