@@ -25,7 +25,7 @@ void parallel_for(std::size_t count, int threads, const Work& work, Progress& pr
   const auto take = [&](bool is_owner) {
     try {
       for (std::size_t i = next++; i < count && !stop; i = next++) {
-        if (is_owner) progress.report(static_cast<double>(i) / static_cast<double>(count));
+        if (is_owner && i > 0) progress.report(static_cast<double>(i) / static_cast<double>(count));
         if (progress.cancelled()) throw Cancelled();
         work(i);
       }
@@ -35,6 +35,8 @@ void parallel_for(std::size_t count, int threads, const Work& work, Progress& pr
     }
   };
   std::vector<std::thread> others;
+  // Asked before the others begin: small work may be done by them before this thread has its turn.
+  if (count > 0) progress.report(0);
   const auto wanted = std::min<std::size_t>(count, static_cast<std::size_t>(std::max(1, threads)));
   for (std::size_t i = 1; i < wanted; ++i) others.emplace_back(take, false);
   take(true);

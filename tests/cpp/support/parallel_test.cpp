@@ -45,5 +45,16 @@ TEST(ParallelFor, TellsItsShareAndIsCancelled) {
   EXPECT_EQ(shares, (std::vector<double>{0, 0.01, 0.02, 0.03, 0.04}));
 }
 
+TEST(ParallelFor, IsCancelledHoweverSoonTheOtherThreadsAreThroughWithIt) {
+  for (int turn = 0; turn < 300; ++turn) {
+    Progress progress([](double) { return false; });
+    std::atomic<int> calls{0};
+    EXPECT_THROW(parallel_for(
+                     8, 8, [&](std::size_t) { ++calls; }, progress),
+                 Cancelled);
+    EXPECT_EQ(calls, 0);
+  }
+}
+
 }  // namespace
 }  // namespace evenload
