@@ -53,7 +53,7 @@ def compared():
     FreeCADGui.runCommand(COMPARE)
     (view,) = simulation._shown
     ended(view.task)
-    columns = view.dock.plot._drawn()
+    columns = view.dock.plot.drawn()
     scales = [[[*each.get_xlim(), *each.get_ylim()] for each in axes] for axes in columns]
     asked = view.dock.asked
     return {

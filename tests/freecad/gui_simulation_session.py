@@ -174,7 +174,7 @@ def told(view):
     dock, found = view.dock, view.runs[0].simulation
     document = QtGui.QTextDocument()
     document.setHtml(dock.totals.text())
-    rate = dock.plot._drawn()[0][1]
+    rate = dock.plot.drawn()[0][1]
     return {
         "totals": document.toPlainText().splitlines(),
         "values": dock.values.text(),
@@ -253,7 +253,7 @@ def session():
     result["names"] = [each.name for each in view.runs]
     result["scale"] = [
         [[*axes.get_xlim(), *axes.get_ylim()] for axes in column]
-        for column in view.dock.plot._drawn()
+        for column in view.dock.plot.drawn()
     ]
     result["removed"] = [each.simulation.removed_volume_total for each in view.runs]
     result["from_both"] = clicks_into_plots(view)

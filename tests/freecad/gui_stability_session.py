@@ -50,13 +50,12 @@ def in_inches(window):
     before = window.asked().depth, window._box()
     for name, schema in (("inches", INCHES), ("mm", METRIC)):
         choose_units(schema)
-        window.view._render()
         seen[name] = {
             "told": [window.told.text(), window.found.text()],
             "boxes": [box.text() for box in (window.cut.depth, window.chart.to_depth)],
             "error": window.limits.error.suffix(),
-            "axis": window.view._axes.get_ylabel(),
-            "ticks": [each.get_text() for each in window.view._axes.get_yticklabels()],
+            "axis": window.view.drawn().get_ylabel(),
+            "ticks": [each.get_text() for each in window.view.drawn().get_yticklabels()],
             "is_same": (window.asked().depth, window._box()) == before,
         }
         grab(window, "stability_" + name)

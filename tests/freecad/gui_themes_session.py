@@ -55,6 +55,7 @@ def load_of(op, name):
 def simulation_of(op, name):
     """The window Simulation, whose plot has figures at its left."""
     from evenload.gui import simulation
+    from evenload.gui.colours import ground_of
 
     view = simulation.show(op)
     until(lambda: not view.task.is_busy)
@@ -62,6 +63,8 @@ def simulation_of(op, name):
     plot = view.dock.plot
     corner = plot.pixel_of(0, 0, 0.0).toPoint()
     figures = QtCore.QRect(0, 0, corner.x() - 1, corner.y())
+    text = view.dock.totals.palette().windowText().color()
+    result["charts"].append([name, ground_of(plot).name(), text.name()])
     found = looked_at(view.dock.widget(), painted(QtGui.QLabel, plot, "figures", figures))
     simulation.close()
     later(100)
@@ -79,6 +82,20 @@ def stability_of(op, _):
     view = window.view
     found = looked_at(window, painted(QtGui.QLabel, view, view.message, view.rect()))
     stability.close()
+    later(100)
+    return found
+
+
+def tap_test_of(*_):
+    """The dialog Tap test, which tells that there is no such file."""
+    from evenload.gui.stability_tap import TapTestDialog
+
+    dialog = TapTestDialog("nowhere.csv", FreeCADGui.getMainWindow())
+    dialog.show()
+    later(300)
+    found = looked_at(dialog)
+    dialog.close()
+    dialog.deleteLater()
     later(100)
     return found
 
@@ -102,7 +119,7 @@ def suggestion_of(op, name):
     return found
 
 
-PLACES = page_of, load_of, simulation_of, stability_of, suggestion_of
+PLACES = page_of, load_of, simulation_of, stability_of, tap_test_of, suggestion_of
 
 
 def seen_in(theme, op):
@@ -119,7 +136,7 @@ def session():
     _, _, op = job_with("Themes", 30.0)
     op.MinimumRadius = 5.0  # what is noted of it
     op.Document.recompute()
-    result["notes"] = op.Report
+    result["notes"], result["charts"] = op.Report, []
     result["themes"] = {theme: seen_in(theme, op) for theme in themes()}
     take(themes()[0])
 

@@ -8,7 +8,7 @@ import Path
 import pytest
 from conftest import sweep_of
 from evenload import commands, compiled, host, job_simulation, tool
-from evenload.simulation import part, run
+from evenload.simulation import earlier, part, run
 from FreeCAD import Vector
 from models import (
     BLOCK,
@@ -189,6 +189,20 @@ def test_moves_there_and_back_are_the_same(square):
     assert numbers == sorted(numbers)
     named = [op.Path.Commands[n - 1].Name for n in numbers[1:]]
     assert [name == "G0" for name in named] == [move[0] == RAPID for move in found[1:]]
+
+
+def test_a_path_is_followed_once_and_anew_when_it_or_what_it_follows_is_another(square):
+    op = square.done(square.operation())
+    found, _ = earlier.moves_of(op)
+    assert earlier.moves_of(op)[0] is found
+    op.ClearanceHeight = op.ClearanceHeight.Value + 7
+    higher, _ = earlier.moves_of(op)
+    assert higher[0][3] == op.ClearanceHeight.Value and higher[-1] == found[-1]
+    written = op.Path.Commands
+    op.Path = Path.Path(written[:-9])
+    assert len(earlier.moves_of(op)[0]) < len(found)
+    op.Path = Path.Path(written)
+    assert earlier.moves_of(op)[0] is higher
 
 
 def _length(found):

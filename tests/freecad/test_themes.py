@@ -11,9 +11,14 @@ ALIKE = 0.85  # of the theme's own contrast: letters have edges, and the ground 
 
 
 @pytest.fixture(scope="module")
-def themes(tmp_path_factory):
+def session(tmp_path_factory):
+    return in_gui("gui_themes_session.py", tmp_path_factory.mktemp("themes"))
+
+
+@pytest.fixture(scope="module")
+def themes(session):
     """What gui_themes_session.py reports of each theme."""
-    return in_gui("gui_themes_session.py", tmp_path_factory.mktemp("themes"))["themes"]
+    return session["themes"]
 
 
 @pytest.mark.core
@@ -35,7 +40,7 @@ def test_both_shades_of_a_colour_can_be_read_on_the_ground_that_they_are_for(nam
 def test_light_and_dark_themes_were_looked_at(themes):
     assert len(themes) > 2
     for places in themes.values():
-        assert len(places) == 5
+        assert len(places) == 6
         for place, (seen, bare) in places.items():
             assert len(seen) > 3 and len(bare) == 6, (place, seen, bare)
         seen, _ = places["page_of"]
@@ -61,3 +66,10 @@ def test_the_colours_that_we_choose_can_be_read_in_each_theme(themes):
 
 def test_all_that_we_show_can_be_read_as_well_as_what_is_the_theme_s_own(themes):
     assert _faint(themes, lambda drawn, own: drawn) == []
+
+
+def test_the_ground_of_plots_goes_with_the_texts_of_the_theme(session):
+    charts = session["charts"]
+    assert len({ground for _, ground, _ in charts}) == 2, charts
+    for theme, ground, text in charts:
+        assert colours.contrast(ground, text) > LEAST, theme

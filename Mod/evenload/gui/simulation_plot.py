@@ -1,24 +1,20 @@
 """Plots of simulations over time as a widget: drawn by matplotlib, cursors and mouse by Qt."""
 
-import FreeCAD
 import numpy
 from PySide import QtCore, QtGui
 
-from evenload.gui.images import image_of, paint_message
+from evenload.gui import colours
+from evenload.gui.chart import Chart
 from evenload.pictures import load_rows
-from evenload.pictures.figure import new_figure
 
-_translate = FreeCAD.Qt.translate
-
-INCH = 96.0  # pixels, of the plots' letters
 LEAST = 420, 300  # pixels
 STEP = 1.25  # of the zoom, for each notch of the wheel
 NOTCH = 120.0  # Qt's number for it
 SHORTEST = 0.01  # s that are seen at the least
-CURSOR, PALE = QtGui.QColor("#b3261e"), QtGui.QColor("#9aa0a6")
+PALE = QtGui.QColor("#9aa0a6")  # of the cursor in a run that is not the active one
 
 
-class PlotView(QtGui.QWidget):
+class PlotView(Chart):
     """Shows Runs of load_rows and a cursor in each: the number of a sample.
 
     A click or drag with the left button moves a cursor, the wheel zooms, a drag with another button
@@ -29,12 +25,10 @@ class PlotView(QtGui.QWidget):
     placed = QtCore.Signal(int, int)
 
     def __init__(self, parent=None):
-        super().__init__(parent)
-        self.setMinimumSize(*LEAST)
+        super().__init__(LEAST, parent)
         self.runs, self.cursors, self.active = [], [], 0
         self.limits, self.span = {}, None
-        self.message = ""
-        self._image = self._axes = self._held = None
+        self._held = None
 
     def show_runs(self, runs, limits):
         """Shows runs, all of their time if they are others than before."""
@@ -43,20 +37,16 @@ class PlotView(QtGui.QWidget):
         self.runs, self.limits, self.message = runs, limits, ""
         self.cursors = [0] * len(runs)
         self.active = min(self.active, max(0, len(runs) - 1))
-        self._redraw()
+        self.redraw()
 
     def show_limits(self, limits):
         self.limits = limits
-        self._redraw()
-
-    def follow_units(self):
-        """Draws in the units that the user has chosen by now."""
-        self._redraw()
+        self.redraw()
 
     def show_message(self, text):
         """In place of plots."""
         self.runs, self.cursors, self.message = [], [], text
-        self._redraw()
+        self.redraw()
 
     def show_cursor(self, number, sample):
         """Shows the cursor of a run, which is the active one from now on, at a sample."""
@@ -70,11 +60,11 @@ class PlotView(QtGui.QWidget):
         length = min(max(end - begin, SHORTEST), high - low)
         begin = min(max(begin, low), high - length)
         self.span = (begin, begin + length)
-        self._redraw()
+        self.redraw()
 
     def show_all(self):
         self.span = None
-        self._redraw()
+        self.redraw()
 
     def cursor_time(self, number):
         """s: where the cursor of a run is."""
@@ -84,20 +74,17 @@ class PlotView(QtGui.QWidget):
 
     def pixel_of(self, number, row, time):
         """The place in the widget of a time in s at the foot of a row, a QPointF."""
-        axes, ratio = self._drawn()[number][row], self._image.devicePixelRatio()
-        x, _ = axes.transData.transform((time, 0.0))
-        return QtCore.QPointF(x / ratio, self.height() - axes.bbox.y0 / ratio)
+        axes = self.drawn()[number][row]
+        x = self.pixel_at(axes, time, 0.0).x()
+        return QtCore.QPointF(x, self.height() - axes.bbox.y0 / self.ratio)
 
     def place_at(self, place):
         """(number of a run, time in s) at a place in the widget; None beside the plots."""
-        if not self.runs:
-            return None
-        drawn, ratio = self._drawn(), self._image.devicePixelRatio()
-        x, y = place.x() * ratio, (self.height() - place.y()) * ratio
-        for number, column in enumerate(drawn):
+        for number, column in enumerate(self.drawn() or ()):
             for axes in column:
-                if axes.bbox.contains(x, y):
-                    return number, float(axes.transData.inverted().transform((x, y))[0])
+                found = self.values_at(axes, place)
+                if found is not None:
+                    return number, found[0]
         return None
 
     def _seen(self):
@@ -112,21 +99,11 @@ class PlotView(QtGui.QWidget):
 
     # ---- Qt's ----
 
-    def resizeEvent(self, event):
-        self._image = self._axes = None
-        super().resizeEvent(event)
-
     def paintEvent(self, _):
         painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), QtCore.Qt.white)
-        if not self.runs:
-            paint_message(painter, self.rect(), self.message)
-            return
-        self._drawn()
-        painter.drawImage(0, 0, self._image)
-        painter.setRenderHint(QtGui.QPainter.Antialiasing)
-        for number in range(len(self.runs)):
-            self._draw_cursor(painter, number)
+        if self.paint(painter):
+            for number in range(len(self.runs)):
+                self._draw_cursor(painter, number)
 
     def mousePressEvent(self, event):
         found = self.place_at(event.pos())
@@ -148,8 +125,7 @@ class PlotView(QtGui.QWidget):
                 self._place(number, found[1])
             return
         _, begin, (low, high) = self._held
-        self._drawn()
-        width = self._axes[0][0].bbox.width / self._image.devicePixelRatio()
+        width = self.drawn()[0][0].bbox.width / self.ratio
         moved = (event.pos().x() - begin) / width * (high - low)
         self.show_span(low - moved, high - moved)
 
@@ -177,29 +153,19 @@ class PlotView(QtGui.QWidget):
 
     # ---- drawing ----
 
-    def _redraw(self):
-        self._image = self._axes = None
-        self.update()
-
-    def _drawn(self):
-        """The axes, [[one for each row] for each run], drawn anew where something has changed."""
-        if self._axes is None:
-            ratio = self.devicePixelRatioF()
-            figure = new_figure(self.width() / INCH, self.height() / INCH)
-            figure.set_dpi(INCH * ratio)
-            self._axes = load_rows.draw(figure, self.runs, self.limits, self.span)
-            self._image = image_of(figure)
-            self._image.setDevicePixelRatio(ratio)
-        return self._axes
+    def _draw(self, figure):
+        """[[axes for each row] for each run]"""
+        if not self.runs:
+            return None
+        return load_rows.draw(figure, self.runs, self.limits, self.span)
 
     def _draw_cursor(self, painter, number):
         begin, end = self._seen()
         time = self.cursor_time(number)
         if not begin <= time <= end:
             return
-        pen = QtGui.QPen(CURSOR if number == self.active else PALE, 1.5)
-        painter.setPen(pen)
-        for row, axes in enumerate(self._axes[number]):
+        active = QtGui.QColor(colours.drawn(colours.BAD, self))
+        painter.setPen(QtGui.QPen(active if number == self.active else PALE, 1.5))
+        for row, axes in enumerate(self.drawn()[number]):
             foot = self.pixel_of(number, row, time)
-            height = axes.bbox.height / self._image.devicePixelRatio()
-            painter.drawLine(foot, foot - QtCore.QPointF(0, height))
+            painter.drawLine(foot, foot - QtCore.QPointF(0, axes.bbox.height / self.ratio))

@@ -23,7 +23,7 @@ WIDEST = 2  # of the columns
 # Row, column, rows and columns of the buttons below the table.
 PLACES = (0, 0, 1, 2), (0, 2, 1, 1), (0, 3, 1, 1), (1, 0, 1, 2), (1, 2, 1, 2)
 ROWS = 3  # that show without scrolling
-WRONG = QtGui.QColor("#fce8e6")
+WRONG = QtGui.QColor(217, 48, 37, 50)  # over the ground of any theme
 
 
 class ModesBox(QtGui.QGroupBox):

@@ -6,7 +6,9 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.dynamics import Frf, pictures
+from evenload.gui import colours
 from evenload.gui.images import image_of
+from evenload.gui.shaded import Shaded
 from evenload.gui.slots import slot
 from evenload.settings.sentences import shown
 
@@ -39,8 +41,7 @@ class TapTestDialog(QtGui.QDialog):
         self.picture = QtGui.QLabel()
         self.picture.setFixedSize(*SIZE)
         self.picture.setAlignment(QtCore.Qt.AlignCenter)
-        self.told = QtGui.QLabel()
-        self.told.setWordWrap(True)
+        self.told = Shaded()
         self.told.setFixedWidth(SIZE[0])
         buttons = QtGui.QDialogButtonBox(
             QtGui.QDialogButtonBox.Ok | QtGui.QDialogButtonBox.Cancel, QtCore.Qt.Horizontal
@@ -110,7 +111,7 @@ class TapTestDialog(QtGui.QDialog):
             )
         except (ValueError, OSError) as error:
             self.picture.clear()
-            self._tell(str(error), "#d93025")
+            self._tell(str(error), colours.BAD)
         else:
             self.picture.setPixmap(_pixmap_of(self.fitted))
             rows = [
@@ -118,12 +119,11 @@ class TapTestDialog(QtGui.QDialog):
                 % (mode.frequency, 100 * mode.damping_ratio, mode.stiffness)
                 for mode in self.fitted
             ]
-            self._tell("\n".join(["; ".join(rows), *self.frf.notes]), "#202124")
+            self._tell("\n".join(["; ".join(rows), *self.frf.notes]))
         self.ok.setEnabled(self.fitted is not None)
 
-    def _tell(self, text, colour):
-        self.told.setText(shown(text))
-        self.told.setStyleSheet("color: %s" % colour)
+    def _tell(self, text, colour=None):
+        self.told.tell(shown(text), colour)
 
 
 def _pixmap_of(fitted):

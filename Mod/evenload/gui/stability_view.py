@@ -4,13 +4,12 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload import units
-from evenload.gui.images import image_of, paint_message
-from evenload.pictures.figure import new_figure
+from evenload.gui import colours
+from evenload.gui.chart import Chart
 from evenload.stability import picture
 
 _translate = FreeCAD.Qt.translate
 
-INCH = 96.0  # pixels, of the chart's letters
 STABLE, UNSTABLE, UNKNOWN = (
     QtGui.QColor(c) for c in (picture.STABLE_POINT, picture.UNSTABLE_POINT, picture.GREY)
 )
@@ -19,7 +18,7 @@ MARGINS = 62, 16, 12, 48  # pixels around the axes: left, right, top, bottom
 LEAST = 420, 320  # pixels
 
 
-class ChartView(QtGui.QWidget):
+class ChartView(Chart):
     """Shows a Field, the operation's point and the chosen one.
 
     `chosen` is told when the user clicks a point, which is `point` then: (rev/min, mm). `taken` is
@@ -30,26 +29,20 @@ class ChartView(QtGui.QWidget):
     taken = QtCore.Signal()
 
     def __init__(self, parent=None):
-        super().__init__(parent)
-        self.setMinimumSize(*LEAST)
+        super().__init__(LEAST, parent)
         self.setMouseTracking(True)
-        self.field, self.message = None, ""
+        self.field = None
         self.operation = self.point = self.is_stable = None
-        self._image = self._axes = self._under_mouse = None
+        self._under_mouse = None
 
     def show_field(self, field):
-        self.field, self.message, self._image = field, "", None
-        self.update()
+        self.field, self.message = field, ""
+        self.redraw()
 
     def show_message(self, text):
         """In place of a chart."""
-        self.field, self.message, self._image, self._axes = None, text, None, None
-        self.update()
-
-    def follow_units(self):
-        """Draws depths in the unit that the user has chosen by now."""
-        self._image = self._axes = None
-        self.update()
+        self.field, self.message = None, text
+        self.redraw()
 
     def show_points(self, operation, point, is_stable):
         """(rev/min, mm) each; is_stable: None where it is not known yet."""
@@ -60,43 +53,22 @@ class ChartView(QtGui.QWidget):
 
     def pixel_of(self, point):
         """The place of (rev/min, mm) in the widget, a QPointF; None without a chart."""
-        if self._axes is None:
-            self._render()
-        if self._axes is None:
-            return None
-        x, y = self._axes.transData.transform(point)
-        ratio = self._image.devicePixelRatio()
-        return QtCore.QPointF(x / ratio, self.height() - y / ratio)
+        axes = self.drawn()
+        return axes and self.pixel_at(axes, *point)
 
     def point_at(self, place):
         """(rev/min, mm) at a place of the widget; None beside the chart."""
-        if self._axes is None:
-            return None
-        ratio = self._image.devicePixelRatio()
-        x, y = place.x() * ratio, (self.height() - place.y()) * ratio
-        if not self._axes.bbox.contains(x, y):
-            return None
-        speed, depth = self._axes.transData.inverted().transform((x, y))
-        return (float(speed), float(depth)) if depth > 0 else None
+        found = self.drawn() and self.values_at(self.drawn(), place)
+        return found if found and found[1] > 0 else None
 
     # ---- Qt's ----
 
-    def resizeEvent(self, event):
-        self._image = self._axes = None
-        super().resizeEvent(event)
-
     def paintEvent(self, _):
         painter = QtGui.QPainter(self)
-        painter.fillRect(self.rect(), QtCore.Qt.white)
-        if self.field is None:
-            paint_message(painter, self.rect(), self.message)
+        if not self.paint(painter):
             return
-        if self._image is None:
-            self._render()
-        painter.drawImage(0, 0, self._image)
-        painter.setRenderHint(QtGui.QPainter.Antialiasing)
         self._draw_points(painter)
-        painter.setPen(QtGui.QColor("#5f6368"))
+        painter.setPen(QtGui.QColor(colours.drawn(colours.QUIET, self)))
         legend = _translate("EvenLoad", "○ as it is   ● as chosen")
         painter.drawText(self._margins(), QtCore.Qt.AlignLeft | QtCore.Qt.AlignTop, legend)
         if self._under_mouse is not None:
@@ -130,13 +102,10 @@ class ChartView(QtGui.QWidget):
 
     # ---- drawing ----
 
-    def _render(self):
+    def _draw(self, figure):
         if self.field is None:
-            return
-        ratio = self.devicePixelRatioF()
+            return None
         width, height = self.width(), self.height()
-        figure = new_figure(width / INCH, height / INCH)
-        figure.set_dpi(INCH * ratio)
         # Not left to matplotlib, which takes longer for it than for the rest.
         left, right, top, bottom = MARGINS
         axes = figure.add_axes(
@@ -146,15 +115,11 @@ class ChartView(QtGui.QWidget):
             )
         )
         picture.draw(axes, self.field)
-        self._image = image_of(figure)
-        self._image.setDevicePixelRatio(ratio)
-        self._axes = axes
+        return axes
 
     def _margins(self):
         """Where words stand within the axes."""
-        if self._axes is None:
-            return self.rect()
-        box, ratio = self._axes.bbox, self._image.devicePixelRatio()
+        box, ratio = self.drawn().bbox, self.ratio
         left, right = round(box.x0 / ratio), round(box.x1 / ratio)
         top = self.height() - round(box.y1 / ratio)
         return QtCore.QRect(left, top, right - left, self.height()).adjusted(8, 8, -8, 0)
@@ -163,7 +128,7 @@ class ChartView(QtGui.QWidget):
         colour = {None: UNKNOWN, True: STABLE, False: UNSTABLE}[self.is_stable]
         painter.setClipRect(self.rect())
         if self.operation is not None:
-            painter.setPen(QtGui.QPen(QtGui.QColor("#202124"), 2))
+            painter.setPen(QtGui.QPen(QtGui.QColor(self.ground.ink), 2))
             painter.drawEllipse(self.pixel_of(self.operation), RADIUS + 3, RADIUS + 3)
         if self.point is not None:
             painter.setPen(QtGui.QPen(QtCore.Qt.white, 1.5))

@@ -6,11 +6,13 @@ its sizes itself, for matplotlib's settings are everyone's.
 
 import contextlib
 import threading
+from dataclasses import dataclass
 
 import matplotlib
 import numpy
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.figure import Figure
+from matplotlib.text import Text
 from matplotlib.ticker import AutoLocator, FuncFormatter
 from matplotlib.transforms import ScaledTranslation
 
@@ -21,12 +23,37 @@ SVG = {"svg.fonttype": "none", "svg.hashsalt": "EvenLoad"}
 _writing_svg = threading.Lock()
 
 
+@dataclass(frozen=True)
+class Ground:
+    """The colours of paper, of what is written on it, and of the grid behind what is drawn."""
+
+    paper: str
+    ink: str
+    grid: str
+
+
+LIGHT = Ground("#ffffff", "#000000", "#e8eaed")  # of all files
+DARK = Ground("#2b2c2e", "#e8eaed", "#44474b")  # of charts in a window whose theme is dark
+
+
 def new_figure(width, height, **options):
     """An empty figure; inches."""
     # Not pyplot: FreeCAD's own plots keep their backend.
     figure = Figure(figsize=(width, height), dpi=150, **options)
     FigureCanvasAgg(figure)
     return figure
+
+
+def put_on(figure, ground):
+    """Has all that is drawn by now stand on a Ground; the colours of values stay."""
+    figure.set_facecolor(ground.paper)
+    for axes in figure.axes:
+        axes.set_facecolor(ground.paper)
+        axes.tick_params(color=ground.ink, labelcolor=ground.ink, grid_color=ground.grid)
+        for spine in axes.spines.values():
+            spine.set_edgecolor(ground.ink)
+    for words in figure.findobj(Text):
+        words.set_color(ground.ink)
 
 
 def save(figure, path):

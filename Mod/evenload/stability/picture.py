@@ -6,7 +6,8 @@ from evenload.pictures.figure import save as save_figure
 from evenload.stability import field
 from evenload.translation import translate
 
-UNSTABLE, EDGE, GREY = "#fce8e6", "#d93025", "#9aa0a6"
+EDGE, GREY = "#d93025", "#9aa0a6"
+TINT = 0.12  # of the unstable area by the colour of its edge, on any ground
 STABLE_POINT, UNSTABLE_POINT = "#188038", "#d93025"
 SPEEDS = 0.5, 1.8  # of the operation's, that a chart shows
 DEPTHS = 2.5  # times the operation's
@@ -26,7 +27,12 @@ def draw(axes, found, cut=None, is_stable=None):
     """A Field in matplotlib's axes, and the point of the operation in it."""
     if found.radii.max() >= 1:
         levels = (1, max(2.0, 1.001 * found.radii.max()))
-        axes.contourf(found.speeds, found.depths, found.radii, levels=levels, colors=[UNSTABLE])
+        axes.contourf(
+            *(found.speeds, found.depths, found.radii),
+            levels=levels,
+            colors=[EDGE],
+            alpha=TINT,
+        )
         axes.contour(
             *(found.speeds, found.depths, found.radii),
             levels=[1],
