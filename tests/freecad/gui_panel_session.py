@@ -83,16 +83,16 @@ def typed(widget, text):
     later(50)
 
 
-def type_in(widget, text):
-    """Types a text into a field by keys, and goes on to the next one."""
+def strike(widget, text, *keys):
+    """Types a text into a field by keys, in place of what it shows, and strikes further keys."""
     edit = widget.findChild(QtGui.QLineEdit)
     widget.setFocus()
     edit.selectAll()
-    for key, letter in [*((0, each) for each in text), (QtCore.Qt.Key_Tab, "\t")]:
+    for key, letter in [*((0, each) for each in text), *((key, "") for key in keys)]:
         for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
             event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, letter)
             QtGui.QApplication.sendEvent(widget if key else edit, event)
-    later(50)
+        later(50)  # as nobody is faster
 
 
 def fields(op):
@@ -123,9 +123,25 @@ def stepped(page, op):
             assert QtCore.QMetaObject.invokeMethod(box, "stepUp")
             later(50)
             seen[name].append([box.property("text"), getattr(op, name).Value])
-    type_in(page.widgets["StockToLeave"], "0.002 in")
-    seen["typed"] = [page.widgets["StockToLeave"].property("text"), op.StockToLeave.Value]
-    typed(page.widgets["StockToLeave"], "0 in")
+    box, tab, up, down = page.widgets["StockToLeave"], *(
+        getattr(QtCore.Qt, "Key_" + name) for name in ("Tab", "Up", "Down")
+    )
+    seen["struck"] = {}
+    for name, text, *keys in (
+        ("a thousandth", "0.002 in", tab),
+        ("then an arrow", ".003", up),
+        ("and left", ".007", down, down, tab),
+        ("down", ".003", tab, down, down, down, down),
+        ("up again", ".004", tab, down, down, down, up),
+        ("mm", "0.1 mm", tab),
+        ("nothing", "", QtCore.Qt.Key_Backspace, tab),
+        ("backspaces", "0.07", *5 * [QtCore.Qt.Key_Backspace], tab),
+        ("below", "-5", tab),
+        ("words", "five", tab),
+        ("none", "0", tab),
+    ):
+        strike(box, text, *keys)
+        seen["struck"][name] = [box.property("text"), op.StockToLeave.Value / 25.4]
     return seen
 
 

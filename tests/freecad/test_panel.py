@@ -38,8 +38,17 @@ def test_a_press_of_an_arrow_adds_two_thousandths_of_an_inch_and_they_are_seen(s
         assert added == pytest.approx(3 * [0.002], rel=1e-6), name
         shown = [float(text.replace(",", ".").split()[0]) for text, _ in seen[name] if text]
         assert shown == pytest.approx(lengths[len(lengths) - len(shown) :], abs=5.1e-5), name
-    text, length = seen["typed"]
-    assert text.replace(",", ".") == "0.0020 in" and length == pytest.approx(0.0508)
+
+
+def test_what_is_typed_and_stepped_in_inches_counts_as_it_is_typed(session):
+    struck, tenth_mm = session["fields"]["stepped"]["struck"], 0.1 / 25.4
+    wanted = {"a thousandth": 0.002, "then an arrow": 0.005, "and left": 0.003, "down": 0}
+    wanted.update({"up again": 0.002, "mm": tenth_mm, "none": 0})
+    kept = dict.fromkeys(("nothing", "backspaces", "below", "words"), tenth_mm)
+    for name, length in {**wanted, **kept}.items():
+        text, found = struck[name]
+        assert found == pytest.approx(length, abs=1e-9), name
+        assert text.replace(",", ".") == "%.4f in" % length, name
 
 
 def test_an_expression_that_is_entered_in_the_open_panel_counts_at_once(session):

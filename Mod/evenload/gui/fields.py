@@ -2,7 +2,7 @@
 
 import FreeCAD
 import FreeCADGui
-from PySide import QtCore, QtGui
+from PySide import QtGui
 
 from evenload.gui.slots import slot
 from evenload.units import INCH
@@ -44,9 +44,6 @@ STEPS = {
 FINE_STEPS = 0.001, 0.0001 * INCH  # mm
 FINE_DECIMALS = 4, 6  # in mm, in inches
 FINE_MOST = 10.0  # mm
-INCH_DECIMALS = 4
-COARSE = 0.1 * INCH  # mm: a step that FreeCAD's decimals show
-ROUNDED = 0.01 * INCH  # mm: more than two decimals of an inch round away
 UNITS = "User parameter:BaseApp/Preferences/Units"
 DIMENSIONS = {ANGLE: "Angle", LENGTH: "Length", POINT: "Length", SPEED: "Velocity"}
 
@@ -168,7 +165,6 @@ def show(widget, value, point=None):
     if point:
         for box, number in zip(point, (value.x, value.y)):
             box.setProperty("rawValue", number)
-            set_step(box, POINT)
         return
     blocked = widget.blockSignals(True)
     if isinstance(widget, QtGui.QComboBox):
@@ -188,33 +184,9 @@ def show(widget, value, point=None):
 
 
 def set_step(box, kind):
-    """Has the arrows of a quantity's field add a sensible step, in the units that it shows now; one
-    that its decimals can show, where steps_in() is to tell how many of ours that are.
-    """
+    """Has the arrows of a quantity's field add a sensible step, in the units that it shows now."""
     factor, unit = _shown_unit(kind, box.property("rawValue") or 0.0)
-    step = COARSE if rounds_steps(kind) else STEPS[kind][_is_inch(unit)]
-    box.setProperty("singleStep", float("%.3g" % (step / factor)))
-
-
-def rounds_steps(kind):
-    """Whether the fields of a kind of quantity round our steps away: inches with FreeCAD's
-    decimals, by default two.
-    """
-    if kind not in (LENGTH, POINT) or _shown_unit(LENGTH, INCH)[1] != "in":
-        return False  # mm, or fractions of inches
-    return FreeCAD.ParamGet(UNITS).GetInt("Decimals", 2) < INCH_DECIMALS
-
-
-def steps_in(box, before):
-    """The value, mm, that a field with rounds_steps() is to hold: `before`, with a step of ours for
-    each that its arrows, a key or the wheel have added.
-    """
-    added = box.property("rawValue") - before
-    count = round(added / COARSE)
-    if count == 0 and abs(added) > ROUNDED:  # it has stopped at a limit
-        count = 1 if added > 0 else -1
-    after = before + count * STEPS[LENGTH][True]
-    return min(max(after, box.property("minimum")), box.property("maximum"))
+    box.setProperty("singleStep", float("%.3g" % (STEPS[kind][_is_inch(unit)] / factor)))
 
 
 def edit_of(box):
@@ -222,47 +194,16 @@ def edit_of(box):
     return box.findChild(QtGui.QLineEdit)
 
 
-def show_unset(box, text):
-    """Has a quantity's field that holds 0 show a text in its place, unless it is edited."""
+def show_unset(box, text, value):
+    """Has a quantity's field show a text where its value is 0 and not rounded to that, unless it is
+    edited.
+    """
     edit = edit_of(box)
     edit.setPlaceholderText(FreeCAD.Qt.translate("EvenLoad", text))
-    if box.property("rawValue") == 0 and not edit.hasFocus():
+    if value == 0 == box.property("rawValue") and not edit.hasFocus():
         blocked = edit.blockSignals(True)  # the value stays
         edit.clear()
         edit.blockSignals(blocked)
-
-
-def typed_in(box):
-    """The length, mm, that is being typed into a field with rounds_steps(), within its limits; None
-    where nobody types, or where it cannot be read. FreeCAD 1.1 rounds what was typed before it
-    tells that this is done.
-    """
-    edit = edit_of(box)
-    if not edit.isModified():
-        return None
-    text = edit.text().replace(",", ".")
-    for each in (text, text + " in"):  # a bare number is inches
-        try:
-            found = FreeCAD.Units.Quantity(each)
-        except ValueError:
-            return None
-        if found.Unit == FreeCAD.Units.Length:
-            return min(max(found.Value, box.property("minimum")), box.property("maximum"))
-    return None
-
-
-def show_finely(box, value):
-    """Has a field with rounds_steps() show a length, mm, with INCH_DECIMALS where it shows it as
-    FreeCAD does: a thousandth would be nothing.
-    """
-    edit = edit_of(box)
-    if edit.text() != FreeCAD.Units.Quantity(value, FreeCAD.Units.Length).UserString:
-        return  # it is edited, or stepped
-    locale = QtCore.QLocale()
-    locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
-    blocked = edit.blockSignals(True)  # the value stays
-    edit.setText(locale.toString(value / INCH, "f", INCH_DECIMALS) + " in")
-    edit.blockSignals(blocked)
 
 
 class FineBox(QtGui.QDoubleSpinBox):
@@ -339,6 +280,11 @@ def values_in(text):
 def width_of(widget, text):
     """Pixels of a text in a widget."""
     return QtGui.QFontMetrics(widget.font()).boundingRect(text).width()
+
+
+def shows_decimal_inches():
+    """Whether lengths are shown as decimal numbers of inches, not as fractions nor in feet."""
+    return _shown_unit(LENGTH, INCH)[1] == "in"
 
 
 def shows_inches():

@@ -6,6 +6,7 @@ from PySide import QtCore
 from evenload import units
 from evenload.gui import fields
 from evenload.gui.slots import slot
+from evenload.settings.setting import LENGTH
 
 
 class LengthBox(fields.FineBox):
@@ -50,6 +51,12 @@ class FineLengthBox(LengthBox):
     """The same for tolerances and feeds per tooth."""
 
     digits, steps = fields.FINE_DECIMALS, (0.005, 0.0002 * fields.INCH)
+
+
+class SettingBox(LengthBox):
+    """The same for lengths as operations have them."""
+
+    digits, steps = (2, 4), fields.STEPS[LENGTH]
 
 
 class RoughnessBox(LengthBox):

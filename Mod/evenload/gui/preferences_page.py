@@ -4,11 +4,12 @@ import FreeCAD
 from PySide import QtCore, QtGui
 
 from evenload.gui import fields, load_colours, manual, preferences
+from evenload.gui.length_box import SettingBox
 from evenload.gui.machine_box import MachineBox
 from evenload.settings.setting import ANGLE, BOOL, LENGTH
 
 BAR = 72, 12  # pixels of a scale's picture
-OWN_UNITS = {ANGLE: "deg", LENGTH: "mm"}  # FreeCAD's: what is shown follows its unit schema
+MOST = 1e4  # mm
 
 _translate = FreeCAD.Qt.translate
 
@@ -22,7 +23,7 @@ class PageWidgets:
         # FreeCAD's dialog shows this as the page's name.
         self.form.setWindowTitle(_translate("EvenLoad", "General"))
         self._shown = {}  # values of settings as they were shown, rounded
-        self.defaults = {row.name: fields.widget_of(row) for row in preferences.ROWS}
+        self.defaults = {row.name: _field_of(row) for row in preferences.ROWS}
         self.live = QtGui.QCheckBox(_translate("EvenLoad", "Live preview"))
         self.live.setToolTip(
             _translate("EvenLoad", "Shows the path in the 3D view while values change")
@@ -91,8 +92,11 @@ class PageWidgets:
         if row.is_fine:
             widget.show_units()
             widget.set_mm(value)
-        elif row.type in OWN_UNITS:
-            widget.setProperty("unit", OWN_UNITS[row.type])
+        elif row.type == LENGTH:
+            widget.set_mm(value)
+            widget.follow_units()
+        elif row.type == ANGLE:
+            widget.setProperty("unit", "deg")
             widget.setProperty("rawValue", float(value))
             fields.set_step(widget, row.type)
         else:
@@ -100,9 +104,16 @@ class PageWidgets:
 
     def _value(self, row):
         widget = self.defaults[row.name]
-        if row.type in OWN_UNITS and not row.is_fine:
+        if row.type == ANGLE:
             return float(widget.property("rawValue"))
         return fields.value_of(widget)
+
+
+def _field_of(row):
+    """The field of a setting. FreeCAD's own would round thousandths of an inch away."""
+    if row.type == LENGTH and not row.is_fine:
+        return SettingBox(MOST, least=row.range.low)
+    return fields.widget_of(row)
 
 
 def _picture(name):

@@ -6,11 +6,12 @@ from PySide import QtGui
 from evenload import host
 from evenload.gui import bound_fields, fields
 from evenload.gui.preview_page import PreviewPage
+from evenload.gui.rounded_length import RoundedLength, is_rounded
 from evenload.gui.stepping import Stepping
 from evenload.gui.slots import slot
 from evenload.operations.following import bound
 from evenload.operations.seen import Seen
-from evenload.settings.setting import UNITS
+from evenload.settings.setting import LENGTH, POINT, UNITS
 from evenload.settings.table import HOLE_ENTRIES
 
 _gui = host.gui()
@@ -27,7 +28,7 @@ class SettingsPage(PreviewPage):
     """
 
     steppings = ()  # until FreeCAD has the page connected
-    typed = {}  # by settings: what is typed into fields that would round it, mm
+    lengths = {}  # the RoundedLength of each field, by settings
     is_bound_anew = False  # whether expressions have changed since their values were taken
 
     def initPage(self, obj):
@@ -36,10 +37,15 @@ class SettingsPage(PreviewPage):
             setting = self.settings[name]
             if setting.type in UNITS and not setting.is_fine:
                 self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
+        self.lengths = {
+            name: [RoundedLength(box, self.settings[name].range) for box in self._boxes(name)]
+            for name in (*self.boxes, *self.points)
+            if self.settings[name].type in (LENGTH, POINT)
+        }
 
     def connect_fields(self):
         """Has what is done in the fields taken."""
-        self.steppings, self.typed = [], {}
+        self.steppings = []
         if self.engagement is not None:
             self.engagement.share.editingFinished.connect(slot(self._share_edited))
             self.steppings.append(Stepping(self.engagement.share, self._share_edited))
@@ -87,33 +93,33 @@ class SettingsPage(PreviewPage):
 
     def _take_step(self, name):
         """Takes what arrows, keys or the wheel have added; it is called, too, when FreeCAD has
-        written a text anew.
+        written a text anew, that of an expression among them.
         """
-        if not fields.rounds_steps(self.settings[name].type):
+        if not is_rounded(self.settings[name].type):
             self._take(name)
-            return
-        held = self._lengths(name)
-        self._set_lengths(
-            name, [fields.steps_in(box, value) for box, value in zip(self._boxes(name), held)]
-        )
+        elif name not in bound(self.obj):
+            is_stepped = any(each.steps for each in self.lengths[name])
+            if not self._take_lengths(name) and is_stepped:
+                self._show_settings(self.obj)  # it stays at a limit
 
-    def _set_lengths(self, name, lengths):
-        """Sets a length or a point to what its fields are to hold, mm, where that is new."""
+    def _take_lengths(self, name):
+        """Sets a length or a point to what its fields stand for; tells whether that is new."""
+        lengths = [each.value() for each in self.lengths[name]]
         if lengths == self._lengths(name):
-            return
+            return False
         if name in self.points:
             lengths = [FreeCAD.Vector(*lengths, getattr(self.obj, name).z)]
         setattr(self.obj, name, lengths[0])
         self._show_settings(self.obj)
         self.setDirty()
+        return True
 
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
         obj, widget = self.obj, self.widgets[name]
-        typed = self.typed.pop(name, ())
-        if any(each is not None for each in typed):
-            held = self._lengths(name)
-            self._set_lengths(name, [h if t is None else t for t, h in zip(typed, held)])
+        if is_rounded(self.settings[name].type) and name in self.lengths:
+            if name not in bound(obj) and not self._take_lengths(name):
+                self._show_settings(obj)  # in place of what is no length, or beyond the limits
             return
         if name in self.shown and self._texts(name) == self.shown[name]:
             return  # what is shown is rounded, and is no new value until it is edited
@@ -155,10 +161,13 @@ class SettingsPage(PreviewPage):
             value, setting = getattr(obj, name), self.settings[name]
             if name in self.boxes:
                 host.show_value(self.boxes[name])
-                fields.set_step(widget, setting.type)
             else:
                 fields.show(widget, value, self.points.get(name))
             if name in (*self.boxes, *self.points):
+                for box in self._boxes(name):
+                    fields.set_step(box, setting.type)
+                for each, length in zip(self.lengths.get(name, ()), self._lengths(name)):
+                    each.show(length, is_rounded(setting.type))
                 self._show_text(name)
         self.shown = {
             name: self._texts(name)
@@ -184,12 +193,10 @@ class SettingsPage(PreviewPage):
         """Shows a quantity or a point as we want it, where FreeCAD's fields have their own way."""
         setting = self.settings[name]
         if setting.unset and name in self.boxes:
-            fields.show_unset(self.widgets[name], setting.unset)
-        if fields.rounds_steps(setting.type):
-            for box, value in zip(self._boxes(name), self._lengths(name)):
-                if fields.edit_of(box).isModified():
-                    self.typed[name] = [fields.typed_in(each) for each in self._boxes(name)]
-                fields.show_finely(box, value)
+            fields.show_unset(self.widgets[name], setting.unset, getattr(self.obj, name).Value)
+        if is_rounded(setting.type):
+            for each in self.lengths[name]:
+                each.look()
 
     def _lengths(self, name):
         """What the fields of a length or a point are to hold, mm."""

@@ -16,10 +16,11 @@ class Stepping:
 
     def __init__(self, box, take, *arguments):
         self._edit, self._is_ended = fields.edit_of(box), False
+        self._take = slot(take, *arguments)
         self._timer = QtCore.QTimer(box)  # the box has its new value by then
         self._timer.setSingleShot(True)
         self._timer.setInterval(0)
-        self._timer.timeout.connect(slot(take, *arguments))
+        self._timer.timeout.connect(slot(self._tell))
         # Of FreeCAD's boxes Python sees no signal of the value, of Qt's none of the text.
         changed = box.valueChanged if hasattr(box, "valueChanged") else self._edit.textChanged
         changed.connect(slot(self._changed))
@@ -32,3 +33,7 @@ class Stepping:
     def _changed(self):
         if not self._is_ended and not self._edit.isModified():
             self._timer.start()
+
+    def _tell(self):
+        if not self._edit.isModified():  # nobody has begun to type meanwhile
+            self._take()
