@@ -87,10 +87,19 @@ def _silent_nodes(tree):
         elif isinstance(node, ast.Dict):
             silent.update(id(key) for key in node.keys)
         elif isinstance(node, ast.Call) and name_of(node.func) in SILENT_CALLS:
-            silent.update(id(inner) for each in node.args for inner in ast.walk(each))
+            silent.update(id(inner) for each in node.args for inner in _untranslated(each))
         elif isinstance(node, ast.Call) and name_of(node.func) in TRANSLATE:
             silent.update(id(each) for each in node.args if is_text(each) and each.value == CONTEXT)
     return silent
+
+
+def _untranslated(node):
+    """A node and all in it but what is translated there."""
+    if isinstance(node, ast.Call) and name_of(node.func) in TRANSLATE:
+        return
+    yield node
+    for each in ast.iter_child_nodes(node):
+        yield from _untranslated(each)
 
 
 def _commands():

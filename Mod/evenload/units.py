@@ -113,6 +113,11 @@ def in_users_unit(text):
     return _SHOWN.sub(_in_inches, text) if shows_inches() else text
 
 
+def tells_values(text):
+    """Whether a text would be another one in inches, in FreeCAD's window or not."""
+    return any(not found["name"] for found in _SHOWN.finditer(text))
+
+
 def _in_inches(found):
     if found["name"]:
         return found["name"]

@@ -1,11 +1,14 @@
 """Names of things in sentences: few of many, and none too long."""
 
+from evenload import units
+
 MOST_NAMES = 3  # in a sentence
 LONGEST_LABEL = 40  # characters of an object's label in a sentence
 
 
 def name_of(parts):
-    """Such as 'Face7, Face9 of Model' or '200 edges of Outline': at most MOST_NAMES of a kind.
+    """Such as 'Face7, Face9 of Model' or '200 edges of Outline': at most MOST_NAMES of a kind. In
+    quotes where it reads like a length, so that it stays as the user wrote it.
 
     parts: of (label of an object, sub-element or '').
     """
@@ -13,7 +16,7 @@ def name_of(parts):
     for label, element in parts:
         names.setdefault(label, []).append(element)
     named = [
-        "%s of %s" % (_elements(found), shortened(label)) if any(found) else shortened(label)
+        "%s of %s" % (_elements(found), _whole(label)) if any(found) else _whole(label)
         for label, found in names.items()
     ]
     return listed(named, " and ", "others")
@@ -36,6 +39,12 @@ def listed(names, between=", ", rest="more", most=MOST_NAMES):
 def shortened(label):
     """A label that leaves room for what is said of it."""
     return label if len(label) <= LONGEST_LABEL else label[: LONGEST_LABEL - 1] + "\u2026"
+
+
+def _whole(label):
+    """A label, shortened and as one word: 'Plate 10 mm' is no length."""
+    label = shortened(label)
+    return "'%s'" % label if units.tells_values(label) else label
 
 
 def ends_of(label, most):

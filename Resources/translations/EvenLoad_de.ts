@@ -5158,6 +5158,14 @@
         <source>The preview is shown; Apply or Cancel brings the load back.</source>
         <translation>Die Vorschau wird gezeigt; Anwenden oder Abbrechen bringt die Belastung zurück.</translation>
     </message>
+    <message>
+        <source>Cancelled: what is shown was simulated before.</source>
+        <translation>Abgebrochen: was gezeigt wird, wurde vorher simuliert.</translation>
+    </message>
+    <message>
+        <source>Set by the expression of &apos;%s&apos;</source>
+        <translation>Vom Ausdruck von „%s“ gesetzt</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

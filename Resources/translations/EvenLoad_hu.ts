@@ -5158,6 +5158,14 @@
         <source>The preview is shown; Apply or Cancel brings the load back.</source>
         <translation>Az előnézet látszik; az Alkalmaz vagy a Mégse visszahozza a terhelést.</translation>
     </message>
+    <message>
+        <source>Cancelled: what is shown was simulated before.</source>
+        <translation>Megszakítva: ami látható, azt korábban szimulálta.</translation>
+    </message>
+    <message>
+        <source>Set by the expression of &apos;%s&apos;</source>
+        <translation>„%s” kifejezése adja meg</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

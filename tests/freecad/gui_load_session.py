@@ -206,14 +206,14 @@ def without_path(view, op):
 
 
 def stopped(view):
-    """Cancel while it is simulated: what is told, and what stays."""
-    before = view.found
+    """Cancel while it is simulated anew: what is seen before, what is told, and what stays."""
     view.simulate()
+    seen = view.node.root.whichChild.getValue()
     shown = view.dock.cancel.isVisible(), view.dock.bar.isVisible()
     view.dock.cancel.click()
     later(50)
     hidden = view.dock.cancel.isVisible(), view.dock.bar.isVisible()
-    return [*shown, *hidden, view.dock.told.text(), view.found is before]
+    return [seen, *shown, *hidden, view.dock.told.text(), len(nodes_in_scene())]
 
 
 def own_line(op):
@@ -248,6 +248,18 @@ def beside_a_preview(op):
     later(200)
     seen += [view.limit(), view.node.root.whichChild.getValue(), view.dock.told.isVisible()]
     command(op)
+    # The same where the preview was there first.
+    opened(op)
+    turn(op, 35)
+    until(lambda: shown(op))
+    op.ViewObject.Proxy.panel.featurePages[-1].load.click()
+    simulated()
+    (view,) = load_view._shown
+    seen += [view.node.root.whichChild.getValue(), view.dock.told.text()]
+    press(CANCEL)
+    later(200)
+    seen += [view.node.root.whichChild.getValue(), view.dock.told.isVisible()]
+    command(op)
     return seen
 
 
@@ -272,8 +284,6 @@ def out_of_its_job(op):
     simulated()
     seen += [view.dock.told.isVisible(), view.found is None, view.dock.choice.currentIndex()]
     op.Label = "Renamed"
-    op.Document.recompute()
-    simulated()
     seen.append(view.dock.windowTitle())
     op.Label = "Ours"
     command(op)

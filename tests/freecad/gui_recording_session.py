@@ -44,6 +44,8 @@ def set_in_panel(op):
     op.EngagementAngle, op.FeedControl, op.LinkFeed = 45, "Constant removal rate", "1200 mm/min"
     op.setExpression("StepDown", None)
     op.StepDown = 1.5
+    op.setExpression("LinkLift", "OpToolDiameter * 0.1")
+    op.setExpression("EntryPoint.x", "7 mm")
     for page in op.ViewObject.Proxy.panel.featurePages:
         page.setFields(op)
 
@@ -73,6 +75,7 @@ def session():
         later(500)
     result["valid"] = op.isValid()
     result["own"] = list(op.OwnValues)
+    result["expressions"] = sorted(map(list, op.ExpressionEngine))
     result["path"] = op.Path.toGCode()
 
 

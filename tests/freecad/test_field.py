@@ -108,6 +108,8 @@ def test_of_many_edges_their_number_is_named_and_the_reason_is_near(bench):
         ([("Sketch", "")], "Sketch"),
         ([("A", "Face1"), ("B", "")], "Face1 of A and B"),
         ([("Sketch%d" % n, "") for n in range(12)], "Sketch0 and Sketch1 and Sketch2 and 9 others"),
+        ([("Plate 10 mm", "Face7")], "Face7 of 'Plate 10 mm'"),
+        ([("Body (1, 2)", ""), ("Plate 10", "")], "'Body (1, 2)' and Plate 10"),
         ([("x" * 300, "Face1")], "Face1 of %s\u2026" % ("x" * 39)),
     ],
 )

@@ -12,6 +12,7 @@ from evenload.planar import CUT, LINK
 pytestmark = pytest.mark.between
 
 LEAST_LIGHTNESS_APART = 17
+SHOWN, HIDDEN = -3, -1  # of a Coin switch
 
 
 @pytest.fixture(scope="module")
@@ -131,8 +132,9 @@ def test_it_follows_each_computation(session):
 
 def test_it_stands_back_while_a_preview_shows_another_path(session):
     told = "The preview is shown; Apply or Cancel brings the load back."
-    shown, hidden = -3, -1  # of a Coin switch
-    assert session["beside_a_preview"] == [42, shown, 42, hidden, told, 42, shown, False]
+    *load_first, hidden, told_first, shown, is_told = session["beside_a_preview"]
+    assert load_first == [42, SHOWN, 42, HIDDEN, told, 42, SHOWN, False]
+    assert [hidden, told_first, shown, is_told] == [HIDDEN, told, SHOWN, False]
 
 
 def test_all_of_a_panel_s_status_is_seen_in_a_low_window(session):
@@ -162,15 +164,9 @@ def test_an_operation_that_loses_its_path_is_told_so_until_it_has_one_again(sess
     assert again == [False, True, 1]
 
 
-def test_cancel_stops_it_and_what_is_known_stays(session):
-    assert session["stopped"] == [
-        True,
-        True,
-        False,
-        False,
-        "The simulation was cancelled.",
-        True,
-    ]
+def test_cancel_stops_it_and_colours_of_another_path_are_gone(session):
+    told = "The simulation was cancelled."
+    assert session["stopped"] == [HIDDEN, True, True, False, False, told, 0]
 
 
 def test_it_goes_with_its_command_its_dock_its_operation_and_its_document(session):

@@ -12,7 +12,9 @@ exec(open("recorded.FCMacro").read())
 doc.recompute()
 op = doc.getObject("EvenLoadAdaptive")
 with open("replayed.txt", "w") as out:
-    out.write("%s\\n%s\\n%s" % (op.isValid(), list(op.OwnValues), op.Path.toGCode()))
+    expressions = sorted(map(list, op.ExpressionEngine))
+    out.write("%s\\n%s\\n%s\\n" % (op.isValid(), list(op.OwnValues), expressions))
+    out.write(op.Path.toGCode())
 """
 
 
@@ -27,6 +29,9 @@ def test_a_recorded_macro_makes_the_same_operation_without_a_window(folder):
     (folder / "replay.py").write_text(REPLAY)
     _, output = freecad("replay.py", cwd=folder)
     assert (folder / "replayed.txt").exists(), output[-2000:]
-    valid, own, path = (folder / "replayed.txt").read_text().split("\n", 2)
+    valid, own, expressions, path = (folder / "replayed.txt").read_text().split("\n", 3)
     assert valid == "True" and own == str(seen["own"]) == "['LinkFeed']"
+    assert expressions == str(seen["expressions"])
+    paths = {path.lstrip(".") for path, _ in seen["expressions"]}
+    assert {"LinkLift", "EntryPoint.x"} < paths
     assert path == seen["path"] and path.count("G1") > 20

@@ -138,7 +138,7 @@ def test_files_for_people_are_in_their_units_and_those_for_programs_in_mm(sessio
 def test_it_follows_each_computation_and_can_be_cancelled(session):
     assert 35 < session["followed"] < 45
     told, runs, is_busy = session["cancelled"]
-    assert "cancelled" in told and runs == 2 and not is_busy
+    assert "simulated before" in told and runs == 2 and not is_busy
 
 
 def test_rest_is_an_area_in_the_view(session):

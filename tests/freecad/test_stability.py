@@ -147,6 +147,16 @@ def test_a_cut_goes_into_controller_and_operation_as_one_step(square):
     assert (op.StepDown.Value, op.CutMode) == (DEPTH, "Climb")
 
 
+def test_an_angle_is_taken_where_an_expression_has_set_the_side_step(square):
+    op = square.operation()
+    op.setExpression("SideStep", "OpToolDiameter * 0.3")
+    square.done(op)
+    job_stability.take(op, engagement_deg=50)
+    assert op.EngagementAngle.Value == pytest.approx(50)
+    assert op.SideStep.Value == pytest.approx(3 * (1 - math.cos(math.radians(50))))
+    assert "SideStep" not in dict(op.ExpressionEngine)
+
+
 def test_what_is_not_named_stays(square):
     op = square.done(square.operation(StepDown=2.0))
     job_stability.take(op, depth=1.5)

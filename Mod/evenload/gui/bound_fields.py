@@ -30,4 +30,5 @@ def tip_of(setting, held_ones):
     if setting.name not in held_ones:
         return tip
     leader = _translate("EvenLoad", LABELS[held_ones[setting.name]])
-    return "\n".join([tip, _translate("EvenLoad", "Set by the expression of '%s'") % leader])
+    told = _translate("EvenLoad", "Set by the expression of '%s'") % leader
+    return "\n".join([tip, told])

@@ -24,6 +24,7 @@ class Chart(QtGui.QWidget):
         self.setMinimumSize(*least)
         self.message = ""
         self._image = self._axes = None
+        self.ratio = 1.0  # dots of the image per pixel
 
     def redraw(self):
         """Draws anew, once it is seen."""
@@ -34,22 +35,17 @@ class Chart(QtGui.QWidget):
         """Draws in the units that the user has chosen by now."""
         self.redraw()
 
-    @property
-    def ratio(self):
-        """Dots of the image per pixel."""
-        return self.devicePixelRatioF()
-
     def drawn(self):
         """The axes as `_draw` returned them, drawn by now."""
-        if self._axes is None:
+        if self._image is None or self.ratio != self.devicePixelRatioF():
+            self.ratio = self.devicePixelRatioF()  # another one on another screen
             figure = new_figure(self.width() / INCH, self.height() / INCH)
             figure.set_dpi(INCH * self.ratio)
             self._axes = self._draw(figure)
-            if self._axes is not None:
-                if self.ground is not LIGHT:
-                    put_on(figure, self.ground)
-                self._image = image_of(figure)
-                self._image.setDevicePixelRatio(self.ratio)
+            if self.ground is not LIGHT:
+                put_on(figure, self.ground)
+            self._image = image_of(figure)
+            self._image.setDevicePixelRatio(self.ratio)
         return self._axes
 
     @property

@@ -7,7 +7,7 @@ import FreeCAD
 from PySide import QtCore
 
 from evenload import host
-from evenload.gui import colours, load_colours, preferences, simulation_task, view3d
+from evenload.gui import colours, load_colours, preferences, simulation_task, steps, view3d
 from evenload.gui.length_box import UnitsWatch
 from evenload.gui.load_colours import KIND, MEASURES, WALL
 from evenload.gui.load_dock import LoadDock
@@ -88,7 +88,7 @@ class LoadView:
 
     def __init__(self, operation):
         self.operation, self.found, self.node = operation, None, None
-        self._angle, self._is_back = None, False
+        self._angle, self._is_back = None, steps.shows_preview(host.operation_under(operation))
         setup = job.read(operation)
         self._scene = view3d.scene_of(operation.Document)
         self.dock = LoadDock(self, operation.Label)
@@ -130,8 +130,10 @@ class LoadView:
 
     def _start(self, setup):
         self._observe(self.operation)
-        self.dock.name(self.operation.Label)
-        self.dock.tell("")
+        self._show_name()
+        self._tell_where_it_is()
+        if self.node is not None:
+            self.node.show(False)  # it is that of another path
         inner = host.operation_under(self.operation)
         if "Touched" not in inner.State:  # else its path was computed with another one
             self._angle = inner.EngagementAngle.Value if is_ours(inner) else None
@@ -142,11 +144,14 @@ class LoadView:
         self.task.run(lambda: simulation_task.loads(setup, options, self.task.done))
 
     def cancel(self):
-        """Stops the simulation; what was there before stays. Where nothing was, it closes."""
+        """Stops the simulation. What was there before is that of another path, and is forgotten;
+        where nothing was, it closes.
+        """
         self.task.cancel()
         if self.found is None:
             close()
             return
+        self._forget()
         self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
 
     def _refuse(self, sentence):
@@ -220,9 +225,12 @@ class LoadView:
             return
         self._is_back = is_back
         if self.node is not None:
-            self.node.show(not is_back)
+            self.node.show(not is_back and not self.task.is_busy)
+        self._tell_where_it_is()
+
+    def _tell_where_it_is(self):
         told = _translate("EvenLoad", "The preview is shown; Apply or Cancel brings the load back.")
-        self.dock.tell(told if is_back else "", colours.QUIET)
+        self.dock.tell(told if self._is_back else "", colours.QUIET)
 
     def _show_units(self):
         self.dock.legend.update()
@@ -237,8 +245,12 @@ class LoadView:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
         if operation is not None:
-            self._observer = observer_of_paths([operation], telling_slot(self._changed))
+            renamed = slot(self._show_name)
+            self._observer = observer_of_paths([operation], telling_slot(self._changed), renamed)
             FreeCAD.addDocumentObserver(self._observer)
+
+    def _show_name(self):
+        self.dock.name(self.operation.Label)
 
     def _dock_shown(self, is_shown):
         """A dock that its user has closed takes the colours with it; one behind others does not."""

@@ -7,18 +7,20 @@ EVERY_ONES = ("", "Base")  # groups of the properties that all document objects 
 
 
 class Observer:
-    """Tells of changes to objects of one document, after a recompute or undo, and of their end."""
+    """Tells of changes to objects of one document, after a recompute or undo, and of their end; of
+    new labels at once, for FreeCAD recomputes nothing then.
+    """
 
-    def __init__(self, objects, properties, changed, used=(), groups=()):
+    def __init__(self, objects, properties, changed, used=(), groups=(), renamed=None):
         """properties: names of those that count; changed: called with whether an object is no
         longer there. used: further objects, such as tool bits, whose end is only a change; groups:
-        those of which counts what they hold.
+        those of which counts what they hold; renamed: called when one of the objects is.
         """
         self._names = {obj.Name for obj in objects}
         self._used = {obj.Name for obj in used}
         self._groups = {obj.Name for obj in groups}
         self._document = objects[0].Document.Name
-        self._properties, self._changed = properties, changed
+        self._properties, self._changed, self._renamed = properties, changed, renamed
         self._is_stale = False
 
     def _is_one(self, obj):
@@ -31,6 +33,8 @@ class Observer:
     def slotChangedObject(self, obj, prop):
         if prop in self._properties and self._is_one(obj):
             self._is_stale = True
+        elif prop == "Label" and self._renamed and obj.Name in self._names and self._is_one(obj):
+            self._renamed()
         elif prop == "Group" and obj.Name in self._groups and obj.Document.Name == self._document:
             self._is_stale = True
 
@@ -55,12 +59,12 @@ class Observer:
             self._changed(True)
 
 
-def observer_of_paths(operations, changed):
+def observer_of_paths(operations, changed, renamed):
     """An Observer of the paths of operations, and of what cuts before them in their jobs."""
     before = [each for operation in operations for each in earlier.all_before(operation)]
     jobs = filter(None, map(host.parent_job, operations))
     groups = [job.Operations for job in jobs]
-    return Observer(operations, ("Path", "Active", "Label"), changed, used=before, groups=groups)
+    return Observer(operations, ("Path", "Active"), changed, before, groups, renamed)
 
 
 def bits_of(controllers):

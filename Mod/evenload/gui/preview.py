@@ -52,6 +52,11 @@ class Preview:
         self._observer = Observer([operation], ("Path",), telling_slot(self._path_changed))
         FreeCAD.addDocumentObserver(self._observer)
 
+    @property
+    def is_in_view(self):
+        """Whether the 3D view shows it, greyed or not, in place of the operation's own path."""
+        return self._node is not None
+
     def restart(self):
         """Has the path computed anew, in place of what is under way."""
         if self._observer is None or not preferences.live_preview():

@@ -36,10 +36,11 @@ def lines_of(obj):
     yield _set("Base", _base(obj.Base))
     bound = dict(obj.ExpressionEngine)
     for row in obj.Proxy.settings:
-        if row.name in bound:
-            yield "%s.setExpression(%r, %r)" % (NAME, row.name, bound[row.name])
-        elif not _follows(obj, row):
+        if row.name not in bound and not _follows(obj, row):
             yield _set(row.name, _value(obj, row))
+        for path in bound:  # of a place each number has one of its own
+            if path.lstrip(".").split(".")[0] == row.name:
+                yield "%s.setExpression(%r, %r)" % (NAME, path, bound[path])
     for name in DEPTHS:
         if hasattr(obj, name):
             yield "%s.setExpression(%r, %r)" % (NAME, name, bound.get(name))

@@ -61,8 +61,8 @@ class RoundedLength:
     def look(self):
         """To be called when its text is another: one that is being typed, or FreeCAD's."""
         if not self._edit.isModified():
-            # A thousandth would be nothing in what FreeCAD has written; what it has not written from
-            # this length is stepped.
+            # A thousandth would be nothing in what FreeCAD has written. What it has not written
+            # from this length is stepped.
             quantity = FreeCAD.Units.Quantity(self._value, FreeCAD.Units.Length)
             if self._edit.text() == quantity.UserString:
                 self._write()

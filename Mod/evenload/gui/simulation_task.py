@@ -60,6 +60,7 @@ def simulated(setups, told):
         found = setup.simulate(progress=going, **options)
         if found.cancelled:
             raise waiting.Stopped()
+        walls.along_walls(found)
         yield Run(name, found)
 
 

@@ -148,10 +148,13 @@ class SimulationView:
         self.task.run(lambda: simulation_task.simulated(setups, self.task.done))
 
     def cancel(self):
-        """Stops the simulation; what was there before stays."""
+        """Stops the simulation; what was there before stays, and is told to be that."""
         self.task.cancel()
         self.report.task.cancel()
-        self.dock.tell(_translate("EvenLoad", "The simulation was cancelled."), colours.CAUTION)
+        told = _translate("EvenLoad", "The simulation was cancelled.")
+        if self.runs:
+            told = _translate("EvenLoad", "Cancelled: what is shown was simulated before.")
+        self.dock.tell(told, colours.CAUTION)
 
     def _refuse(self, sentence):
         self.runs = []
@@ -261,7 +264,8 @@ class SimulationView:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
         if operations:
-            self._observer = observer_of_paths(operations, telling_slot(self._changed))
+            changed, renamed = telling_slot(self._changed), slot(self._changed, False)
+            self._observer = observer_of_paths(operations, changed, renamed)
             FreeCAD.addDocumentObserver(self._observer)
 
     def _changed(self, is_gone):

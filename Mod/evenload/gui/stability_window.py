@@ -39,6 +39,7 @@ class StabilityWindow(manual.Dialog):
         self.set_page("stability_chart")
         self.setAttribute(QtCore.Qt.WA_DeleteOnClose)
         self.operation = self.read = self.best = None
+        self._beside_best = ()  # the removal rate then, mm3/min, and the best cut's force, N
         self.worker, self.searcher = Worker(), Worker()
         self.view, self.modes = ChartView(), ModesBox()
         self.cut, self.chart, self.limits = (
@@ -248,12 +249,13 @@ class StabilityWindow(manual.Dialog):
         if found is None:
             self.found.tell(_translate("EvenLoad", "No cut in the chart keeps the limits."))
             return
+        force = choice.force_at(self.asked(), found.depth)
+        self._beside_best = self.read.removal_rate, force
         self._tell_best()
         self._show_chosen(found.speed, found.depth, cut_mode=found.cut_mode)
 
     def _tell_best(self):
-        force = choice.force_at(self.asked(), self.best.depth)
-        self.found.tell("", named=_told_of(self.best, self.read.removal_rate, force))
+        self.found.tell("", named=_told_of(self.best, *self._beside_best))
 
     def follow_units(self):
         """Shows all in the units that the user has chosen by now."""

@@ -16,6 +16,12 @@ def page_of(operation):
     return panel.featurePages[-1] if panel is not None else None
 
 
+def shows_preview(operation):
+    """Whether the 3D view shows the preview in an operation's panel in place of its path."""
+    preview = getattr(page_of(operation), "preview", None)
+    return preview is not None and preview.is_in_view
+
+
 def refusal(operation):
     """Why nothing can be set now, in a sentence; '' where it can. A panel has a step to undo open,
     which FreeCAD would close for another one: Cancel could not take back what the user edited.

@@ -3,6 +3,7 @@
 import contextlib
 
 from evenload import host
+from evenload.operations.following import ANGLE, STEP
 from evenload.stability.operation import depth_of
 from evenload.translation import translate
 
@@ -52,8 +53,9 @@ def take_open(operation, speed=None, depth=None, cut_mode=None, engagement_deg=N
     inner = host.operation_under(operation)
     _turn_at(host.controller_of(operation), inner, speed, feed)
     _cut_at(inner, depth, cut_mode)
-    if engagement_deg is not None and hasattr(inner, "EngagementAngle"):
-        _set(inner, "EngagementAngle", engagement_deg)
+    if engagement_deg is not None and hasattr(inner, ANGLE):
+        _free(inner, STEP)  # whose expression would set the angle
+        _set(inner, ANGLE, engagement_deg)
 
 
 def sharers(operation):
@@ -100,6 +102,11 @@ def _cut_at(operation, depth, cut_mode):
 
 def _set(obj, name, value):
     """Sets a property, also one that an expression has held."""
+    _free(obj, name)
+    setattr(obj, name, value)
+
+
+def _free(obj, name):
+    """Takes a property's expression away, if it has one."""
     if any(path == name for path, _ in obj.ExpressionEngine):
         obj.setExpression(name, None)
-    setattr(obj, name, value)
