@@ -84,14 +84,19 @@ def typed(widget, text):
 
 
 def strike(widget, text, *keys):
-    """Types a text into a field by keys, in place of what it shows, and strikes further keys."""
+    """Types a text into a field by keys, in place of what it shows, and strikes further keys, of
+    which Tab leaves the field.
+    """
     edit = widget.findChild(QtGui.QLineEdit)
     widget.setFocus()
     edit.selectAll()
     for key, letter in [*((0, each) for each in text), *((key, "") for key in keys)]:
-        for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
-            event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, letter)
-            QtGui.QApplication.sendEvent(widget if key else edit, event)
+        if key == QtCore.Qt.Key_Tab:  # of no effect where no window is active
+            leave(widget)
+        else:
+            for kind in (QtCore.QEvent.KeyPress, QtCore.QEvent.KeyRelease):
+                event = QtGui.QKeyEvent(kind, key, QtCore.Qt.NoModifier, letter)
+                QtGui.QApplication.sendEvent(widget if key else edit, event)
         later(50)  # as nobody is faster
 
 
