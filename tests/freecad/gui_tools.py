@@ -105,11 +105,17 @@ def on_screen(widget):
 
 
 def panel_buttons():
+    """The buttons of the panel, as soon as it is open."""
     from evenload.gui.wrappers import forget_the_dead
 
     forget_the_dead()  # also what FreeCAD's own panels left
+    until(_panels_buttons)
+    return _panels_buttons()[0]
+
+
+def _panels_buttons():
     boxes = widgets(QtGui.QDialogButtonBox)
-    return next(b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok))
+    return [b for b in boxes if b.isVisible() and b.button(QtGui.QDialogButtonBox.Ok)]
 
 
 def press(kind):
