@@ -5166,6 +5166,14 @@
         <source>Set by the expression of &apos;%s&apos;</source>
         <translation>Vom Ausdruck von „%s“ gesetzt</translation>
     </message>
+    <message>
+        <source>Stops the simulation; colours come with the next path</source>
+        <translation>Hält die Simulation an; Farben kommen mit der nächsten Bahn</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>Der Bericht wurde abgebrochen.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

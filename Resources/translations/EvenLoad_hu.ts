@@ -5166,6 +5166,14 @@
         <source>Set by the expression of &apos;%s&apos;</source>
         <translation>„%s” kifejezése adja meg</translation>
     </message>
+    <message>
+        <source>Stops the simulation; colours come with the next path</source>
+        <translation>Leállítja a szimulációt; színek a következő pályával jönnek</translation>
+    </message>
+    <message>
+        <source>The report was cancelled.</source>
+        <translation>A jelentés megszakadt.</translation>
+    </message>
 </context>
 <context>
     <name>EvenLoad_Adaptive</name>

@@ -7,6 +7,7 @@ from types import SimpleNamespace
 
 import FreeCAD
 import FreeCADGui
+import Path
 import numpy
 from PySide import QtGui
 
@@ -290,6 +291,15 @@ def out_of_its_job(op):
     return seen
 
 
+def of_a_plain_path(doc):
+    """What is there after the command for a path that is no operation's, and what it has said."""
+    plain = doc.addObject("Path::Feature", "Plain")
+    plain.Path = Path.Path("G0 Z5\nG0 X1\nG1 Z0 F1\nG1 X9")
+    doc.recompute()
+    result["provoked"].append("'Plain' belongs to no job: put it into one.")
+    return command(plain)
+
+
 def first_stopped(op):
     """What is there after Cancel of the first simulation."""
     from evenload.gui import load_view
@@ -349,6 +359,8 @@ def session():
     result["after_earlier"] = after_earlier(load_view._shown[0], ours)
     result["no_path"] = without_path(load_view._shown[0], theirs)
     result["stopped"] = stopped(load_view._shown[0])
+    result["plain"] = of_a_plain_path(doc)
+    command(theirs)
     doc.removeObject(theirs.Name)
     later(200)
     result["deleted"] = [len(nodes_in_scene()), len(docks())]

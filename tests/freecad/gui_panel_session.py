@@ -26,6 +26,7 @@ from gui_tools import (  # noqa: E402
     workbench,
 )
 
+EXPRESSIONS = ("EntryPoint.x", "7 mm"), ("StockToLeave", "Sheet.A1 * 0.1 mm")
 LAPTOP = 1366, 980  # pixels: what is above the report view is as high as all of a laptop's 768
 COMMANDS = ("EvenLoad_Adaptive", "EvenLoad_Trochoid", "EvenLoad_LameSpiral")
 
@@ -90,7 +91,9 @@ def strike(widget, text, *keys):
     edit = widget.findChild(QtGui.QLineEdit)
     widget.setFocus()
     edit.selectAll()
-    for key, letter in [*((0, each) for each in text), *((key, "") for key in keys)]:
+    if text is None:  # all but the unit is taken away
+        edit.setSelection(0, edit.text().index(" "))
+    for key, letter in [*((0, each) for each in text or ""), *((key, "") for key in keys)]:
         if key == QtCore.Qt.Key_Tab:  # of no effect where no window is active
             leave(widget)
         else:
@@ -112,6 +115,25 @@ def fields(op):
     seen.update(in_panel(op, lambda page: taken(page, op)))
     seen["bound"] = in_panel(op, lambda page: bound(page, op))
     seen["bound_while_open"] = in_panel(op, lambda page: bound_while_open(page, op))
+    seen["bound_before"] = [bound_before(op, *each) for each in EXPRESSIONS]
+    return seen
+
+
+def bound_before(op, path, expression):
+    """What the status tells in a panel that opens with an expression, whose cell is gone."""
+    sheet = op.Document.addObject("Spreadsheet::Sheet", "Sheet")
+    sheet.set("A1", "3")
+    op.Document.recompute()
+    op.setExpression(path, expression)
+    op.Document.removeObject(sheet.Name)
+    op.touch()
+
+    def look(page):
+        until(lambda: page.preview.state not in (None, "computing"))
+        return page.status.text()
+
+    seen = in_panel(op, look)
+    op.setExpression(path, None)
     return seen
 
 
@@ -141,12 +163,40 @@ def stepped(page, op):
         ("mm", "0.1 mm", tab),
         ("nothing", "", QtCore.Qt.Key_Backspace, tab),
         ("backspaces", "0.07", *5 * [QtCore.Qt.Key_Backspace], tab),
+        ("number only", None, QtCore.Qt.Key_Backspace, tab),
+        ("sum", "0.1 mm + 0.001 in*2 - 0.002 in", tab),
         ("below", "-5", tab),
         ("words", "five", tab),
         ("none", "0", tab),
     ):
         strike(box, text, *keys)
         seen["struck"][name] = [box.property("text"), op.StockToLeave.Value / 25.4]
+    seen["other_units"] = in_other_units(page, op, box)
+    return seen
+
+
+def in_other_units(page, op, box):
+    """Texts and mm of stock to leave with metric units, chosen while the panel is open, then with
+    inches again; in between the field is left and seen again. Then of what is set elsewhere.
+    """
+    strike(box, "0.002", QtCore.Qt.Key_Tab)
+    seen = []
+    for schema in (METRIC, INCHES):
+        choose_units(schema)
+        later(100)
+        box.hide()
+        box.show()
+        leave(box)
+        later(100)
+        seen.append([box.property("text"), op.StockToLeave.Value, box.property("minimum")])
+    op.StockToLeave = 0.3
+    box.hide()
+    box.show()
+    later(100)
+    leave(box)
+    page.getFields(op)
+    seen.append(op.StockToLeave.Value)
+    strike(box, "0", QtCore.Qt.Key_Tab)
     return seen
 
 

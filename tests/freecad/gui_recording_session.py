@@ -45,6 +45,7 @@ def set_in_panel(op):
     op.setExpression("StepDown", None)
     op.StepDown = 1.5
     op.setExpression("LinkLift", "OpToolDiameter * 0.1")
+    op.setExpression("StockToLeave", "OpToolDiameter * 0.05")
     op.setExpression("EntryPoint.x", "7 mm")
     for page in op.ViewObject.Proxy.panel.featurePages:
         page.setFields(op)
@@ -71,6 +72,13 @@ def session():
         later(600)
         op = job.Operations.Group[-1]
         set_in_panel(op)
+        press(QtGui.QDialogButtonBox.Ok)
+        later(500)
+        # Once more: a number takes the place of an expression.
+        op.ViewObject.Document.setEdit(op.ViewObject, 0)
+        later(300)
+        op.setExpression("StockToLeave", None)
+        op.StockToLeave = 0.1
         press(QtGui.QDialogButtonBox.Ok)
         later(500)
     result["valid"] = op.isValid()

@@ -148,6 +148,10 @@ def test_an_operation_out_of_its_job_is_told_so_and_a_new_name_is_followed(sessi
     assert again == [False, False] and index == 2 and title == "Load of Renamed"
 
 
+def test_a_path_that_is_no_operation_s_is_refused_in_a_sentence(session):
+    assert session["plain"] == [0, 0]
+
+
 def test_cancel_of_the_first_simulation_leaves_nothing(session):
     assert session["first_stopped"] == [0, 0]
 

@@ -44,11 +44,19 @@ def test_what_is_typed_and_stepped_in_inches_counts_as_it_is_typed(session):
     struck, tenth_mm = session["fields"]["stepped"]["struck"], 0.1 / 25.4
     wanted = {"a thousandth": 0.002, "then an arrow": 0.005, "and left": 0.003, "down": 0}
     wanted.update({"up again": 0.002, "mm": tenth_mm, "none": 0})
-    kept = dict.fromkeys(("nothing", "backspaces", "below", "words"), tenth_mm)
+    kept = ("nothing", "backspaces", "number only", "sum", "below", "words")
+    kept = dict.fromkeys(kept, tenth_mm)
     for name, length in {**wanted, **kept}.items():
         text, found = struck[name]
         assert found == pytest.approx(length, abs=1e-9), name
         assert text.replace(",", ".") == "%.4f in" % length, name
+
+
+def test_a_length_in_inches_stays_where_units_change_or_it_is_set_elsewhere(session):
+    in_mm, in_inches, elsewhere = session["fields"]["stepped"]["other_units"]
+    assert in_mm[0].replace(",", ".") == "0.05 mm" and in_mm[2] == 0
+    assert in_inches[0].replace(",", ".") == "0.0020 in"
+    assert in_mm[1] == in_inches[1] == pytest.approx(0.0508) and elsewhere == 0.3
 
 
 def test_an_expression_that_is_entered_in_the_open_panel_counts_at_once(session):
@@ -95,6 +103,12 @@ def test_what_an_expression_sets_is_not_edited_nor_what_follows_it(session):
     assert not tolerance["Tolerance"] and tolerance["SideStep"] and tolerance["share"]
     assert all(each["RollRadius"] and "expression" not in each["tips"][3] for each in (angle, step))
     assert all(seen["after"])
+
+
+def test_a_panel_opens_with_expressions_of_one_number_of_a_place_and_with_failing_ones(session):
+    of_a_number, failing = session["fields"]["bound_before"]
+    assert "Preview: Apply checks and stores the path" in of_a_number
+    assert "cannot be evaluated: mend it." in failing and "Stock to leave" in failing
 
 
 def test_what_is_unfolded_stays_so(session):

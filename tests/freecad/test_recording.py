@@ -33,5 +33,5 @@ def test_a_recorded_macro_makes_the_same_operation_without_a_window(folder):
     assert valid == "True" and own == str(seen["own"]) == "['LinkFeed']"
     assert expressions == str(seen["expressions"])
     paths = {path.lstrip(".") for path, _ in seen["expressions"]}
-    assert {"LinkLift", "EntryPoint.x"} < paths
+    assert {"LinkLift", "EntryPoint.x"} < paths and "StockToLeave" not in paths
     assert path == seen["path"] and path.count("G1") > 20

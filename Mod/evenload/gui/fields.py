@@ -282,6 +282,12 @@ def width_of(widget, text):
     return QtGui.QFontMetrics(widget.font()).boundingRect(text).width()
 
 
+def units_shown():
+    """How quantities are shown: the units, and the decimals that FreeCAD's preferences say."""
+    units = tuple(_shown_unit(kind, INCH) for kind in DIMENSIONS)
+    return (*units, FreeCAD.ParamGet(UNITS).GetInt("Decimals", 2))
+
+
 def shows_decimal_inches():
     """Whether lengths are shown as decimal numbers of inches, not as fractions nor in feet."""
     return _shown_unit(LENGTH, INCH)[1] == "in"

@@ -17,6 +17,8 @@ class LoadDock(MeasureDock):
     def __init__(self, view, label):
         super().__init__(view, NAME, "", "load_view", Legend())
         self.name(label)
+        told = _translate("EvenLoad", "Stops the simulation; colours come with the next path")
+        self.cancel.setToolTip(told)
         self.slider, self.values = QtGui.QSlider(QtCore.Qt.Horizontal), QtGui.QLabel()
         self.slider.setToolTip(_translate("EvenLoad", "Moves the tool along the path"))
         self.values.setTextFormat(QtCore.Qt.RichText)

@@ -88,8 +88,9 @@ class LoadView:
 
     def __init__(self, operation):
         self.operation, self.found, self.node = operation, None, None
-        self._angle, self._is_back = None, steps.shows_preview(host.operation_under(operation))
+        self._angle, self._is_stale = None, False  # whether the colours are those of another path
         setup = job.read(operation)
+        self._is_back = steps.shows_preview(host.operation_under(operation))
         self._scene = view3d.scene_of(operation.Document)
         self.dock = LoadDock(self, operation.Label)
         self.task = Running(self.dock, self.dock.show_progress, self._refuse, found=self._take)
@@ -132,8 +133,8 @@ class LoadView:
         self._observe(self.operation)
         self._show_name()
         self._tell_where_it_is()
-        if self.node is not None:
-            self.node.show(False)  # it is that of another path
+        self._is_stale = True
+        self._show_node()
         inner = host.operation_under(self.operation)
         if "Touched" not in inner.State:  # else its path was computed with another one
             self._angle = inner.EngagementAngle.Value if is_ours(inner) else None
@@ -169,7 +170,8 @@ class LoadView:
         if self.node is not None:
             self._scene.removeChild(self.node.root)
         self.found, self.node = found, LoadNode(found)
-        self.node.show(not self._is_back)
+        self._is_stale = False
+        self._show_node()
         self._scene.addChild(self.node.root)
         blocked = self.dock.slider.blockSignals(True)
         self.dock.show_path([each for each in MEASURES if self._has(each)], len(found.x))
@@ -224,9 +226,13 @@ class LoadView:
         if is_back == self._is_back:
             return
         self._is_back = is_back
+        self._show_node()
+        if self.found is not None or self.task.is_busy:  # else it is told why there is none
+            self._tell_where_it_is()
+
+    def _show_node(self):
         if self.node is not None:
-            self.node.show(not is_back and not self.task.is_busy)
-        self._tell_where_it_is()
+            self.node.show(not self._is_back and not self._is_stale)
 
     def _tell_where_it_is(self):
         told = _translate("EvenLoad", "The preview is shown; Apply or Cancel brings the load back.")

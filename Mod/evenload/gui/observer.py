@@ -59,12 +59,15 @@ class Observer:
             self._changed(True)
 
 
-def observer_of_paths(operations, changed, renamed):
-    """An Observer of the paths of operations, and of what cuts before them in their jobs."""
+def observer_of_paths(operations, changed, renamed=None):
+    """An Observer of the paths of operations, and of what cuts before them in their jobs. Without
+    `renamed` a new label is a change like others.
+    """
     before = [each for operation in operations for each in earlier.all_before(operation)]
     jobs = filter(None, map(host.parent_job, operations))
     groups = [job.Operations for job in jobs]
-    return Observer(operations, ("Path", "Active"), changed, before, groups, renamed)
+    properties = ("Path", "Active", *(() if renamed else ("Label",)))
+    return Observer(operations, properties, changed, before, groups, renamed)
 
 
 def bits_of(controllers):

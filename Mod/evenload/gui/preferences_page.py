@@ -106,6 +106,8 @@ class PageWidgets:
         widget = self.defaults[row.name]
         if row.type == ANGLE:
             return float(widget.property("rawValue"))
+        if row.type == LENGTH:
+            widget.interpretText()  # what is still being typed
         return fields.value_of(widget)
 
 

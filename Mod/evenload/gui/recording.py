@@ -35,6 +35,11 @@ def lines_of(obj):
     yield _set("ToolController", _object(obj.ToolController))
     yield _set("Base", _base(obj.Base))
     bound = dict(obj.ExpressionEngine)
+    # What an earlier line has given an expression that is no more.
+    yield (
+        "[%s.setExpression(path, None) for path, _ in %s.ExpressionEngine if path not in %r]"
+        % (NAME, NAME, sorted(bound))
+    )
     for row in obj.Proxy.settings:
         if row.name not in bound and not _follows(obj, row):
             yield _set(row.name, _value(obj, row))

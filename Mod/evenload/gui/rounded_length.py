@@ -14,88 +14,99 @@ from evenload.units import INCH
 DECIMALS = 4
 STEP = fields.STEPS[LENGTH][True]  # mm
 BEYOND = 1e6  # mm past the limits, where FreeCAD's field would not step on
-NO_UNIT = FreeCAD.Units.Unit()
 
 
 def is_rounded(kind):
     """Whether the fields of a kind of quantity are such ones now."""
-    return kind in (LENGTH, POINT) and fields.shows_decimal_inches() and _decimals() < DECIMALS
+    return kind in (LENGTH, POINT) and fields.shows_decimal_inches() and decimals() < DECIMALS
 
 
-def _decimals():
+def decimals():
+    """Of numbers with units, as FreeCAD's preferences say."""
     return FreeCAD.ParamGet(fields.UNITS).GetInt("Decimals", 2)
 
 
 def _coarse():
     """mm: a step that FreeCAD's decimals show, and that no rounding is taken for."""
-    return INCH * 10 ** (1 - _decimals())
+    return INCH * 10 ** (1 - decimals())
 
 
 class RoundedLength:
-    """One of FreeCAD's fields for lengths, and the length in mm that it stands for.
+    """One of FreeCAD's fields for lengths, and what was done in it since it was shown; mm.
 
     Its arrows, keys and wheel add steps that FreeCAD's decimals can show: how many of them is what
     they say, each is STEP. What is typed counts as it is typed, before FreeCAD rounds it.
     """
 
-    def __init__(self, box, limits):
-        """limits: a Range, or None."""
-        self._box, self._edit = box, fields.edit_of(box)
+    def __init__(self, box, limits, evaluate):
+        """limits: a Range, or None; evaluate: what an expression that is typed comes to."""
+        self._box, self._edit, self._evaluate = box, fields.edit_of(box), evaluate
         low, high = (limits.low, limits.high) if limits is not None else (None, None)
         self._least = -math.inf if low is None else float(low)
         self._most = math.inf if high is None else float(high)
-        # mm: what FreeCAD's field holds, what that stands for, and what it stood for when shown.
-        self._shown = self._value = self._before = 0.0
+        self._shown, self._typed = 0.0, None  # what FreeCAD's field holds; a length
 
-    def show(self, value, is_rounded_now):
-        """From now on the field, into which FreeCAD has written a length in mm, stands for it."""
-        self._shown, self._value, self._before = self._box.property("rawValue"), value, value
+    def show(self, length, is_rounded_now):
+        """To be called when FreeCAD has written a length into the field."""
+        self._shown, self._typed = self._box.property("rawValue"), None
         beyond = BEYOND if is_rounded_now else 0.0
         for name, limit, sign in (("minimum", self._least, -1), ("maximum", self._most, 1)):
             if math.isfinite(limit):
                 self._box.setProperty(name, limit + sign * beyond)
         if is_rounded_now:
             self._box.setProperty("singleStep", _coarse() / INCH)
-            self._write()
+            self._write(length)
 
-    def look(self):
-        """To be called when its text is another: one that is being typed, or FreeCAD's."""
-        if not self._edit.isModified():
-            # A thousandth would be nothing in what FreeCAD has written. What it has not written
-            # from this length is stepped.
-            quantity = FreeCAD.Units.Quantity(self._value, FreeCAD.Units.Length)
-            if self._edit.text() == quantity.UserString:
-                self._write()
+    def look(self, length):
+        """To be called when its text is another: one that is being typed, or FreeCAD's. length:
+        what was shown.
+        """
+        if self._edit.isModified():
+            typed = _length_in(self._edit.text(), self._evaluate)
+            is_one = typed is not None and self._least <= typed <= self._most
+            self._typed = typed if is_one else None
+            self._shown = self._box.property("rawValue") if typed is None else typed
             return
-        typed = _length_in(self._edit.text())
-        is_one = typed is not None and self._least <= typed <= self._most
-        self._shown = self._box.property("rawValue") if typed is None else typed
-        self._value = typed if is_one else self._before
+        # A thousandth would be nothing in what FreeCAD has written. What it has not written from
+        # this length is stepped.
+        length = length if self._typed is None else self._typed
+        if self._edit.text() == FreeCAD.Units.Quantity(length, FreeCAD.Units.Length).UserString:
+            self._write(length)
 
     @property
-    def steps(self):
-        """How many steps were added since it was shown or typed in."""
+    def is_edited(self):
+        """Whether something was typed or stepped since it was shown."""
+        return self._typed is not None or self._steps != 0
+
+    def edited(self, length):
+        """What a length becomes by what was typed and stepped."""
+        if self._typed is not None:
+            length = self._typed
+        return min(max(length + self._steps * STEP, self._least), self._most)
+
+    @property
+    def _steps(self):
         return round((self._box.property("rawValue") - self._shown) / _coarse())
 
-    def value(self):
-        """mm: what was shown or typed, and the steps."""
-        return min(max(self._value + self.steps * STEP, self._least), self._most)
-
-    def _write(self):
+    def _write(self, length):
         locale = QtCore.QLocale()
         locale.setNumberOptions(QtCore.QLocale.OmitGroupSeparator)
         blocked = self._edit.blockSignals(True)  # the value stays
-        self._edit.setText(locale.toString(self._value / INCH, "f", DECIMALS) + " in")
+        self._edit.setText(locale.toString(length / INCH, "f", DECIMALS) + " in")
         self._edit.blockSignals(blocked)
 
 
-def _length_in(text):
-    """The length in a text, mm, where a bare number is inches; None where there is none."""
-    try:
-        found = FreeCAD.Units.Quantity(text.replace(",", "."))
-    except ValueError:
+def _length_in(text, evaluate):
+    """The length in a text, mm, where a bare number is inches; None where there is none. An
+    expression has at least one digit: a unit that was left alone is none.
+    """
+    if not any(map(str.isdigit, text)):
         return None
-    if found.Unit == FreeCAD.Units.Length:
-        return found.Value
-    is_bare = found.Unit == NO_UNIT and any(map(str.isdigit, text))
-    return found.Value * INCH if is_bare else None
+    try:
+        found = evaluate(text.replace(",", "."))
+    except (ArithmeticError, RuntimeError, ValueError):  # it cannot be read, or not yet
+        return None
+    if isinstance(found, (int, float)):
+        return found * INCH
+    is_length = getattr(found, "Unit", None) == FreeCAD.Units.Length
+    return found.Value if is_length else None

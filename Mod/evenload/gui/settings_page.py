@@ -5,6 +5,7 @@ from PySide import QtGui
 
 from evenload import host
 from evenload.gui import bound_fields, fields
+from evenload.gui.length_box import UnitsWatch
 from evenload.gui.preview_page import PreviewPage
 from evenload.gui.rounded_length import RoundedLength, is_rounded
 from evenload.gui.stepping import Stepping
@@ -27,8 +28,10 @@ class SettingsPage(PreviewPage):
     path is computed at Apply and OK.
     """
 
-    steppings = ()  # until FreeCAD has the page connected
+    steppings, units_watch = (), None  # until FreeCAD has the page connected
     lengths = {}  # the RoundedLength of each field, by settings
+    has_ended = False  # whether nothing that is done in the fields is taken any more
+    units = None  # what quantities were shown in
     is_bound_anew = False  # whether expressions have changed since their values were taken
 
     def initPage(self, obj):
@@ -38,7 +41,10 @@ class SettingsPage(PreviewPage):
             if setting.type in UNITS and not setting.is_fine:
                 self.boxes[name] = _gui.util.QuantitySpinBox(widget, obj, name)
         self.lengths = {
-            name: [RoundedLength(box, self.settings[name].range) for box in self._boxes(name)]
+            name: [
+                RoundedLength(box, self.settings[name].range, obj.evalExpression)
+                for box in self._boxes(name)
+            ]
             for name in (*self.boxes, *self.points)
             if self.settings[name].type in (LENGTH, POINT)
         }
@@ -46,6 +52,7 @@ class SettingsPage(PreviewPage):
     def connect_fields(self):
         """Has what is done in the fields taken."""
         self.steppings = []
+        self.units_watch = UnitsWatch(self.form, self._units_changed)
         if self.engagement is not None:
             self.engagement.share.editingFinished.connect(slot(self._share_edited))
             self.steppings.append(Stepping(self.engagement.share, self._share_edited))
@@ -69,7 +76,12 @@ class SettingsPage(PreviewPage):
                 widget.toggled.connect(take)
 
     def end_fields(self):
-        """From now on nothing that is done in the fields is taken."""
+        """From now on nothing that is done in the fields is taken: Cancel may still go through
+        them.
+        """
+        self.has_ended = True
+        if self.units_watch is not None:
+            self.units_watch.end()
         for each in self.steppings:
             each.end()
 
@@ -87,7 +99,7 @@ class SettingsPage(PreviewPage):
                 setattr(self.obj, name, value)
 
     def _share_edited(self):
-        if self.engagement.take_share(self.obj):
+        if not self.has_ended and self.engagement.take_share(self.obj):
             self._show_settings(self.obj)
             self.setDirty()
 
@@ -95,17 +107,19 @@ class SettingsPage(PreviewPage):
         """Takes what arrows, keys or the wheel have added; it is called, too, when FreeCAD has
         written a text anew, that of an expression among them.
         """
+        if self.has_ended or self._units_changed():
+            return
         if not is_rounded(self.settings[name].type):
             self._take(name)
-        elif name not in bound(self.obj):
-            is_stepped = any(each.steps for each in self.lengths[name])
-            if not self._take_lengths(name) and is_stepped:
-                self._show_settings(self.obj)  # it stays at a limit
+        elif name not in bound(self.obj) and any(e.is_edited for e in self.lengths[name]):
+            if not self._take_lengths(name):
+                self._show_field(name)  # it stays at a limit
 
     def _take_lengths(self, name):
-        """Sets a length or a point to what its fields stand for; tells whether that is new."""
-        lengths = [each.value() for each in self.lengths[name]]
-        if lengths == self._lengths(name):
+        """Sets a length or a point to what was edited in its fields; tells whether that is new."""
+        held = self._lengths(name)
+        lengths = [each.edited(length) for each, length in zip(self.lengths[name], held)]
+        if lengths == held:
             return False
         if name in self.points:
             lengths = [FreeCAD.Vector(*lengths, getattr(self.obj, name).z)]
@@ -116,13 +130,15 @@ class SettingsPage(PreviewPage):
 
     def _take(self, name):
         """Takes what is edited in one widget into its property, and shows what follows from it."""
-        obj, widget = self.obj, self.widgets[name]
-        if is_rounded(self.settings[name].type) and name in self.lengths:
-            if name not in bound(obj) and not self._take_lengths(name):
-                self._show_settings(obj)  # in place of what is no length, or beyond the limits
+        if self.has_ended or self._units_changed():
             return
+        obj, widget = self.obj, self.widgets[name]
         if name in self.shown and self._texts(name) == self.shown[name]:
             return  # what is shown is rounded, and is no new value until it is edited
+        if name in self.lengths and is_rounded(self.settings[name].type):
+            if name not in bound(obj) and not self._take_lengths(name):
+                self._show_field(name)  # in place of what is no length, or beyond the limits
+            return
         if name in self.boxes:
             changed = self.boxes[name].updateProperty()
             if not changed:  # a value beyond the limits, or the same: what holds is shown again
@@ -156,24 +172,18 @@ class SettingsPage(PreviewPage):
 
     # ---- what it shows ----
 
+    def _units_changed(self):
+        """Shows all anew where the user has chosen other units or decimals since; tells whether."""
+        if self.has_ended or self.units == fields.units_shown():
+            return False
+        self._show_settings(self.obj)
+        self.show_status()
+        return True
+
     def _show_settings(self, obj):
-        for name, widget in self.widgets.items():
-            value, setting = getattr(obj, name), self.settings[name]
-            if name in self.boxes:
-                host.show_value(self.boxes[name])
-            else:
-                fields.show(widget, value, self.points.get(name))
-            if name in (*self.boxes, *self.points):
-                for box in self._boxes(name):
-                    fields.set_step(box, setting.type)
-                for each, length in zip(self.lengths.get(name, ()), self._lengths(name)):
-                    each.show(length, is_rounded(setting.type))
-                self._show_text(name)
-        self.shown = {
-            name: self._texts(name)
-            for name, setting in self.settings.items()
-            if setting.is_fine or name in self.boxes or name in self.points
-        }
+        self.units, self.shown = fields.units_shown(), {}
+        for name in self.widgets:
+            self._show_field(name)
         held = bound_fields.held(obj, self.boxes)
         for setting in self.kind.settings:
             matters = setting.matters_to(obj)
@@ -189,14 +199,31 @@ class SettingsPage(PreviewPage):
         if self.kind.fitted:
             self.again.setEnabled(any(name in obj.OwnValues for name in self.kind.fitted))
 
+    def _show_field(self, name):
+        widget, setting = self.widgets[name], self.settings[name]
+        if name in self.boxes:
+            host.show_value(self.boxes[name])
+        else:
+            fields.show(widget, getattr(self.obj, name), self.points.get(name))
+        if name in (*self.boxes, *self.points):
+            for box in self._boxes(name):
+                fields.set_step(box, setting.type)
+            for each, length in zip(self.lengths.get(name, ()), self._lengths(name)):
+                each.show(length, is_rounded(setting.type))
+            self._show_text(name)
+        if setting.is_fine or name in self.boxes or name in self.points:
+            self.shown[name] = self._texts(name)
+
     def _show_text(self, name):
         """Shows a quantity or a point as we want it, where FreeCAD's fields have their own way."""
+        if self.has_ended or self.units != fields.units_shown():
+            return
         setting = self.settings[name]
         if setting.unset and name in self.boxes:
             fields.show_unset(self.widgets[name], setting.unset, getattr(self.obj, name).Value)
         if is_rounded(setting.type):
-            for each in self.lengths[name]:
-                each.look()
+            for each, length in zip(self.lengths[name], self._lengths(name)):
+                each.look(length)
 
     def _lengths(self, name):
         """What the fields of a length or a point are to hold, mm."""

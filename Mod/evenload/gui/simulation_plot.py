@@ -35,7 +35,7 @@ class PlotView(Chart):
         if [run.name for run in runs] != [run.name for run in self.runs]:
             self.span = None
         self.runs, self.limits, self.message = runs, limits, ""
-        self.cursors = [0] * len(runs)
+        self.cursors, self._held = [0] * len(runs), None
         self.active = min(self.active, max(0, len(runs) - 1))
         self.redraw()
 
@@ -45,7 +45,7 @@ class PlotView(Chart):
 
     def show_message(self, text):
         """In place of plots."""
-        self.runs, self.cursors, self.message = [], [], text
+        self.runs, self.cursors, self.message, self._held = [], [], text, None
         self.redraw()
 
     def show_cursor(self, number, sample):

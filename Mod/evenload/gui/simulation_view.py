@@ -148,12 +148,14 @@ class SimulationView:
         self.task.run(lambda: simulation_task.simulated(setups, self.task.done))
 
     def cancel(self):
-        """Stops the simulation; what was there before stays, and is told to be that."""
+        """Stops simulation and report; what was there before stays, and is told to be that."""
+        told = _translate("EvenLoad", "The simulation was cancelled.")
+        if not self.task.is_busy:
+            told = _translate("EvenLoad", "The report was cancelled.")
+        elif self.runs:
+            told = _translate("EvenLoad", "Cancelled: what is shown was simulated before.")
         self.task.cancel()
         self.report.task.cancel()
-        told = _translate("EvenLoad", "The simulation was cancelled.")
-        if self.runs:
-            told = _translate("EvenLoad", "Cancelled: what is shown was simulated before.")
         self.dock.tell(told, colours.CAUTION)
 
     def _refuse(self, sentence):
@@ -264,8 +266,7 @@ class SimulationView:
             FreeCAD.removeDocumentObserver(self._observer)
             self._observer = None
         if operations:
-            changed, renamed = telling_slot(self._changed), slot(self._changed, False)
-            self._observer = observer_of_paths(operations, changed, renamed)
+            self._observer = observer_of_paths(operations, telling_slot(self._changed))
             FreeCAD.addDocumentObserver(self._observer)
 
     def _changed(self, is_gone):

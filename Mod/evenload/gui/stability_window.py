@@ -91,6 +91,7 @@ class StabilityWindow(manual.Dialog):
 
     def show_operation(self, operation):
         """Reads an operation and shows its chart."""
+        self.searcher.cancel()  # it looks for the best cut of another one
         self.operation, self.best = operation, None
         self.found.tell("")
         self.operations.setCurrentIndex(self.operations.findData(operation.Name))

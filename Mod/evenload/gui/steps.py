@@ -12,7 +12,8 @@ _translate = FreeCAD.Qt.translate
 
 def page_of(operation):
     """The page of an operation's settings in its panel; None where that is not open."""
-    panel = getattr(operation.ViewObject.Proxy, "panel", None) if operation is not None else None
+    proxy = getattr(getattr(operation, "ViewObject", None), "Proxy", None)
+    panel = getattr(proxy, "panel", None)
     return panel.featurePages[-1] if panel is not None else None
 
 

@@ -70,7 +70,11 @@ class ViewProvider(_gui.op.ViewProvider):
         panel.accept = _in_document(document, accept)
         panel.reject = _in_document(document, telling_slot(panel.reject))
         panel.clicked = _in_document(document, telling_slot(panel.clicked))
-        super().setupTaskPanel(panel)
+        obj, panel.obj = panel.obj, _Unbound(panel.obj)
+        try:
+            super().setupTaskPanel(panel)
+        finally:
+            panel.obj = obj
 
 
 class TrochoidViewProvider(ViewProvider):
@@ -92,6 +96,20 @@ class FinishingViewProvider(ViewProvider):
 
     def getSelectionFactory(self):
         return select_surfaces
+
+
+class _Unbound:
+    """An operation as FreeCAD's panel is to see it while it is set up: it stumbles over expressions
+    of single numbers of a place, and over those that cannot be evaluated, and would set nothing.
+    """
+
+    ExpressionEngine = ()
+
+    def __init__(self, obj):
+        self._obj = obj
+
+    def __getattr__(self, name):
+        return getattr(self._obj, name)
 
 
 def _unless_refused(accept, may_close):

@@ -30,8 +30,18 @@ def gui():
 
 
 def show_value(box):
-    """Brings one of FreeCAD's controllers of a spin box up to date with its property."""
-    (box.updateWidget if ASSETS else box.updateSpinBox)()
+    """Brings one of FreeCAD's controllers of a spin box up to date with its property, or with the
+    expression of that, where it can be evaluated.
+    """
+    update = box.updateWidget if ASSETS else box.updateSpinBox
+    try:
+        update()
+    except (
+        ArithmeticError,
+        RuntimeError,
+        ValueError,
+    ):  # as FreeCAD passes on what went wrong in it
+        update(getattr(box.obj, box.prop))
 
 
 def show_controller(page):

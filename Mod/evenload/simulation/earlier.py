@@ -2,8 +2,9 @@
 of the holes drilled for them, and the stock that they leave.
 """
 
-from dataclasses import dataclass, field
-from functools import lru_cache
+import hashlib
+from collections import OrderedDict
+from dataclasses import dataclass
 
 from evenload import commands, compiled, host, planar
 from evenload import tool as tools
@@ -12,6 +13,10 @@ from evenload.settings.table import HOLE_ENTRIES
 from evenload.simulation import part, taking
 from evenload.waiting import Stopped
 
+MOST_KEPT = 150_000  # moves of paths that were followed: some 50 MB
+_followed = (
+    OrderedDict()
+)  # moves and numbers by what they follow from, those asked for last at its end
 ABOVE = 1.0  # mm: above the stock, where the tool that stands for a hole's drill comes from
 
 
@@ -45,34 +50,29 @@ def before(operation):
     return Before(blocks, bottom, cut_before(operation, notes), notes)
 
 
-@dataclass(frozen=True)
-class _Written:
-    """A path as far as its moves follow from it: two that are written alike are alike."""
-
-    text: str
-    clearance: float  # mm
-    feed: float  # mm/min, before the first F
-    path: object = field(compare=False)
-
-
 def moves_of(operation):
     """(moves, numbers of their commands) of an operation's path. Neither list may be changed: who
     asks again gets the same ones.
     """
     clearance = getattr(host.operation_under(operation), "ClearanceHeight", None)
-    feed, path = 60 * host.controller_of(operation).HorizFeed.Value, operation.Path
-    written = _Written(path.toGCode(), clearance.Value if clearance else 0.0, feed, path)
-    try:
-        return _moves_in(written)
-    except ValueError as error:
-        raise ValueError("'%s': %s" % (operation.Label, error)) from None
+    height, path = clearance.Value if clearance else 0.0, operation.Path
+    feed = 60 * host.controller_of(operation).HorizFeed.Value
+    # To write a path takes a tenth of the time that it takes to follow it.
+    key = hashlib.sha256(path.toGCode().encode()).digest(), height, feed
+    if key not in _followed:
+        try:
+            _followed[key] = _followed_now(path.Commands, height, feed)
+        except ValueError as error:
+            raise ValueError("'%s': %s" % (operation.Label, error)) from None
+    _followed.move_to_end(key)
+    while len(_followed) > 1 and sum(len(moves) for moves, _ in _followed.values()) > MOST_KEPT:
+        _followed.popitem(last=False)
+    return _followed[key]
 
 
-@lru_cache(maxsize=16)  # to write a path takes a tenth of the time that it takes to follow it
-def _moves_in(written):
-    found = written.path.Commands
+def _followed_now(found, clearance, feed):
     heights = [c.Parameters["Z"] for c in found if "Z" in c.Parameters]
-    return commands.to_moves(found, max([written.clearance, *heights]), written.feed)
+    return commands.to_moves(found, max([clearance, *heights]), feed)
 
 
 def all_before(operation):
