@@ -3,7 +3,6 @@
 import contextlib
 
 from evenload import host
-from evenload.operations.following import ANGLE, STEP
 from evenload.stability.operation import depth_of
 from evenload.translation import translate
 
@@ -53,9 +52,9 @@ def take_open(operation, speed=None, depth=None, cut_mode=None, engagement_deg=N
     inner = host.operation_under(operation)
     _turn_at(host.controller_of(operation), inner, speed, feed)
     _cut_at(inner, depth, cut_mode)
-    if engagement_deg is not None and hasattr(inner, ANGLE):
-        _free(inner, STEP)  # whose expression would set the angle
-        _set(inner, ANGLE, engagement_deg)
+    if engagement_deg is not None and hasattr(inner, "EngagementAngle"):
+        _free(inner, "SideStep")  # whose expression would set the angle
+        _set(inner, "EngagementAngle", engagement_deg)
 
 
 def sharers(operation):
