@@ -285,7 +285,12 @@ def width_of(widget, text):
 def units_shown():
     """How quantities are shown: the units, and the decimals that FreeCAD's preferences say."""
     units = tuple(_shown_unit(kind, INCH) for kind in DIMENSIONS)
-    return (*units, FreeCAD.ParamGet(UNITS).GetInt("Decimals", 2))
+    return (*units, decimals())
+
+
+def decimals():
+    """Of numbers with units, as FreeCAD's preferences say."""
+    return FreeCAD.ParamGet(UNITS).GetInt("Decimals", 2)
 
 
 def shows_decimal_inches():

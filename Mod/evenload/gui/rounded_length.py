@@ -18,17 +18,13 @@ BEYOND = 1e6  # mm past the limits, where FreeCAD's field would not step on
 
 def is_rounded(kind):
     """Whether the fields of a kind of quantity are such ones now."""
-    return kind in (LENGTH, POINT) and fields.shows_decimal_inches() and decimals() < DECIMALS
-
-
-def decimals():
-    """Of numbers with units, as FreeCAD's preferences say."""
-    return FreeCAD.ParamGet(fields.UNITS).GetInt("Decimals", 2)
+    is_coarse = fields.decimals() < DECIMALS
+    return kind in (LENGTH, POINT) and is_coarse and fields.shows_decimal_inches()
 
 
 def _coarse():
     """mm: a step that FreeCAD's decimals show, and that no rounding is taken for."""
-    return INCH * 10 ** (1 - decimals())
+    return INCH * 10 ** (1 - fields.decimals())
 
 
 class RoundedLength:
@@ -79,7 +75,11 @@ class RoundedLength:
         return self._typed is not None or self._steps != 0
 
     def edited(self, length):
-        """What a length becomes by what was typed and stepped."""
+        """What a length becomes by what was typed and stepped. One that was not edited stays, also
+        beyond the limits.
+        """
+        if not self.is_edited:
+            return length
         if self._typed is not None:
             length = self._typed
         return min(max(length + self._steps * STEP, self._least), self._most)
