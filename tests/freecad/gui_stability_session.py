@@ -291,10 +291,15 @@ def session():
     settled(window)
     result["mended"] = text_of(window)
 
-    # FreeCAD's own operation, chosen in the list.
+    # FreeCAD's own operation, chosen in the list while the best cut of the other is looked for.
+    click(window.best_button)
+    searched = window.searcher.is_busy
     window.operations.setCurrentIndex(window.operations.findData(pocket.Name))
     window._operation_chosen()
     settled(window)
+    until(lambda: not window.searcher.is_busy)
+    later(100)
+    result["best_of_another"] = [searched, window.best is None, window.found.text()]
     result["pocket"] = [text_of(window), window.cut.engagement.value()]
     grab(window, "pocket")
 

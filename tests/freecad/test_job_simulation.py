@@ -205,6 +205,16 @@ def test_a_path_is_followed_once_and_anew_when_it_or_what_it_follows_is_another(
     assert earlier.moves_of(op)[0] is higher
 
 
+def test_followed_paths_are_kept_up_to_a_number_of_moves(square, monkeypatch):
+    ops = [square.done(square.operation(EngagementAngle=angle)) for angle in (50, 60)]
+    first, second = (earlier.moves_of(op)[0] for op in ops)
+    assert [earlier.moves_of(op)[0] is each for op, each in zip(ops, (first, second))] == [1, 1]
+    monkeypatch.setattr(earlier, "MOST_KEPT", len(second))
+    assert earlier.moves_of(ops[1])[0] is second
+    again, _ = earlier.moves_of(ops[0])
+    assert again == first and again is not first
+
+
 def _length(found):
     total, at = 0.0, None
     for kind, x, y, z, sweep, cx, cy, _ in found:

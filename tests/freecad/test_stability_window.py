@@ -127,3 +127,7 @@ def test_an_operation_of_freecad_has_a_chart_too(session):
 
 def test_the_window_reads_what_is_kept_and_closes_with_its_document(session):
     assert session["closed"] and session["again"] == 1 and session["gone"]
+
+
+def test_the_best_cut_of_another_operation_is_not_told(session):
+    assert session["best_of_another"] == [True, True, ""]
